@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Shared by run.sh, test.sh and .ci/run: installing packages, configuring and building. Sourced,
-# never run. SOURCE_DIR is the root of the project, found through symlinks.
+# Installing packages, configuring and building, for run.sh, test.sh and .ci/run. To be sourced, not
+# run. SOURCE_DIR is the root of the project, also if a script is called through a symlink.
 
 COMMON_FILE=$(readlink -f -- "${BASH_SOURCE[0]}")
 SOURCE_DIR=$(dirname -- "$(dirname -- "$COMMON_FILE")")
@@ -25,7 +25,7 @@ packages_of() {
     done
 }
 
-# Prints those of the given packages that are not installed.
+# Prints the given packages that are not installed.
 missing_packages() {
     local package
     for package in "$@"; do
@@ -34,7 +34,7 @@ missing_packages() {
     done
 }
 
-# True when as_root will work; asks for the password if sudo wants one.
+# True if as_root works; sudo may ask for the password.
 may_be_root() {
     [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null && sudo true; }
 }
@@ -44,7 +44,7 @@ as_root() {
 }
 
 # update_package_lists LOG. The lists' own lock is not covered by DPkg::Lock::Timeout, hence the
-# loop. A third-party source that is out of order does not matter as long as the packages are found.
+# loop. A broken third-party source does not matter as long as the packages are found.
 update_package_lists() {
     local attempt
     for attempt in $(seq 60); do
@@ -55,17 +55,17 @@ update_package_lists() {
         [ "$attempt" -ne 1 ] || say "Another package manager is running; waiting for it."
         sleep 5
     done
-    say "The package lists could not be brought up to date; trying with what is there."
+    say "The package lists could not be updated; continuing with the present ones."
 }
 
-# install_packages LIST...: does nothing, and needs no network, when all are there.
+# install_packages LIST...: does nothing, and needs no network, if all are installed.
 install_packages() {
     local wanted missing log
     mapfile -t wanted < <(packages_of "$@")
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-        say "This is not Debian, so nothing is installed. Needed are a C++20 compiler, CMake 3.22," \
-            "Ninja, Qt 6.4 (Widgets, PrintSupport, DBus, Network, SerialPort, Linguist tools, Test, its Chinese translation and the SVG plugin), CLI11 and tl-expected;" \
-            "Debian calls them: ${wanted[*]}"
+        say "This is not Debian, so no packages are installed. You need a C++20 compiler, CMake 3.22," \
+            "Ninja, Qt 6.4 (Widgets, PrintSupport, DBus, Network, SerialPort, Linguist tools, Test, its Chinese translation and the SVG plugin), CLI11 and tl-expected." \
+            "Their names in Debian: ${wanted[*]}"
         return 0
     fi
     mapfile -t missing < <(missing_packages "${wanted[@]}")
@@ -73,29 +73,29 @@ install_packages() {
         say "All ${#wanted[@]} packages are installed."
         return 0
     fi
-    say "To be installed (a few minutes the first time): ${missing[*]}"
-    may_be_root || die "packages are missing, and installing them needs root or sudo; you have neither." \
-        "Ask somebody who has to run:  apt-get install ${missing[*]}"
+    say "Installing these packages (a few minutes the first time): ${missing[*]}"
+    may_be_root || die "packages are missing, and you cannot install them without root or sudo." \
+        "Ask an administrator to run:  apt-get install ${missing[*]}"
     log=$(mktemp)
     update_package_lists "$log"
     if ! as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
         -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 install "${missing[@]}" >"$log" 2>&1; then
         tail -n 15 -- "$log" >&2
-        die "the packages could not be installed; the reason stands above." \
-            "By hand:  apt-get install ${missing[*]}" "The whole log:  $log"
+        die "the packages could not be installed; see the messages above." \
+            "To install them manually:  apt-get install ${missing[*]}" "Complete log:  $log"
     fi
     rm -f -- "$log"
 }
 
 cache_value() { sed -n "s|^$1:[A-Z]*=||p" "$BUILD_DIR/CMakeCache.txt"; }
 
-# A cache made for another place or generator cannot be used; the rest of the folder can stay.
+# A cache for another folder or generator cannot be used; the rest of the build folder can.
 drop_stale_cache() {
     [ -f "$BUILD_DIR/CMakeCache.txt" ] || return 0
     if [ "$(cache_value CMAKE_GENERATOR)" != Ninja ] ||
         [ "$(cache_value CMAKE_HOME_DIRECTORY)" != "$SOURCE_DIR" ] ||
         [ "$(cache_value CMAKE_CACHEFILE_DIR)" != "$BUILD_DIR" ]; then
-        say "The build folder was made for another place or generator; configuring it anew."
+        say "The build folder belongs to another source folder or generator; configuring it again."
         rm -rf -- "$BUILD_DIR/CMakeCache.txt" "$BUILD_DIR/CMakeFiles"
     fi
 }
@@ -104,16 +104,16 @@ drop_stale_cache() {
 configure_release() {
     local tool
     for tool in cmake ninja; do
-        command -v "$tool" >/dev/null || die "$tool is needed, but not installed."
+        command -v "$tool" >/dev/null || die "$tool is required but not installed."
     done
     { mkdir -p -- "$BUILD_DIR" && [ -w "$BUILD_DIR" ]; } 2>/dev/null ||
-        die "the folder $BUILD_DIR cannot be written." \
-            "If root made it: remove it, or run this as root again."
+        die "cannot write to the folder $BUILD_DIR." \
+            "If root created it, remove it or run this script as root."
     drop_stale_cache
     local log=$BUILD_DIR/configure.log
     if ! cmake -S "$SOURCE_DIR" -B "$BUILD_DIR" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-        -DSERVODESK_PCH=ON "$@" >"$log" 2>&1; then
+        -DSERVODESK_PCH=ON -DSERVODESK_UNITY=ON "$@" >"$log" 2>&1; then
         cat -- "$log" >&2
-        die "the project could not be configured; the reason stands above."
+        die "the project could not be configured; see the messages above."
     fi
 }

@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Proves the commands of the README on a fresh machine: makes a Debian 12 of its minimal packages with
-# debootstrap, copies the commit that is checked out into it, and runs run.sh and test.sh there, which
-# install what the lists of packages name and nothing else.
+# Tests the commands of the README on a fresh machine: creates a Debian 12 with minimal packages by
+# debootstrap, copies the current commit into it, and runs run.sh and test.sh there, which install only
+# the listed packages.
 #   packaging/fresh.sh [run | test [CTEST OPTION...]]     without an argument: run, then test
-# CI=true makes warnings errors there too. Root only. Needs debootstrap, git, and 5 GB in TMPDIR
-# (default: /var/tmp), which are free again at the end. Sources, keys, proxy and certificates of apt are
-# those of this machine.
+# With CI=true, warnings are errors there too. Needs root, debootstrap, git, and 5 GB in TMPDIR (default:
+# /var/tmp) until it ends. Sources, keys, proxy and certificates of apt are those of this machine.
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
@@ -21,33 +20,33 @@ case $what in
 run | test | all) ;;
 *) die "unknown argument \"$what\"." "Usage:  packaging/fresh.sh [run | test [CTEST OPTION...]]" ;;
 esac
-[ "$(id -u)" -eq 0 ] || die "only root can make a fresh machine."
+[ "$(id -u)" -eq 0 ] || die "this script needs root."
 for tool in debootstrap git unshare; do
     command -v "$tool" >/dev/null ||
-        die "$tool is needed, but not installed." "Install it:  apt-get install debootstrap git util-linux"
+        die "$tool is required but not installed." "To install it:  apt-get install debootstrap git util-linux"
 done
 
 root=$(mktemp -d "${TMPDIR:-/var/tmp}/servodesk-fresh.XXXXXX")
-# Nothing is mounted here: all mounts belong to namespaces of their own, which end with their programs.
+# There are no mounts to undo: each belongs to a namespace of its own, which ends with its program.
 trap 'rm -rf --one-file-system -- "$root"' EXIT
-chmod 755 "$root" # mktemp's 700 would keep PostgreSQL, which never runs as root, out of all of it
+chmod 755 "$root" # mktemp sets 700, but PostgreSQL does not run as root and must enter
 
-# "URI suite component" of each archive of this Debian release that apt uses here; no third party's.
+# "URI suite component" of each archive of this Debian release in apt's sources, without third parties.
 archives() {
     # shellcheck disable=SC2016 # apt expands these
     apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
         grep -E " $release(-updates|-security)? main\$" | sort -u
 }
 
-# The machine as an installer would leave it, able to reach the archives as this one does.
+# The machine as after an installation, with access to the archives like this one.
 make_machine() {
     local mirror keys log=$root.log
     mirror=$(archives | sed -n "s/ $release main\$//p" | head -n 1)
-    [ -n "$mirror" ] || die "apt has no source for Debian's release $release here."
+    [ -n "$mirror" ] || die "apt on this machine has no source for Debian $release."
     if ! debootstrap --variant=minbase "$release" "$root" "$mirror" >"$log" 2>&1; then
         tail -n 15 -- "$log" >&2
         rm -f -- "$log"
-        die "debootstrap failed; the reason stands above."
+        die "debootstrap failed; see the messages above."
     fi
     rm -f -- "$log"
     archives | sed 's/^/deb /' >"$root/etc/apt/sources.list"
@@ -65,7 +64,7 @@ make_machine() {
     git -C "$SOURCE_DIR" archive HEAD | tar -x -C "$root$inside"
 }
 
-# on_machine [NAME=VALUE...] COMMAND...: in the project's folder there, without a display or an input.
+# on_machine [NAME=VALUE...] COMMAND...: in the project folder there, without display and input.
 on_machine() {
     # shellcheck disable=SC2016 # expanded inside
     unshare --mount --pid --fork --kill-child --propagation private bash -euc '
@@ -85,15 +84,15 @@ on_machine() {
 }
 
 [ -z "$(git -C "$SOURCE_DIR" status --porcelain)" ] ||
-    say "Changes that are not committed are left out."
-step fresh "A machine with nothing but Debian's minimal packages"
+    say "Uncommitted changes are not included."
+step fresh "Creating a machine with only the minimal packages of Debian"
 make_machine
 if [ "$what" != test ]; then
     step fresh "packaging/run.sh, without a display"
     on_machine packaging/run.sh
     step fresh "packaging/run.sh, the window"
     on_machine QT_QPA_PLATFORM=offscreen packaging/run.sh --screenshot /root/window.png --after 4000
-    [ -s "$root/root/window.png" ] || die "the window left no picture."
+    [ -s "$root/root/window.png" ] || die "the window did not save a screenshot."
 fi
 if [ "$what" != run ]; then
     step fresh "packaging/test.sh $*"

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of README and help anew, by the program itself, without a screen: the window at
-# its first start, a search, the pages at work, the memory table; both languages, both themes.
-# Needs a build with the benches and a Chinese font (fonts-noto-cjk).
+# Creates the pictures of README and help with the program itself, without a screen: the window at its
+# first start, a search, the pages in use, the memory table; both languages, both themes. Needs a build with the benches and a Chinese font (fonts-noto-cjk).
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
@@ -10,7 +9,7 @@ set -euo pipefail
 
 program=${1:-$BUILD_DIR/bin/servodesk}
 images=$SOURCE_DIR/resources/help/images
-[ -x "$program" ] || die "$program is not built." "Build it:  packaging/run.sh"
+[ -x "$program" ] || die "$program is not built." "To build it:  packaging/run.sh"
 place=$(mktemp -d)
 trap 'rm -rf -- "$place"' EXIT
 mkdir -p -- "$images"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what is needed, builds ServoDesk with its tests into build/ and runs them. Arguments go
-# to ctest, e.g. `-R journal`. With CI=true, warnings are errors.
+# Installs the required packages, builds ServoDesk with its tests into build/ and runs them. Arguments
+# are passed to ctest, e.g. `-R journal`. With CI=true, warnings are errors.
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
@@ -12,8 +12,8 @@ options=(-DSERVODESK_TESTS=ON)
 
 step 1/3 "Packages"
 install_packages build test
-step 2/3 "Building into $BUILD_DIR"
+step 2/3 "Building in $BUILD_DIR"
 configure_release "${options[@]}"
 cmake --build "$BUILD_DIR"
 step 3/3 "Tests"
-exec ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 3 "$@"
+exec ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 5 "$@"

@@ -1,7 +1,8 @@
 # The interface in other languages: each .ts file here becomes a .qm inside the text layer, as
 # :/i18n/NAME.qm. `cmake --build build --target update_translations` brings the .ts files up to
 # date with the sources; a test fails while they are not, or while an entry is unfinished.
-set(SERVODESK_TS_FILES ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts)
+set(SERVODESK_TS_FILES ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts
+    ${CMAKE_SOURCE_DIR}/translations/servodesk_en.ts) # the plurals of "%n servo(s)"
 # With the include folders it knows in which namespace a class is, as tr() does.
 set(SERVODESK_LUPDATE ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/ui -I ${CMAKE_SOURCE_DIR} -I ${CMAKE_SOURCE_DIR}/src -no-obsolete -locations none -silent
     CACHE INTERNAL "What lupdate reads and how; the test of the translations does the same")
@@ -22,6 +23,8 @@ qt_add_resources(sd_text translations PREFIX /i18n BASE ${CMAKE_BINARY_DIR}/i18n
     FILES ${qm_files})
 
 add_custom_target(update_translations
-    COMMAND Qt6::lupdate ${SERVODESK_LUPDATE} -ts ${SERVODESK_TS_FILES}
+    COMMAND Qt6::lupdate ${SERVODESK_LUPDATE} -ts ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts
+    COMMAND Qt6::lupdate ${SERVODESK_LUPDATE} -pluralonly
+            -ts ${CMAKE_SOURCE_DIR}/translations/servodesk_en.ts
     COMMENT "Updating the .ts files from the sources"
     VERBATIM)

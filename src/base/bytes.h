@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Byte strings as they stand on the wire, and the few helpers everybody needs to build and read
+// Byte strings as they are on the wire, and the few helpers needed everywhere to build and read
 // them. Pure values; any thread; never fail except fromHex.
 #pragma once
 

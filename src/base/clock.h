@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time as everything below the window sees it. Instants and spans are both microseconds; instants
-// count from an arbitrary start of the clock. Nobody else in src asks the system for the time of a
-// measurement.
+// count from an arbitrary start of the clock. No other code in src asks the system for the time of
+// a measurement.
 #pragma once
 
 #include "base/stop_token.h"
@@ -25,7 +25,7 @@ public:
         return sleepUntil(now() + span, stop);
     }
 
-    /// True when waiting costs no real time, so that nobody waits for another thread on it.
+    /// True when waiting costs no real time; do not wait for another thread with such a clock.
     virtual bool isManual() const { return false; }
 };
 
@@ -36,7 +36,7 @@ public:
     bool sleepUntil(Duration instant, const StopToken* stop = nullptr) override;
 };
 
-/// Time that passes only when somebody waits or advances it. For tests and fast simulation.
+/// Time that passes only when a caller waits or advances it. For tests and fast simulation.
 class ManualClock final : public Clock {
 public:
     Duration now() const override { return Duration(m_now.load(std::memory_order_relaxed)); }

@@ -6,11 +6,13 @@
 #include <QString>
 #include <tl/expected.hpp>
 
+#include <cstdint>
+
 namespace base {
 enum class ErrorCode {
     // port
     PortMissing,     ///< no such device or host
-    PortBusy,        ///< opened by someone else; detail names them if known
+    PortBusy,        ///< opened by another program; detail names it if known
     PortPermission,  ///< detail names the group that may open it, if known
     PortFailed,      ///< any other failure to open; detail is the system's message
     RateUnsupported, ///< the adapter cannot run this baud rate
@@ -19,7 +21,7 @@ enum class ErrorCode {
     NoReply,         ///< nothing came before the deadline
     Garbled,         ///< bytes came, but no valid reply (checksum, noise, collision)
     UnexpectedReply, ///< a valid reply of another shape than the one asked for
-    LineBusy,        ///< something sends without a pause: no reply can be told from it
+    LineBusy,        ///< bytes arrive without a pause: no reply can be recognized among them
     Uncertain,       ///< a request that must not be repeated lost its answer
     Stopped,         ///< the user stopped it
     Preempted,       ///< the emergency lane took the wire
@@ -50,6 +52,15 @@ enum class ErrorCode {
     DiskFull,
 };
 
+/// Why a request was refused, where a program decides on it. The detail says the same in JSON.
+enum class Reason : std::uint8_t {
+    None,
+    NotInPositionMode,
+    IdentityRegister, ///< a template contains ID and baud rate only on request
+    ReadOnlyRegister,
+    NoValue, ///< the snapshot has no value for this register
+};
+
 /// Context is filled in as far as it is known; -1 and empty mean "not applicable".
 struct Error {
     ErrorCode code = ErrorCode::BadArgument;
@@ -58,6 +69,7 @@ struct Error {
     int id = -1;           ///< servo
     QString registerKey{}; ///< register, if one is concerned
     int attempts = 0;      ///< transactions tried
+    Reason reason = Reason::None;
 };
 
 template <typename T>

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/journal.h"
 
+#include "base/enum_names.h"
+
 #include <algorithm>
-#include <array>
 
 namespace base {
 namespace {
-struct KindName {
-    IntentKind kind;
-    QLatin1String name;
-};
-
-constexpr std::array kindNames{
-    KindName{IntentKind::Write, QLatin1String("write")},
-    KindName{IntentKind::SetId, QLatin1String("set-id")},
-    KindName{IntentKind::SetBaud, QLatin1String("set-baud")},
-    KindName{IntentKind::Mode, QLatin1String("mode")},
-    KindName{IntentKind::Calibrate, QLatin1String("calibrate")},
-    KindName{IntentKind::Restore, QLatin1String("restore")},
-    KindName{IntentKind::Identify, QLatin1String("identify")},
-    KindName{IntentKind::Trial, QLatin1String("trial")},
-    KindName{IntentKind::Undo, QLatin1String("undo")},
+constexpr EnumName<IntentKind> kindNames[]{
+    {IntentKind::Write, "write"},         {IntentKind::SetId, "set-id"},
+    {IntentKind::SetBaud, "set-baud"},    {IntentKind::Mode, "mode"},
+    {IntentKind::Calibrate, "calibrate"}, {IntentKind::Restore, "restore"},
+    {IntentKind::Identify, "identify"},   {IntentKind::Trial, "trial"},
+    {IntentKind::Undo, "undo"},
 };
 
 bool concerns(const Intent& intent, const ServoIdentity& identity)
@@ -35,20 +27,12 @@ bool concerns(const Intent& intent, const ServoIdentity& identity)
 
 QString intentKindName(IntentKind kind)
 {
-    for (const KindName& entry : kindNames) {
-        if (entry.kind == kind)
-            return entry.name;
-    }
-    Q_UNREACHABLE();
+    return nameOf(kindNames, kind);
 }
 
 std::optional<IntentKind> intentKindFromName(const QString& name)
 {
-    for (const KindName& entry : kindNames) {
-        if (name == entry.name)
-            return entry.kind;
-    }
-    return std::nullopt;
+    return valueOf(kindNames, name);
 }
 
 Result<std::vector<Intent>> Journal::open() const

@@ -17,8 +17,8 @@
 #include <vector>
 
 namespace base {
-/// Who a servo was when the intent was written. Servos carry no serial number, so an ID alone
-/// proves nothing: model, firmware and the old values must match too.
+/// The identity of a servo when the intent was written. Servos have no serial number, so an ID
+/// alone proves nothing: model, firmware and the old values must match too.
 struct ServoIdentity {
     int id = -1;
     int modelMajor = -1;
@@ -31,7 +31,7 @@ struct ServoIdentity {
     Protocol protocol = Protocol::Feetech;
     QString model{}; ///< its name for people, "STS3215"; may be unknown, proves nothing
 
-    /// By its port: what is done to a simulated servo says nothing about a real one.
+    /// By its port: a change of a simulated servo must never count as one of a real servo.
     bool isSimulated() const { return port.startsWith(QLatin1String("sim:")); }
 
     bool isSameKind(const ServoIdentity& other) const
@@ -56,8 +56,8 @@ enum class IntentKind {
     Mode,
     Calibrate,
     Restore,
-    Identify, ///< the LED was made to blink: whatever became of it, the old value is wanted
-    Trial,    ///< set for the length of a task: likewise
+    Identify, ///< the LED blinks; the old value is always to be restored
+    Trial,    ///< set for the duration of a task; the old value is always to be restored
     Undo,     ///< a write that puts back what an earlier one has changed
 };
 
@@ -73,8 +73,8 @@ struct Intent {
     bool lockOpened = false; ///< the write opens the EPROM lock
     ServoIdentity servo;
     std::vector<JournalItem> items;
-    /// Set by open(): another program that is running has it under way. It is that program's to
-    /// end; free as soon as that program has ended, however that came about.
+    /// Set by open(): another running program is executing this change. Only that program ends it;
+    /// when the program has ended for any reason, the intent is free.
     bool isActiveElsewhere = false;
 };
 
@@ -109,8 +109,8 @@ public:
     virtual Result<std::vector<JournalEntry>> entries() const = 0;
     /// Those without an end.
     virtual Result<std::vector<Intent>> open() const;
-    /// The latest `most` that may be about this servo: of its kind, and under its ID or on the way
-    /// to it. Servos carry no serial number, so more cannot be told.
+    /// The latest `maxCount` entries that may concern this servo: of its kind, with its ID, or
+    /// changing to its ID. Servos have no serial number, so a closer match is impossible.
     virtual Result<std::vector<JournalEntry>> entriesFor(const ServoIdentity& servo,
                                                          int maxCount) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a manoeuvre did besides what was asked, or found on its way: torque switched off, a lock
 // that stood open, limits restored. Data only; the text layer words it. Appended by device and
-// jobs, shown by whoever started the work. One thread (the job's).
+// jobs; the front end that started the work shows them. One thread (the job's).
 #pragma once
 
 #include <QString>
@@ -15,7 +15,7 @@ enum class NoticeCode : std::uint8_t {
     TorqueSwitchedOn,        ///< the goal written energizes the servo
     TorqueStaysOff,          ///< after the manoeuvre; on only when asked
     HoldingAt,               ///< a = goal raw at which the servo holds
-    LockFoundOpen,           ///< someone left the EPROM lock open
+    LockFoundOpen,           ///< the EPROM lock was open before the work began
     LockClosed,              ///< after LockFoundOpen, or recovered
     LockLeftOpen,            ///< could not be closed; it is in the journal
     CommandZeroed,           ///< key = goal_speed / goal_pwm …
@@ -38,10 +38,10 @@ enum class NoticeCode : std::uint8_t {
     SensorAlarmActive,       ///< encoder alarm: power-cycle, repair if it returns
     RebootedAfter,           ///< a = milliseconds until it answered
     RateChanged,             ///< a = baud at which it answers now
-    StillMoving,             ///< no longer waited for, it goes on; a = 1: it may, unseen
+    StillMoving,             ///< no longer waited for; a = 1: it may move, no flag shows it
     IdChanged,               ///< a = ID at which it answers now
     Resent,                  ///< reading proved that a write without acknowledgement never arrived
-    PersistenceUndocumented, ///< nobody says whether key survives power-off
+    PersistenceUndocumented, ///< no source states whether key survives power-off
     SaveUnverified,          ///< the save command was sent; only a power cycle could prove it
     CurrentLimitZero,        ///< key = the current limit, which is 0: no torque at all
     CurrentRestored,    ///< key, a = current limit put back after a mode that uses it otherwise

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/protocol.h"
 
+#include "base/enum_names.h"
+
 namespace base {
+namespace {
+constexpr EnumName<Protocol> protocolNames[]{
+    {Protocol::Feetech, "feetech"},
+    {Protocol::Modbus, "modbus"},
+    {Protocol::Lx, "lx"},
+};
+} // namespace
+
 QString protocolName(Protocol protocol)
 {
-    switch (protocol) {
-    case Protocol::Feetech:
-        return QStringLiteral("feetech");
-    case Protocol::Modbus:
-        return QStringLiteral("modbus");
-    case Protocol::Lx:
-        return QStringLiteral("lx");
-    }
-    return {};
+    return nameOf(protocolNames, protocol);
 }
 
 std::optional<Protocol> protocolFromName(const QString& name)
 {
-    for (const Protocol protocol : allProtocols) {
-        if (protocolName(protocol) == name)
-            return protocol;
-    }
-    return std::nullopt;
+    return valueOf(protocolNames, name);
 }
 } // namespace base

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Please end now": a flag that also wakes whoever waits on it. Owned by whoever starts the work,
-// passed by reference; any thread. Once requested it stays requested.
+// "Please end now": a flag that also wakes threads that wait on it. Owned by the caller that starts
+// the work, passed by reference; any thread. Once requested it stays requested.
 #pragma once
 
 #include <atomic>

@@ -22,7 +22,7 @@
 namespace bus {
 enum class Priority : std::uint8_t { Emergency, Interactive, Job, Poll };
 
-/// Unrest: the line never fell silent, so what came cannot be told from what was asked for.
+/// Unrest: the line never fell silent, so a reply cannot be told from other bytes.
 enum class FaultKind : std::uint8_t {
     Timeout,
     BadChecksum,
@@ -43,8 +43,8 @@ struct Transaction {
     protocol::Request request;
     Priority priority = Priority::Job;
     int retries = -1; ///< -1: the bus' default; requests with Repeat::Never are never repeated
-    /// Patience beyond wire time and reply delay. 0: adaptive (25 ms, growing). A scan asks for
-    /// 4 ms, a confirmation for a long one.
+    /// The wait beyond wire time and reply delay. 0: adaptive (25 ms, growing). A scan uses 4 ms,
+    /// a confirmation a long one.
     base::Duration timeout{};
     std::uint64_t hold = 0; ///< token of a Hold this transaction belongs to
     /// Ends the transaction early with Stopped. A request that must not be repeated is waited for
@@ -72,7 +72,7 @@ struct Outcome {
     }
 };
 
-/// A valid frame nobody waited for: a late reply, or another servo. Scans collect them.
+/// A valid frame that answers no request: a late reply, or another servo. Scans collect them.
 struct UnexpectedFrame {
     int id = 0;
     std::uint8_t status = 0;
@@ -125,7 +125,7 @@ public:
     /// calling thread holds them itself and the transaction does not carry the token.
     virtual base::Result<Outcome> transact(const Transaction& transaction) = 0;
 
-    /// Only listens for `span`; valid frames become strays.
+    /// Only listens for `span`; valid frames count as unexpected.
     virtual base::Result<void> listen(base::Duration span) = 0;
     virtual std::vector<UnexpectedFrame> takeUnexpectedFrames() = 0;
 
@@ -147,7 +147,7 @@ public:
 
     virtual PollId startPoll(const PollPlan& plan) = 0;
     virtual void stopPoll(PollId id) = 0;
-    /// Also after stopPoll, for what was not taken yet. At most 65536 are kept, the latest.
+    /// Also after stopPoll, for samples not taken yet. The latest 65536 are kept.
     virtual std::vector<Sample> takeSamples(PollId id) = 0;
 
     /// Ready-made frames that take torque off; see emergency().
@@ -162,27 +162,27 @@ public:
     virtual std::uint64_t emergencyCount() const = 0;
 
     virtual void setRetries(int retries) = 0;
-    /// Replaces the starting patience (25 ms) of ordinary transactions.
+    /// Replaces the initial timeout (25 ms) of ordinary transactions.
     virtual void setTimeout(base::Duration timeout) = 0;
     /// How long beyond the wire time a reply may still come: the latest one this link has shown and
-    /// half as much again, never less than the patience that was set, nor than 25 ms, nor than
-    /// 250 ms before the first reply. Whoever draws a conclusion from silence waits for so long.
+    /// half as much again; at least the timeout that was set, 25 ms, and 250 ms before the first
+    /// reply. Before a conclusion is drawn from silence, it must have lasted that long.
     virtual base::Duration maxReplyLateness() const = 0;
     /// The largest reply delay of any servo on this bus (SMS: up to 508 µs).
     virtual void setReplyDelay(base::Duration delay) = 0;
     /// Replaces the silence a protocol asks for between frames (Modbus: 1.75 ms above 19200 baud).
     virtual void setSilence(base::Duration silence) = 0;
 
-    /// A link that dies from now on is opened again, for so long; 0: it is lost at once. Meanwhile
-    /// everything goes unanswered, and a stop that is asked for is the first word after it. Whoever
-    /// asks for it must expect servos that have restarted. See ReconnectScope.
+    /// For how long the bus tries to open a link again that breaks from now on; 0: it is lost at
+    /// once. Until then no request is answered, and an emergency stop is the first thing sent
+    /// afterwards. The servos may have restarted. See ReconnectScope.
     virtual void setReconnectTimeout(base::Duration span) = 0;
 
     virtual Statistics statistics() const = 0;
     virtual std::vector<TraceEntry> takeTrace() = 0;
     virtual base::Clock& clock() const = 0;
 
-    /// Who has been found to answer alone on this connection. Any thread.
+    /// The IDs that were proved to belong to one servo on this connection. Any thread.
     VerifiedIds& verifiedIds() { return m_verifiedIds; }
 
 protected:

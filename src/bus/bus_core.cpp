@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/bus_core.h"
 
+#include "protocol/encode_error.h"
+
 #include <algorithm>
 
 namespace bus {
@@ -13,40 +15,21 @@ using protocol::Repeat;
 using namespace std::chrono_literals;
 
 namespace {
-
-QString operationName(Op op)
+/// Errors name what the user asked for, in whichever form it was sent.
+QString operationOf(Op op)
 {
     switch (op) {
-    case Op::Ping:
-        return QStringLiteral("ping");
-    case Op::Read:
     case Op::SyncRead:
-        return QStringLiteral("read");
-    case Op::Write:
+        return protocol::operationName(Op::Read);
     case Op::RegWrite:
     case Op::SyncWrite:
-        return QStringLiteral("write");
-    case Op::Action:
-        return QStringLiteral("action");
-    case Op::Halt:
-        return QStringLiteral("halt");
-    case Op::Restore:
-        return QStringLiteral("restore");
-    case Op::Backup:
-        return QStringLiteral("backup");
-    case Op::StateReset:
-        return QStringLiteral("state-reset");
-    case Op::Calibrate:
-        return QStringLiteral("calibrate");
-    case Op::Reboot:
-        return QStringLiteral("reboot");
-    case Op::Raw:
-        return QStringLiteral("raw");
+        return protocol::operationName(Op::Write);
+    default:
+        return protocol::operationName(op);
     }
-    return {};
 }
 
-/// Silence says least: if anything came in any attempt, that is what the user is told.
+/// Silence is the weakest finding: if anything came in any attempt, the user gets that error.
 ErrorCode errorFor(const std::vector<Fault>& faults)
 {
     ErrorCode code = ErrorCode::NoReply;
@@ -57,7 +40,7 @@ ErrorCode errorFor(const std::vector<Fault>& faults)
     return code;
 }
 
-/// A servo that refuses in so many words (Modbus exceptions) is not asked again.
+/// A servo that refuses explicitly (Modbus exceptions) is not asked again.
 std::optional<Error> exceptionIn(const Attempt& attempt)
 {
     for (const ReceivedReply& arrival : attempt.receivedReplies) {
@@ -132,7 +115,7 @@ Result<Outcome> BusCore::run(const Transaction& transaction)
     if (!outcome && outcome.error().code == ErrorCode::Preempted) {
         m_holds.clearPreemption(transaction.hold);
         handleEmergency();
-        // What looks after a stop hears that nobody answers, not that there is another stop.
+        // A check after a stop gets "no reply", not the report of another stop.
         if (m_line.isReconnecting() && transaction.priority == Priority::Emergency)
             return tl::unexpected(withContext({ErrorCode::NoReply}, request, 1));
     }
@@ -186,7 +169,7 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
 }
 
 /// On a link that has shown nothing yet silence says nothing either: its adapter may be slower than
-/// the patience it is given at first. A late reply ends the wait, and teaches.
+/// the timeout it has at first. A late reply ends the wait and is learned from.
 Result<void> BusCore::awaitFirstReply(Duration sentAt, const Interrupt& interrupt)
 {
     const Duration limit = sentAt + LateReplyGuard::maxLateness;
@@ -220,7 +203,7 @@ Result<void> BusCore::waitForTurn(const Transaction& transaction, const Interrup
 
 Error BusCore::withContext(Error error, const protocol::Request& request, int attempts) const
 {
-    error.operation = operationName(request.op);
+    error.operation = operationOf(request.op);
     error.id = request.id <= protocol::maxId ? request.id : -1;
     error.attempts = attempts;
     if (error.detail.isEmpty() && error.code == ErrorCode::LinkLost)

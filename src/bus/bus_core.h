@@ -24,9 +24,9 @@ struct CoreOptions {
 
 class BusCore final : public Bus {
 public:
-    /// Takes the open link and finds out whether it echoes, asking in the language of `codec`:
+    /// Takes the open link and finds out whether it echoes, by a request of `codec`:
     /// about 0.3 s if it does not, since adapters are up to a quarter of a second late. Requests
-    /// carry their own.
+    /// name their own protocol.
     BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& codec, base::Clock& clock,
             CoreOptions options = {});
 
@@ -79,7 +79,7 @@ public:
     bool runPoll();
     void requestEmergency(); ///< served by the bus' thread
     bool handleEmergency();  ///< true if there was one
-    void checkLink();        ///< notices unplugging; what has come becomes strays
+    void checkLink();        ///< notices unplugging; received frames count as unexpected
     bool lost() const override { return m_line.lost(); }
     void closeLink() { m_line.close(); }
 

@@ -20,7 +20,7 @@ constexpr auto stopInterval = 20ms;
 struct BusThread::Pending {
     Transaction transaction;
     std::function<Result<void>(BusCore&)> work; ///< instead of the transaction
-    Done done;                                  ///< instead of a caller who waits
+    Done done;                                  ///< instead of a caller that waits
     std::thread::id caller;
     bool preempted = false; ///< an emergency came while it waited
     std::condition_variable finished;
@@ -123,7 +123,7 @@ void BusThread::finishAll()
     }
 }
 
-/// Runs the most urgent thing that no hold keeps back; false if there is none.
+/// Runs the request of the highest priority that no hold keeps back; false if there is none.
 bool BusThread::runNext()
 {
     std::shared_ptr<Pending> next;

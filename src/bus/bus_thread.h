@@ -22,7 +22,7 @@ public:
     static base::Result<std::unique_ptr<BusThread>>
     open(Opener opener, const protocol::Codec& codec, base::Clock& clock, int bitsPerByte = 10);
 
-    /// Ends the thread; whoever still waits gets Stopped.
+    /// Ends the thread; callers that still wait get Stopped.
     ~BusThread() override;
 
     /// Does not block; `done` is called once, on the bus thread, and must be quick. A transaction

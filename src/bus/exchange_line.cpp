@@ -39,7 +39,7 @@ Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
         if (!hasData)
             return tl::unexpected(hasData.error());
         if (*hasData)
-            parseUnexpected(false);
+            m_scanner.scanUnexpected(false);
         now = m_clock.now();
     } while (now < instant);
     return {};
@@ -48,7 +48,7 @@ Result<void> Exchange::listenUntil(Duration instant, const Interrupt& interrupt)
 Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
 {
     const Duration start = m_clock.now();
-    const Duration limit = start + (m_lineBusy ? shortWait : tolerance());
+    const Duration limit = start + (m_lineBusy ? shortWait : m_scanner.noiseTolerance());
     Duration span{};
     for (;;) {
         if (const auto reason = interrupt.due())
@@ -57,12 +57,12 @@ Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
         if (!hasData)
             return tl::unexpected(hasData.error());
         if (*hasData) {
-            parseUnexpected(false);
+            m_scanner.scanUnexpected(false);
             m_awaitingSilence = true;
         }
         const Duration now = m_clock.now();
         const Duration quietFrom = m_line.lastByteAt() + m_line.silence();
-        const Duration timeout = isOverloaded() ? start + shortWait : limit;
+        const Duration timeout = m_scanner.isOverloaded() ? start + shortWait : limit;
         const Duration silentAt = std::min({quietFrom, limit, timeout});
         const bool frameOpen = !m_line.pending().empty();
         if ((!m_awaitingSilence && !frameOpen) || now >= silentAt) {
@@ -71,7 +71,7 @@ Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
         }
         span = std::min(silentAt - now, waitSlice);
     }
-    parseUnexpected(true);
+    m_scanner.scanUnexpected(true);
     m_awaitingSilence = false;
     return {};
 }
@@ -103,8 +103,7 @@ Result<void> Exchange::sendStopFrames(const std::vector<StopFrame>& frames, Dura
     const int rounds = clearAt > limit ? 2 : 1;
     for (int round = 0; round < rounds; ++round) {
         for (const StopFrame& frame : frames) {
-            m_codec = &protocol::codecFor(frame.protocol);
-            m_trace.setProtocol(frame.protocol);
+            m_scanner.setProtocol(frame.protocol);
             if (const auto sent = m_line.send(frame.bytes); !sent)
                 return tl::unexpected(sent.error());
             const Duration replyTime =
@@ -128,15 +127,15 @@ Duration Exchange::frameGap(const protocol::Codec& codec) const
 }
 
 /// Some protocols know where a frame begins by the silence before it, and where it ends by the one
-/// after: a request that nobody answers needs it too when another language follows.
+/// after: a request without a reply needs it too when another protocol follows.
 Result<void> Exchange::awaitFrameGap(const protocol::Codec& next, const Interrupt& interrupt)
 {
     const auto silentFrom = [&] {
         const Duration before = std::max(m_line.lastByteAt(), m_line.freeAt()) + frameGap(next);
-        return std::max(before, m_line.freeAt() + frameGap(*m_codec));
+        return std::max(before, m_line.freeAt() + frameGap(m_scanner.codec()));
     };
     Duration from = silentFrom();
-    const Duration limit = from + tolerance();
+    const Duration limit = from + m_scanner.noiseTolerance();
     while (m_clock.now() < from) {
         const Duration last = m_line.lastByteAt();
         if (const auto listened = listenUntil(from, interrupt); !listened)
@@ -153,8 +152,8 @@ Result<void> Exchange::awaitFrameGap(const protocol::Codec& next, const Interrup
 
 Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
 {
-    m_trace.setProtocol(m_codec->echoProbe().protocol);
-    const auto probe = m_codec->encode(m_codec->echoProbe());
+    m_trace.setProtocol(m_scanner.codec().echoProbe().protocol);
+    const auto probe = m_scanner.codec().encode(m_scanner.codec().echoProbe());
     if (!probe)
         return tl::unexpected(probe.error());
     EchoProbe state{*probe};
@@ -177,7 +176,8 @@ Result<bool> Exchange::probeEcho(const Interrupt& interrupt)
     }
     // Nothing has shown yet how late this adapter is. Where bytes fill the line they would show.
     const Duration limit = state.lastExpectedAt + m_lateReplyGuard.maxReplyLateness();
-    const auto echoed = isOverloaded() ? Result<bool>(false) : awaitEcho(state, limit, interrupt);
+    const auto echoed =
+        m_scanner.isOverloaded() ? Result<bool>(false) : awaitEcho(state, limit, interrupt);
     return echoed && *echoed ? collectEchoes(state, interrupt) : echoed;
 }
 
@@ -208,7 +208,7 @@ Result<bool> Exchange::awaitEcho(EchoProbe& state, Duration deadline, const Inte
         if (!hasData)
             return hasData;
         if (*hasData)
-            countUnsolicited(m_line.received() - before, false);
+            m_scanner.countUnsolicited(m_line.received() - before, false);
     }
 }
 

@@ -5,7 +5,7 @@
 
 namespace bus {
 namespace {
-/// Whoever speaks to all servos, or to nobody knows whom, meets every hold.
+/// A request to all servos, or to unknown ones, conflicts with every hold.
 constexpr int anyServo = -1;
 
 int targetId(const protocol::Request& request)

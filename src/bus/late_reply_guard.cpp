@@ -86,7 +86,7 @@ void LateReplyGuard::replyReceived(int id, Duration expectedAt, Duration now,
     servo.pending.push_back({expectedAt, protocol});
 }
 
-/// The oldest request in a language: replies keep their order, and no language reads another's.
+/// The oldest request of a protocol: replies keep their order, and protocols do not mix.
 std::vector<LateReplyGuard::PendingReply>::iterator
 LateReplyGuard::findPending(Servo& servo, base::Protocol protocol)
 {

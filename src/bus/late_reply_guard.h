@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keeps a late reply from being taken for the answer to the next request. Replies carry no
-// address, so after a time-out the bus only listens for a while before it speaks to that servo
-// again; and it learns from every reply how patient it has to be. Bus thread only, except
-// patience(), maxReplyLateness() and setTimeout().
+// address, so after a time-out the bus only listens for a while before it sends to that servo
+// again; and it learns from every reply how long it has to wait. Bus thread only, except timeout(),
+// maxReplyLateness() and setTimeout().
 #pragma once
 
 #include "base/clock.h"
@@ -16,7 +16,7 @@
 namespace bus {
 class LateReplyGuard {
 public:
-    /// Patience of ordinary transactions beyond wire time and reply delay.
+    /// Of ordinary transactions, beyond wire time and reply delay.
     base::Duration timeout() const;
     void setTimeout(base::Duration start);
     /// See Bus::maxReplyLateness().
@@ -34,14 +34,14 @@ public:
     void replyReceived(int id, base::Duration expectedAt, base::Duration now,
                        base::Protocol protocol);
     void aboutToSend(const protocol::Request& request);
-    /// A frame from `id` that nobody waits for: its lateness if that servo owes a reply.
+    /// A frame from `id` that answers no request: its lateness if that servo owes a reply.
     std::optional<base::Duration> matchLateReply(int id, base::Duration now,
                                                  base::Protocol protocol);
 
-    /// From when on this servo, or all that the request speaks to, may be spoken to.
+    /// From when on requests to this servo, or to all targets of the request, may be sent.
     base::Duration quietUntil(int id) const;
     base::Duration quietUntil(const protocol::Request& request) const;
-    /// Nobody is spoken to for a while: replies of unknown origin may be on their way.
+    /// Nothing is sent for a while: replies of unknown origin may be on their way.
     void quietAll(base::Duration now);
 
 private:

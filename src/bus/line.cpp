@@ -63,7 +63,7 @@ tl::unexpected<base::Error> Line::handleLoss(const base::Error& error)
     return base::fail(base::ErrorCode::NoReply, error.operation, error.detail);
 }
 
-/// Silence, at most `span` of it.
+/// Silence, for `span` or less.
 base::Result<bool> Line::tryReconnect(Duration span)
 {
     const Duration now = m_clock.now();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The link with what it lacks: the time bytes take on the wire, the echo of what was sent, and the
 // bytes that have come but are not understood yet. Counts and traces what it sends. What it keeps
-// is bounded, and dropping what was understood costs nothing, however much comes. Bus thread only,
-// but for the plain values. The first error of the link is final, LinkLost from then on,
+// is bounded, and dropping what was understood costs nothing. Bus thread only, except the plain
+// values. The first error of the link is final, LinkLost from then on,
 // unless its return is awaited: then the line is silent and nothing can be sent, until the link is
-// open again or the patience is over.
+// open again or the time for that is over.
 #pragma once
 
 #include "base/clock.h"
@@ -26,13 +26,13 @@ public:
          StatisticsCollector& statistics, TraceRing& trace, Reopener reopen = {});
 
     base::Duration wireTime(std::size_t bytes) const;
-    /// So long without a byte, and a reply that was running has ended.
+    /// After this time without a byte a reply that was running has ended.
     base::Duration silence() const;
 
     /// Waits until earlier bytes have left the wire, then sends. When the sending began. NoReply
     /// while the link is away: nothing was sent.
     base::Result<base::Duration> send(base::ByteView frame);
-    /// Waits for bytes, at most `span`; true if some came.
+    /// Waits for bytes, for `span` or less; true if some came.
     base::Result<bool> receive(base::Duration span);
 
     /// Bytes not understood yet, without echo. Empty while an echo is still being received.

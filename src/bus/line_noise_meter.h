@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the line is taken up by bytes that answer no request. Told of each of them; says when
-// they are more than a line with pauses could carry, and whether they are valid frames, among which
-// a reply could not be told. Bus thread only.
+// How much of the line is taken up by bytes that answer no request. Reports when they are more than
+// a line with pauses could carry, and whether they are valid frames, among which a reply could not
+// be recognized. Bus thread only.
 #pragma once
 
 #include "base/clock.h"
@@ -9,8 +9,8 @@
 namespace bus {
 class LineNoiseMeter {
 public:
-    /// Bytes that would occupy the line for `wireTime`; `frame`: they are a valid frame. Never more
-    /// than `most` is remembered.
+    /// Bytes that would occupy the line for `wireTime`; `frame`: they are a valid frame. The level
+    /// never exceeds `maxLevel`.
     void addBytes(base::Duration wireTime, bool frame, base::Duration now, base::Duration maxLevel);
 
     /// More than `allowed` has come beyond what the passing time accounts for.

@@ -25,12 +25,12 @@ struct PollServo {
     int id = 0;
     /// Spans of equal `every` that overlap or lie near are merged into block reads.
     std::vector<PollSpan> spans;
-    /// Servos with equal spans, equal `group` and syncRead are read by one sync read. Group tells
-    /// families apart that must not share a packet.
+    /// Servos with equal spans, equal `group` and syncRead are read by one sync read. The group
+    /// keeps families apart that must not share a packet.
     bool syncRead = false;
     int group = 0;
     base::Protocol protocol = base::Protocol::Feetech;
-    int mergeGap = 12;  ///< so many unwanted bytes are read along; -1: spans are read as they are
+    int mergeGap = 12;  ///< unwanted bytes that may be read along; -1: spans are read as they are
     int maxBlock = 128; ///< bytes in one merged read
 };
 
@@ -50,7 +50,7 @@ struct Sample {
     base::Duration at{};
     bool answered = false;
     base::ErrorCode error = base::ErrorCode::NoReply;  ///< meaningful when not answered
-    base::Protocol protocol = base::Protocol::Feetech; ///< IDs are those of one language
+    base::Protocol protocol = base::Protocol::Feetech; ///< IDs are those of one protocol
     bool endsRound = false; ///< no other block of this servo is due in this round
 };
 } // namespace bus

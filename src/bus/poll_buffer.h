@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polled samples on their way from the bus to whoever asked. Bounded: the oldest fall out and are
+// Polled samples on their way from the bus to its caller. Bounded: the oldest fall out and are
 // counted. Any thread.
 #pragma once
 

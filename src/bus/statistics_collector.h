@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Counts what happens on one wire. Fed by the bus, copied out by any thread. An event without a
 // servo (broadcast, noise while no request is open) has ID -1 and counts in the sum only. A PING
-// that stays unanswered is no time-out: it asks who is there.
+// that stays unanswered is no time-out: it asks whether a servo is there.
 #pragma once
 
 #include "bus/round_trip_histogram.h"
@@ -23,7 +23,7 @@ public:
     void bytesSent(std::size_t bytes, base::Duration wireTime);
     void bytesReceived(std::size_t bytes, base::Duration wireTime);
 
-    /// Patience and lost samples are the caller's to fill in.
+    /// The caller fills in the timeout and the lost samples.
     Statistics snapshot(base::Duration now) const;
 
 private:

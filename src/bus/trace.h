@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every frame that crossed the wire, for whoever wants to look. A bounded ring inside the bus; the
-// oldest entries fall out and are counted. Values; any thread.
+// Every frame that crossed the wire. A bounded ring inside the bus: the oldest entries fall out and
+// are counted. Values; any thread.
 #pragma once
 
 #include "base/bytes.h"
@@ -23,7 +23,7 @@ struct TraceEntry {
     base::Duration at{};
     TraceKind kind = TraceKind::Sent;
     base::Bytes bytes;
-    base::Protocol protocol = base::Protocol::Feetech; ///< the language spoken at the time
+    base::Protocol protocol = base::Protocol::Feetech; ///< of the request at that time
     std::uint64_t dropped = 0;                         ///< entries lost before this one
 };
 } // namespace bus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The latest frames of a bus. Bounded: when nobody fetches them the oldest fall out and are
+// The latest frames of a bus. Bounded: where they are not fetched the oldest fall out and are
 // counted. Written by the bus, fetched by any thread.
 #pragma once
 
@@ -13,7 +13,7 @@ class TraceRing {
 public:
     explicit TraceRing(std::size_t capacity = 4096);
 
-    void setProtocol(base::Protocol protocol); ///< the language of what is added from now on
+    void setProtocol(base::Protocol protocol); ///< of the frames added from now on
     void add(base::Duration at, TraceKind kind, base::ByteView bytes);
     void note(base::Duration at, const QString& text); ///< ASCII
     std::vector<TraceEntry> take();                    ///< oldest first

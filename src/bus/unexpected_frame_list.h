@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Valid frames nobody waited for, for those who search. Bounded: the oldest fall out. Any thread.
+// Valid frames that answer no request, for searches. Bounded: the oldest fall out. Any thread.
 #pragma once
 
 #include "bus/bus.h"

@@ -27,7 +27,7 @@ public:
         const std::lock_guard lock(m_mutex);
         m_ids.erase({protocol, id, baud});
     }
-    /// Somebody has looked for servos that may have been plugged in since.
+    /// After a search for servos that may have been plugged in since.
     void clear()
     {
         const std::lock_guard lock(m_mutex);

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-// Q_INIT_RESOURCE must stand outside every namespace; without it the linker drops the resources of
+// Q_INIT_RESOURCE must be outside every namespace; without it the linker drops the resources of
 // a static library.
 static void initResources()
 {
@@ -32,7 +32,7 @@ bool firmwareFits(const SeriesDef& series, Version firmware)
     return (!series.from || firmware >= *series.from) && (!series.to || firmware <= *series.to);
 }
 
-/// What speaks another language than Feetech's has no model number, and its language names it.
+/// Servos of other protocols than Feetech's have no model number; the protocol gives the name.
 const SeriesDef* seriesByProtocol(const Catalog::Data& data, base::Protocol protocol,
                                   Version firmware)
 {
@@ -78,7 +78,7 @@ std::optional<base::ByteOrder> orderOf(const SeriesDef* series)
     return series ? std::optional(series->byteOrder) : std::nullopt;
 }
 
-/// What register 2 said, else what the model list says, else what the firmware alone implies.
+/// The value of register 2, else that of the model list, else what the firmware alone implies.
 std::optional<base::ByteOrder> byteOrderOf(const Catalog::Data& data, const Identity& identity,
                                            Version firmware)
 {
@@ -153,7 +153,7 @@ void applyProtocol(Profile& profile, base::Protocol protocol)
     }
 }
 
-/// What the servo can do beyond reading needs a map to do it with.
+/// Everything except reading needs a map.
 void applyCapabilities(Profile& profile, const SeriesDef& series, Version firmware)
 {
     profile.mapKey = series.map;
@@ -216,7 +216,7 @@ ProfilePtr build(const Catalog::Data& data, const Identity& identity, const Mode
     return profile;
 }
 
-/// Neither the model's name nor any map is believed.
+/// Neither the name of the model nor a map is trusted.
 ProfilePtr buildConflicting(const Catalog::Data& data, const Identity& identity,
                             base::ByteOrder order, const FamilyFacts& conflict)
 {

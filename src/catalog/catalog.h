@@ -36,7 +36,7 @@ struct ModelEntry {
     Text note;
 };
 
-/// A firmware version somebody has seen for a model. Informative: nobody says it is the latest.
+/// A firmware version seen on a model. Informative: it need not be the latest.
 struct KnownFirmware {
     int major = 0;
     int minor = 0;
@@ -56,10 +56,10 @@ public:
     /// Built-in files, then *.json of each folder in order; a later entry replaces an earlier one.
     static LoadResult load(const QStringList& userFolders = {});
 
-    /// The profile for what registers 0–4 said. Never null: an unknown model with a known firmware
-    /// gets a generic name; an unknown firmware gets a read-only profile (identity and feedback).
-    /// Where firmware, byte order flag and model list contradict each other the profile has a
-    /// conflict, and its table is bytes.
+    /// The profile for the values of registers 0–4. Never null: an unknown model with a known
+    /// firmware gets a generic name; an unknown firmware gets a read-only profile (identity and
+    /// feedback). Where firmware, byte order flag and model list contradict each other the profile
+    /// has a conflict, and its table is bytes.
     ProfilePtr resolve(const Identity& identity) const;
 
     /// For files and the simulator: a model by its name; case, blanks and '-' are ignored

@@ -71,7 +71,7 @@ struct SeriesDef {
     std::vector<Mode> modes;
 };
 
-/// A firmware known for some models, or for whatever speaks a protocol without model numbers.
+/// A firmware known for some models, or for all servos of a protocol without model numbers.
 struct FirmwareDef {
     base::Protocol protocol = base::Protocol::Feetech;
     std::optional<Version> fromModel; ///< both or neither

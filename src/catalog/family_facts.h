@@ -16,8 +16,8 @@ struct FamilyFacts {
     QString modelId;        ///< "9.3"
     QString modelName;      ///< in the model list; empty: not listed
     int modelFlag = -1;     ///< the flag that the model list expects
-    int lockAddress = -1;   ///< −1: the lock is not the trouble
-    std::int64_t lock = -1; ///< what stands there
+    int lockAddress = -1;   ///< −1: the lock is not the cause
+    std::int64_t lock = -1; ///< the value at that address
     bool operator==(const FamilyFacts&) const = default;
 
     QString detail() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the members of one JSON object and remembers the first thing that is wrong with it: a
-// missing or mistyped member, a number out of bounds, a word nobody knows, a member nobody asked
+// missing or mistyped member, a number out of bounds, an unknown word, a member that was not asked
 // for (a typing slip in "max" must not silently lift a limit). One thread.
 #pragma once
 
@@ -44,12 +44,12 @@ public:
     }
 
     void addError(const QString& errorText);
-    void require(const char* name); ///< complains if the member is missing
+    void require(const char* name); ///< an error if the member is missing
 
-    /// The first complaint so far, whoever still has members to ask for.
+    /// The first error so far, while members are still to be read.
     const QString& firstError() const { return m_errorText; }
 
-    /// The first complaint, or a member nobody asked for; empty if the object is sound.
+    /// The first error, or a member that was not read; empty if the object is valid.
     QString errorText() const;
 
 private:
@@ -70,5 +70,5 @@ std::vector<Condition> readConditions(const QJsonArray& array, QString& errorTex
 /// "protocol"; Feetech if left out.
 base::Protocol readProtocol(JsonFields& fields);
 
-Role roleFromName(const QString& string, bool& known);
+std::optional<Role> roleFromName(const QString& name);
 } // namespace catalog

@@ -101,7 +101,7 @@ void Loader::addFolder(const QString& path)
         return warn({}, QStringLiteral("not a readable folder"));
     }
     const QDir folder(path);
-    // QDir::System lists dangling links and pipes too: they deserve a warning, not silence.
+    // QDir::System lists dangling links and pipes too: each gets a warning.
     const auto entries = folder.entryInfoList(
         {QStringLiteral("*.json")},
         QDir::AllEntries | QDir::System | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
@@ -186,7 +186,7 @@ void Loader::addSeries(const QJsonValue& value, const QString& where)
                     [&](const SeriesDef& other) { return other.key == key; });
 }
 
-/// A series speaks what its map says; its own member counts while the map is not known.
+/// A series has the protocol of its map; its own member counts while the map is unknown.
 void Loader::applyProtocol(SeriesDef& series) const
 {
     const auto map = m_data.maps.find(series.map);

@@ -151,7 +151,7 @@ void removeConflicts(MapDef& map,
                      const std::function<void(const QString& key, const QString& reason)>& report)
 {
     constexpr std::size_t maxConditionCases =
-        512; // far above need, so that a hostile file ends soon
+        512; // far more than needed; limits the time for a malicious file
     std::vector<QString> reasons(map.rows.size());
     const auto cases = conditionCases(map);
     if (cases.size() > maxConditionCases) {

@@ -42,10 +42,9 @@ Mode readMode(const QJsonValue& row, JsonFields& owner)
     mode.name = fields.text("name");
     mode.operatingMode = optionalInt(fields, "operating_mode", 0, 255);
     mode.limitsZero = fields.flag("limits_zero");
-    bool known = false;
     const QString command = fields.string("command");
-    mode.command = roleFromName(command, known);
-    if (!known || mode.command == Role::None)
+    mode.command = roleFromName(command).value_or(Role::None);
+    if (mode.command == Role::None)
         fields.addError(QStringLiteral("unknown role \"%1\"").arg(command.left(40)));
     if (!fields.errorText().isEmpty())
         owner.addError(QStringLiteral("\"modes\": %1").arg(fields.errorText()));

@@ -11,8 +11,8 @@
 #include <memory>
 
 namespace catalog {
-/// What a servo says of itself: the first five bytes of every Feetech table; the two version words
-/// of a Modbus servo as firmware; an LX servo says nothing.
+/// The identity as read from the servo: the first five bytes of every Feetech table; the two
+/// version words of a Modbus servo as firmware; an LX servo has none.
 struct Identity {
     int firmwareMajor = -1;
     int firmwareMinor = -1;
@@ -57,7 +57,7 @@ struct Profile {
     base::ByteOrder byteOrder = base::ByteOrder::Little;
     Line line = Line::Unknown;
     bool writable = true; ///< false: firmware unknown; identity and feedback may be read only
-    /// Set where what the servo says of itself contradicts itself: no map is believed, the table is
+    /// Set where the identity contradicts itself: no map is trusted, the table is
     /// bytes, and nothing is written.
     std::optional<FamilyFacts> conflict;
     int stepsPerTurn = 4096;
@@ -69,7 +69,7 @@ struct Profile {
     bool syncRead = false;
     bool damping = false;
     bool multiTurn = false;
-    int readGap = 8;   ///< so many unwanted bytes are read along; -1: blocks are read as they are
+    int readGap = 8;   ///< unwanted bytes read along at most; -1: blocks are read as they are
     int maxRead = 128; ///< bytes in one read
     Centering centering = Centering::None;
     std::vector<Mode> modes;

@@ -13,7 +13,7 @@ bool listsBaud(const RegisterDef& def, const QString& baud)
                        [&](const NamedValue& value) { return value.key == baud; });
 }
 
-/// Whether servos with this map can be set to the rate, whatever their firmware.
+/// Whether servos with this map can be set to the rate, with any firmware.
 bool listsBaud(const MapDef& map, const QString& baud)
 {
     return std::any_of(map.rows.begin(), map.rows.end(), [&](const RegisterRow& row) {
@@ -38,7 +38,7 @@ bool isBaudSupported(const Catalog::Data& data, base::Protocol protocol, int bau
 
 std::vector<base::Protocol> Catalog::protocolsAt(int baud) const
 {
-    // Feetech has families without a public map, whose rates nobody knows.
+    // Feetech has families without a public map, whose rates are unknown.
     std::vector<base::Protocol> found{base::Protocol::Feetech};
     for (const auto protocol : {base::Protocol::Lx, base::Protocol::Modbus}) {
         if (isBaudSupported(*m_data, protocol, baud))

@@ -133,10 +133,10 @@ struct Block {
 /// Whether a value written survives power-off.
 enum class Persistence : std::uint8_t {
     ByArea,    ///< EPROM and factory rows do while the lock is open, others do not
-    Kept,      ///< always, as the sheet says (LX)
+    Kept,      ///< always, according to the sheet (LX)
     Lost,      ///< never
     AfterSave, ///< only after the save command
-    NotStated, ///< the sheet does not say
+    NotStated, ///< not stated in the sheet
 };
 
 struct Register {
@@ -173,6 +173,8 @@ struct Register {
     bool eprom() const { return area == Area::Eprom; }
 };
 
-QString areaName(Area area);       ///< "EPROM", "SRAM", "FEEDBACK", "FACTORY"
+QString areaName(Area area); ///< "EPROM", "SRAM", "FEEDBACK", "FACTORY"
+std::optional<Area> areaFromName(const QString& name);
 QString accessName(Access access); ///< "ro", "rw"
+std::optional<Access> accessFromName(const QString& name);
 } // namespace catalog

@@ -152,11 +152,11 @@ void readLayout(JsonFields& fields, Register& reg, base::Protocol protocol)
         fields.addError(QStringLiteral("\"save\" and \"after_save\" belong together"));
     readEncoding(fields.string("encoding"), reg.encoding, reg.signBit, fields);
     checkFits(reg.size, reg.encoding, reg.signBit, fields);
-    bool known = true;
-    const QString role = fields.optionalString("role", QStringLiteral("none"));
-    reg.role = roleFromName(role, known);
-    if (!known)
-        fields.addError(QStringLiteral("unknown role \"%1\"").arg(role.left(40)));
+    const QString roleName = fields.optionalString("role", QStringLiteral("none"));
+    const auto role = roleFromName(roleName);
+    if (!role)
+        fields.addError(QStringLiteral("unknown role \"%1\"").arg(roleName.left(40)));
+    reg.role = role.value_or(Role::None);
 }
 
 void readNumbers(JsonFields& fields, Register& reg, RawRange rawRange)

@@ -9,7 +9,7 @@
 #include <functional>
 
 namespace catalog {
-/// Answers the raw value of another register of the same servo, as far as it is known.
+/// Returns the raw value of another register of the same servo, as far as it is known.
 using Lookup = std::function<std::optional<std::int64_t>(const QString& key)>;
 inline std::optional<std::int64_t> noLookup(const QString&)
 {

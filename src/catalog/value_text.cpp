@@ -11,7 +11,7 @@
 
 namespace catalog {
 namespace {
-/// Fewest decimals that still tell neighboring raw values apart.
+/// Fewest decimals that still distinguish neighboring raw values.
 int decimalsFor(double scale)
 {
     int decimals = 0;

@@ -17,7 +17,7 @@ AlarmLog::AlarmLog(Console& console, const std::vector<device::Servo>& servos)
 {
     for (const device::Servo& servo : servos) {
         if (text::reportsAlarms(servo.profile.get()))
-            m_servos[servo.id] = {servo.identity(), servo.profile};
+            m_servos[servo.id] = {servo};
     }
 }
 
@@ -28,15 +28,9 @@ void AlarmLog::addStatus(int id, std::uint8_t status, const QDateTime& at)
         return;
     WatchedServo& servo = found->second;
     servo.at = at;
-    if (servo.status != status) {
-        servo.status = status;
-        servo.now = text::statusKeys(status, servo.profile.get());
-        for (const QString& key : std::as_const(servo.now)) {
-            if (!servo.recorded.contains(key))
-                servo.raised.try_emplace(key, at);
-        }
-    }
-    if (!servo.wrote.isValid() || servo.wrote.msecsTo(at) >= writeIntervalMs)
+    servo.servo.status = status;
+    servo.latch.update(session::activeAlarms(servo.servo), {}, at);
+    if (!servo.writtenAt.isValid() || servo.writtenAt.msecsTo(at) >= writeIntervalMs)
         write(servo);
 }
 
@@ -48,35 +42,27 @@ void AlarmLog::finish()
 
 void AlarmLog::write(WatchedServo& servo)
 {
-    if (m_failed || (servo.raised.empty() && servo.now == servo.recorded))
+    const auto changes = servo.reported.update(servo.latch.alarms(), servo.at);
+    if (m_failed || changes.empty())
         return;
-    const auto keep = [&]() -> base::Result<void> {
-        const auto history = record::History::open(session::historyFile());
+    servo.writtenAt = servo.at;
+    const auto save = [&]() -> base::Result<void> {
+        const auto history = history::History::open(session::historyFile());
         if (!history)
             return tl::unexpected(history.error());
-        const auto log = (*history)->log();
-        QStringList active = servo.recorded;
-        for (const auto& [key, at] : servo.raised) {
-            if (auto raised = log.recordAlarmStart(servo.identity, key, false, at); !raised)
-                return raised;
-            active += key;
-        }
-        for (const QString& key : std::as_const(active)) {
-            if (servo.now.contains(key))
-                continue;
-            if (auto went = log.recordAlarmEnd(servo.identity, key, servo.at); !went)
-                return went;
+        for (const session::AlarmChange& change : changes) {
+            const auto saved =
+                session::recordAlarm((*history)->log(), servo.servo.identity(), change);
+            if (!saved)
+                return saved;
         }
         return {};
     };
-    if (const auto recorded = keep(); !recorded) {
+    if (const auto saved = save(); !saved) {
         m_failed = true;
         m_console.printMessage(
-            translate("cli", "The alarms could not be kept in the history: %1 (%2)")
-                .arg(text::describe(recorded.error()).message, recorded.error().detail));
+            translate("cli", "The alarms could not be saved to the history: %1 (%2)")
+                .arg(text::describe(saved.error()).message, saved.error().detail));
     }
-    servo.recorded = servo.now;
-    servo.raised.clear();
-    servo.wrote = servo.at;
 }
 } // namespace cli

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes down in the history which alarms came and went while servos are watched, at most once a
-// second for each servo: one that flickers costs no more than that, and none is missed. Servos that
-// report no alarms are left out. Main thread. That the history cannot be written is said once on
-// stderr and ends nothing.
+// Records in the history which alarms come and go while servos are watched, at most once a second
+// for each servo, as the window does. Servos that report no alarms are left out. Main thread. A
+// history that cannot be written is reported once on stderr, and the watch goes on.
 #pragma once
 
 #include "cli/output/console.h"
-#include "device/servo.h"
-
-#include <QDateTime>
+#include "session/history/reported_alarms.h"
 
 #include <map>
 
@@ -17,22 +14,18 @@ class AlarmLog {
 public:
     AlarmLog(Console& console, const std::vector<device::Servo>& servos);
 
-    /// What the servo said in an answer, and when (UTC).
+    /// The status of a reply, and its time (UTC).
     void addStatus(int id, std::uint8_t status, const QDateTime& at);
-    /// Writes down what has not been yet.
+    /// Writes what has not been written yet.
     void finish();
 
 private:
     struct WatchedServo {
-        base::ServoIdentity identity;
-        catalog::ProfilePtr profile;
-        std::optional<std::uint8_t> status{};
-        QStringList now{};      ///< reported in the latest answer
-        QStringList recorded{}; ///< active as the history has it
-        /// Not yet written down: all that came since, and when.
-        std::map<QString, QDateTime> raised{};
-        QDateTime at{};    ///< of the latest answer
-        QDateTime wrote{}; ///< when last written down
+        device::Servo servo;
+        session::AlarmLatch latch{};
+        session::ReportedAlarms reported{};
+        QDateTime at{}; ///< of the latest reply
+        QDateTime writtenAt{};
     };
     void write(WatchedServo& servo);
 

@@ -5,9 +5,9 @@
 
 namespace cli {
 void explainBusyLine(Console& console, const device::Context& context, const device::Servo& servo,
-                     record::SweepEnd end)
+                     results::SweepEnd end)
 {
-    if (end != record::SweepEnd::LinkLost || context.bus.lost())
+    if (end != results::SweepEnd::LinkLost || context.bus.lost())
         return;
     bus::Transaction ping;
     ping.request = protocol::Request::ping(servo.id).in(servo.protocol);

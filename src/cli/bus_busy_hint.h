@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A test that ended because its servos could not be heard: says so where the line is there, but
-// never falls silent. Main thread; asks the servo once.
+// A hint for a test that ended because its servos did not reply, if the line is connected but never
+// silent. Main thread; sends one request to the servo.
 #pragma once
 
 #include "cli/output/console.h"
@@ -10,5 +10,5 @@
 
 namespace cli {
 void explainBusyLine(Console& console, const device::Context& context, const device::Servo& servo,
-                     record::SweepEnd end);
+                     results::SweepEnd end);
 } // namespace cli

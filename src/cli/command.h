@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A command of servodesk-cli, as data: how it is called, what it says about itself, and the
-// function that does it. To add one: write a file with a Command and name it in commands.cpp.
+// A command of servodesk-cli as data: its name, its help, and the function that runs it. To add
+// one: write a file with a Command and name it in commands.cpp.
 #pragma once
 
 #include "cli/exit_code.h"
@@ -14,14 +14,19 @@
 namespace cli {
 class Run;
 
-/// Help texts are marked with QT_TRANSLATE_NOOP("cli", …) and translated when they are shown.
+/// Help texts are marked with QT_TRANSLATE_NOOP("cli", …) and translated when they are printed.
 struct Positional {
     const char* name; ///< "ID", "KEY=VALUE"
     const char* help;
-    int min = 1; ///< words
+    int min = 1; ///< number of arguments
     int max = 1; ///< 1 or many
 };
 constexpr int many = -1;
+inline constexpr Positional servoIdArgument{"ID", QT_TRANSLATE_NOOP("cli", "ID of the servo")};
+inline constexpr Positional outputFileArgument{
+    "FILE",
+    QT_TRANSLATE_NOOP("cli", "output file, for example NAME.servo.json; an existing file is "
+                             "replaced")};
 
 struct Option {
     const char* flag; ///< "--csv"
@@ -29,7 +34,7 @@ struct Option {
     const char* value = nullptr; ///< "FILE"; null: a switch
 };
 
-/// What was typed, by positional name and option flag.
+/// The arguments of a command, by the name of the positional and the flag of the option.
 struct Values {
     QHash<QString, QStringList> positionals;
     QHash<QString, QString> options;
@@ -53,7 +58,7 @@ struct Command {
     const char* help;
     std::vector<Positional> positionals;
     std::vector<Option> options;
-    /// Shows the result itself. An error is worded and mapped to an exit code by the caller.
+    /// Prints the result. The caller prints an error and maps it to an exit code.
     base::Result<Exit> (*run)(Run&, const Values&);
 };
 

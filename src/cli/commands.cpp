@@ -4,7 +4,7 @@
 namespace cli {
 const std::vector<Command>& commands()
 {
-    // "history" after those it begins: what is looked for first is what was meant.
+    // "history" comes after its subcommands, because the first match is taken.
     static const std::vector<Command> all{portsCommand(),
                                           scanCommand(),
                                           infoCommand(),
@@ -29,6 +29,9 @@ const std::vector<Command>& commands()
                                           sweepReferenceCommand(),
                                           sweepCompareCommand(),
                                           stepResponseCommand(),
+                                          stepRunsCommand(),
+                                          stepReportCommand(),
+                                          stepCompareCommand(),
                                           rawCommand(),
                                           recoverCommand(),
                                           snapshotSaveCommand(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function a command file. Pure data.
+// One function per command. Pure data; any thread.
 #pragma once
 
 #include "cli/command.h"
@@ -25,6 +25,9 @@ Command moveCommand();
 Command watchCommand();
 Command sweepCommand();
 Command stepResponseCommand();
+Command stepRunsCommand();
+Command stepReportCommand();
+Command stepCompareCommand();
 Command sweepRunsCommand();
 Command sweepReportCommand();
 Command sweepReferenceCommand();

@@ -66,4 +66,10 @@ Exit exitCode(const device::WriteReport& report)
         });
     return lost ? Exit::Port : silent ? Exit::NoReply : Exit::Failed;
 }
+
+Exit exitCode(device::LockState lock)
+{
+    return lock == device::LockState::Closed || lock == device::LockState::None ? Exit::Success
+                                                                                : Exit::Failed;
+}
 } // namespace cli

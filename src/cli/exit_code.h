@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program's exit code says, in one table. Pure.
+// The exit codes of the program, in one table. Pure.
 #pragma once
 
 #include "base/error.h"
@@ -8,7 +8,7 @@
 namespace cli {
 enum Exit : int {
     Success = 0,
-    Failed = 1, ///< the servo did not do it, or not all that was asked for
+    Failed = 1, ///< the servo did not do it, or only a part of it
     Usage = 2,
     Port = 3,
     NoReply = 4,
@@ -17,4 +17,5 @@ enum Exit : int {
 
 Exit exitCode(base::ErrorCode code);
 Exit exitCode(const device::WriteReport& report);
+Exit exitCode(device::LockState lock); ///< success only if it is known that the EPROM is locked
 } // namespace cli

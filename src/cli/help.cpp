@@ -51,7 +51,7 @@ QString helpText(const Command* command)
 {
     QString text;
     if (command == nullptr) {
-        text = translate("cli", "Finds, reads, changes and drives serial bus servos.") +
+        text = translate("cli", "Finds, reads, configures and drives serial bus servos.") +
                QStringLiteral("\n\n") +
                translate("cli", "Usage: servodesk-cli [OPTIONS] COMMAND …") +
                QStringLiteral("\n\n") + translate("cli", "Commands:") + QLatin1Char('\n');
@@ -70,9 +70,9 @@ QString helpText(const Command* command)
     text += optionList(translate("cli", "Options:"), globalOptions());
     if (command == nullptr) {
         text += QLatin1Char('\n') +
-                translate("cli", "Exit codes: 0 done, 1 the servo did not do it, 2 usage, 3 port, "
-                                 "4 no answer, 5 file.\n"
-                                 "\"servodesk-cli COMMAND --help\" tells more about a command.") +
+                translate("cli", "Exit codes: 0 success, 1 not executed by the servo, 2 usage "
+                                 "error, 3 port error, 4 no reply, 5 file error.\n\"servodesk-cli "
+                                 "COMMAND --help\" describes a command.") +
                 QLatin1Char('\n');
     }
     return text;

@@ -11,7 +11,7 @@
 
 namespace cli {
 namespace {
-using record::HistoryServer;
+using history::HistoryServer;
 constexpr auto checkInterval = std::chrono::milliseconds(50);
 constexpr auto shutdownTimeout = std::chrono::milliseconds(900);
 
@@ -23,9 +23,9 @@ base::Result<std::unique_ptr<HistoryServer>> connect(Run& run, const Values& val
         address = savedServer(run, settings).address;
     }
     if (address.isEmpty())
-        return badArgument(translate("cli", "no history server is set; name one with --server or "
+        return badArgument(translate("cli", "no history server is set; set one with --server or "
                                             "SERVODESK_HISTORY_SERVER"));
-    return record::connectHistoryServer(address, HistoryServer::Purpose::Browse, &run.stop());
+    return history::connectHistoryServer(address, HistoryServer::Purpose::Browse, &run.stop());
 }
 
 base::Result<void> selectBench(const HistoryServer& server, const QString& name)
@@ -34,13 +34,14 @@ base::Result<void> selectBench(const HistoryServer& server, const QString& name)
     if (!benches)
         return tl::unexpected(benches.error());
     QStringList names;
-    for (const record::HistoryBench& bench : *benches) {
+    for (const history::HistoryBench& bench : *benches) {
         if (bench.name.compare(name, Qt::CaseInsensitive) == 0)
             return server.selectBench(bench.number);
         names.append(bench.name);
     }
-    return badArgument(translate("cli", "no bench called %1 sends there; these do: %2")
-                           .arg(name, names.join(QStringLiteral(", "))));
+    return badArgument(
+        translate("cli", "no data from a bench named %1 on this server; available benches: %2")
+            .arg(name, names.join(QStringLiteral(", "))));
 }
 
 bool usesServer(const Values& values)
@@ -50,18 +51,17 @@ bool usesServer(const Values& values)
 }
 } // namespace
 
-base::Result<Exit> runHistoryCommand(Run& run, const Values& values,
-                                     base::Result<Exit> (*work)(Run&, const Values&))
+base::Result<Exit> runHistoryWork(Run& run, const Values& values, HistoryWork work)
 {
     if (!usesServer(values))
         return work(run, values);
-    (void)run.session(); // belongs to this thread
+    (void)run.session(); // is created on this thread
     const auto promise = std::make_shared<std::promise<base::Result<Exit>>>();
     auto answer = promise->get_future();
     session::DetachableWorker thread;
     thread.start([&run, values, work, promise] { promise->set_value(work(run, values)); });
     while (answer.wait_for(checkInterval) != std::future_status::ready) {
-        // One that is connected hangs up by itself; connecting cannot be ended.
+        // A connected server is left in time; connecting cannot be interrupted.
         if (run.stop().isRequested() &&
             answer.wait_for(shutdownTimeout) != std::future_status::ready)
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
@@ -83,14 +83,16 @@ session::HistoryServerChoice savedServer(Run& run, session::Settings& settings)
 std::vector<Option> serverOptions()
 {
     return {{"--server",
-             QT_TRANSLATE_NOOP("cli", "look at the copies on a history server: its connection "
-                                      "string, or \"default\" for the one that is set"),
+             QT_TRANSLATE_NOOP("cli", "read from a history server: its connection string, or "
+                                      "\"default\" for the configured server"),
              "STRING"},
-            {"--bench", QT_TRANSLATE_NOOP("cli", "only what this bench has sent to the server"),
+            {"--bench",
+             QT_TRANSLATE_NOOP("cli", "only data that this bench has sent to the "
+                                      "server"),
              "NAME"}};
 }
 
-base::Result<std::unique_ptr<record::History>> openHistory(Run& run, const Values& values)
+base::Result<std::unique_ptr<history::History>> openHistory(Run& run, const Values& values)
 {
     const auto bench = values.option("--bench");
     if (!values.option("--server") && !bench)
@@ -102,10 +104,10 @@ base::Result<std::unique_ptr<record::History>> openHistory(Run& run, const Value
         if (const auto chosen = selectBench(**server, *bench); !chosen)
             return tl::unexpected(chosen.error());
     }
-    return std::make_unique<record::History>(std::move(*server));
+    return std::make_unique<history::History>(std::move(*server));
 }
 
-base::Result<std::vector<record::HistoryBench>> listBenches(Run& run, const Values& values)
+base::Result<std::vector<history::HistoryBench>> listBenches(Run& run, const Values& values)
 {
     const auto server = connect(run, values);
     if (!server)

@@ -24,9 +24,8 @@ sigset_t endingSignals()
     return set;
 }
 
-/// As if it had never been blocked, so that the caller (a shell) sees what ended the program.
-/// _exit would do, but not under a sanitizer: its own version flushes stdout first, and that may
-/// be just what the program hangs in.
+/// By the signal itself, so that the shell sees what ended the program. _exit is no alternative:
+/// that of a sanitizer flushes stdout first, and the program may hang in just that.
 void exitBySignal(int signal)
 {
     std::signal(signal, SIG_DFL);
@@ -38,9 +37,9 @@ void exitBySignal(int signal)
 
 Interrupt::Interrupt()
 {
-    // A reader that goes away ("| head") must not kill a program that holds a lock open.
+    // A reader that ends ("| head") must not kill the program while an EPROM is unlocked.
     std::signal(SIGPIPE, SIG_IGN);
-    // Nor must a file size limit; the failed write says so.
+    // Nor must a file size limit; the write fails instead.
     std::signal(SIGXFSZ, SIG_IGN);
     const sigset_t set = endingSignals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
@@ -73,7 +72,7 @@ void Interrupt::receive()
 namespace {
 base::StopToken* stopOfProgram = nullptr;
 
-// The system calls this on a thread of its own.
+// The system calls this on its own thread.
 void requestStop(int)
 {
     stopOfProgram->request();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C and SIGTERM become a base::Stop. One object, made by main before any other thread, so that
-// the signals are blocked in all of them and only a thread of its own receives them. A second
-// Ctrl-C does not cut short the closing of a lock, but ends the program once that has had two
-// seconds.
+// Turns Ctrl-C and SIGTERM into a base::StopToken. One object, created by main before any other
+// thread: the signals are blocked in all threads, and its own thread receives them. A second Ctrl-C
+// ends the program, but only after two seconds, in which an open EPROM lock is closed.
 #pragma once
 
 #include "base/stop_token.h"

@@ -10,8 +10,8 @@
 #include <memory>
 
 namespace {
-/// Paper needs fonts, and those a GUI application; nothing else here does, so that the program also
-/// runs where there is none.
+/// A PDF report needs fonts, and fonts need a GUI application. Everything else does without, and so
+/// runs on machines that cannot start one.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv)
 {
     const bool paper = std::any_of(argv, argv + argc, [](const char* word) {
@@ -19,7 +19,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv)
     });
     if (!paper)
         return std::make_unique<QCoreApplication>(argc, argv);
-    qputenv("QT_QPA_PLATFORM", "offscreen"); // a display is of no use
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // no display needed
     return std::make_unique<QGuiApplication>(argc, argv);
 }
 } // namespace
@@ -27,7 +27,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv)
 int main(int argc, char** argv)
 {
     cli::useUtf8();
-    const cli::Interrupt interrupt; // before Qt starts threads of its own
+    const cli::Interrupt interrupt; // before Qt starts threads
     const auto application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));

@@ -45,11 +45,11 @@ base::Result<Exit> MultiServoRestore::finish(const std::vector<jobs::ApplyResult
         .add("dry_run", m_values.has("--dry-run"))
         .add("servos", std::move(servos));
     if (const auto result = m_values.option("--result")) {
-        const auto saved = record::saveRestoreResults(resultsOf(all, file), *result);
+        const auto saved = snapshot::saveRestoreResults(resultsOf(all, file), *result);
         if (!saved)
             return tl::unexpected(saved.error());
         document.add("result", *result);
-        text += translate("cli", "The result is in %1").arg(*result) + QLatin1Char('\n');
+        text += translate("cli", "Result saved to %1").arg(*result) + QLatin1Char('\n');
     }
     m_run.finish(std::move(document), text);
     return exitCode(all);

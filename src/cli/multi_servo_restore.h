@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What commands that restore to several servos share: saving each table first, the list that grows,
-// the end. Lives on the command's stack; main thread.
+// What commands that restore to several servos share: saving each memory table first, the progress
+// list, the result. Owned by the command, on its stack; main thread.
 #pragma once
 
 #include "cli/output/progress.h"
@@ -12,10 +12,10 @@ class MultiServoRestore {
 public:
     MultiServoRestore(Run& run, const Values& values);
 
-    /// As the options on the command line say. Valid while this lives.
+    /// According to the options of the command. Valid while this object exists.
     jobs::ApplyOptions options();
     jobs::ProgressFn progress();
-    /// Shows everything; saves the result where --result names a file.
+    /// Prints the result and saves it to the file of --result.
     base::Result<Exit> finish(const std::vector<jobs::ApplyResult>& all, const QString& file);
 
 private:

@@ -15,7 +15,7 @@ constexpr int maxTimeoutMs = 60'000;
 constexpr int maxRetries = 20;
 constexpr int maxSilenceUs = 100'000;
 
-/// What CLI11 fills for one command.
+/// Filled by CLI11 for one command.
 struct Slots {
     const Command* command = nullptr;
     CLI::App* app = nullptr;
@@ -140,14 +140,14 @@ tl::unexpected<base::Error> parseFailure(const QString& word, bool commandKnown)
     const QStringList near =
         commandKnown || word.startsWith(QLatin1Char('-')) ? QStringList() : nearest(word, known);
     if (!near.isEmpty())
-        return badArgument(translate("cli", "there is no command \"%1\"; did you mean %2?")
+        return badArgument(translate("cli", "unknown command \"%1\"; did you mean \"%2\"?")
                                .arg(word, near.join(QStringLiteral(", "))));
     if (!commandKnown && !word.startsWith(QLatin1Char('-')))
-        return badArgument(translate("cli", "there is no command \"%1\"").arg(word));
-    return badArgument(translate("cli", "\"%1\" is not understood here").arg(word));
+        return badArgument(translate("cli", "unknown command \"%1\"").arg(word));
+    return badArgument(translate("cli", "unexpected argument \"%1\"").arg(word));
 }
 
-/// The parser of one command line; lives as long as CLI11 refers to its slots.
+/// The parser of one command line; CLI11 refers to its slots.
 class Parser {
 public:
     Parser();
@@ -186,7 +186,7 @@ base::Result<ParsedCommandLine> Parser::result()
     if (!rest.empty())
         return parseFailure(QString::fromStdString(rest.front()), command != nullptr);
     if (command == nullptr)
-        return badArgument(translate("cli", "say which command; --help lists them"));
+        return badArgument(translate("cli", "a command is required; --help lists all commands"));
     Values global;
     takeOptions(m_globals, global);
     const auto globals = globalsOf(global);
@@ -202,7 +202,7 @@ base::Result<ParsedCommandLine> Parser::result()
 
 base::Result<ParsedCommandLine> Parser::parse(const QStringList& arguments)
 {
-    // CLI11 wants them last first.
+    // CLI11 expects the last one first.
     std::vector<std::string> words;
     for (auto it = arguments.crbegin(); it != arguments.crend(); ++it)
         words.push_back(it->toStdString());
@@ -218,7 +218,7 @@ base::Result<ParsedCommandLine> Parser::parse(const QStringList& arguments)
         version.action = ParsedCommandLine::Action::Version;
         return version;
     } catch (const CLI::ArgumentMismatch& error) {
-        return badArgument(translate("cli", "an option lacks its value, or is given twice (%1)")
+        return badArgument(translate("cli", "an option has no value, or is used twice (%1)")
                                .arg(QString::fromUtf8(error.what())));
     } catch (const CLI::Error& error) {
         return badArgument(QString::fromUtf8(error.what()));
@@ -231,30 +231,30 @@ const std::vector<Option>& globalOptions()
 {
     static const std::vector<Option> options{
         {"--port",
-         QT_TRANSLATE_NOOP("cli", "device path, tcp://HOST:PORT, or a simulated bus: sim:demo, "
-                                  "sim:trouble, sim:modbus, sim:lx, sim:sts3215@1,lx16a@2 (starts "
-                                  "anew with each run)"),
+         QT_TRANSLATE_NOOP(
+             "cli", "device path, tcp://HOST:PORT, or a simulated bus (reset at each start): "
+                    "sim:demo, sim:trouble, sim:modbus, sim:lx, sim:sts3215@1,lx16a@2"),
          "P"},
         {"--baud",
-         QT_TRANSLATE_NOOP("cli", "baud rate, or auto to try all (usual: 1000000; 115200 for LX "
-                                  "and Modbus)"),
+         QT_TRANSLATE_NOOP("cli", "baud rate, or auto to try all (default: 1000000; 115200 for "
+                                  "LX and Modbus)"),
          "N|auto"},
         {"--protocol",
-         QT_TRANSLATE_NOOP("cli",
-                           "what the servos speak: auto, feetech, modbus or lx (usual: auto, "
-                           "all that can exist at the rate)"),
+         QT_TRANSLATE_NOOP("cli", "protocol of the servos: auto, feetech, modbus or lx (default: "
+                                  "auto, which tries all protocols possible at the baud rate)"),
          "NAME"},
         {"--timeout",
-         QT_TRANSLATE_NOOP("cli", "patience with a silent servo beyond the wire time (usual: 25, "
-                                  "growing)"),
+         QT_TRANSLATE_NOOP("cli", "reply timeout in milliseconds, on top of the transmission time "
+                                  "(default: 25, longer for slow adapters)"),
          "MS"},
-        {"--retries", QT_TRANSLATE_NOOP("cli", "how often a disturbed request is repeated"), "N"},
+        {"--retries", QT_TRANSLATE_NOOP("cli", "number of retries after a communication error"),
+         "N"},
         {"--silence",
-         QT_TRANSLATE_NOOP("cli", "silence between Modbus frames (usual: 1750 above 19200 baud, as "
-                                  "the standard says)"),
+         QT_TRANSLATE_NOOP("cli", "silence between Modbus frames in microseconds (default: 1750 "
+                                  "above 19200 baud, as in the standard)"),
          "US"},
         {"--json", QT_TRANSLATE_NOOP("cli", "print one JSON document")},
-        {"--lang", QT_TRANSLATE_NOOP("cli", "language of the words"), "en|zh_CN"},
+        {"--lang", QT_TRANSLATE_NOOP("cli", "language of the output"), "en|zh_CN"},
     };
     return options;
 }
@@ -270,8 +270,8 @@ base::Result<QString> requestedLanguage(const QStringList& arguments)
         else
             continue;
         if (language != QLatin1String("en") && language != QLatin1String("zh_CN"))
-            return badArgument(translate("cli", "\"%1\" is no language of this program (en, zh_CN)")
-                                   .arg(language));
+            return badArgument(
+                translate("cli", "unsupported language \"%1\" (en, zh_CN)").arg(language));
     }
     return language;
 }

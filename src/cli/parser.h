@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line into a command and its values. CLI11 does the splitting; the words are ours.
-// Needs the language installed, because it words its errors. Errors: BadArgument.
+// Parses the command line into a command and its values. CLI11 splits it; the messages are ours, so
+// the language must be installed first. Main thread. Errors: BadArgument.
 #pragma once
 
 #include "cli/run.h"
@@ -9,20 +9,20 @@ namespace cli {
 struct ParsedCommandLine {
     enum class Action { Command, Help, Version };
     Action action = Action::Command;
-    const Command* command = nullptr; ///< null: help on everything
+    const Command* command = nullptr; ///< null: help for the program
     Values values;
     Globals globals;
     bool json = false;
 };
 
-/// Without the program's name.
+/// Arguments without the name of the program.
 base::Result<ParsedCommandLine> parseCommandLine(const QStringList& arguments);
 
-/// Global options, for parser and help. --json and --lang are looked at before all else.
+/// Global options, for parser and help. --json and --lang are read first.
 const std::vector<Option>& globalOptions();
 
-/// The value of --lang, wherever it stands; empty if it is not there. BadArgument for a language
-/// there is none of.
+/// The value of --lang at any position; empty if it is not given. BadArgument for an unsupported
+/// language.
 base::Result<QString> requestedLanguage(const QStringList& arguments);
 
 /// Usage of one command, or of the program (null).

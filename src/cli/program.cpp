@@ -21,7 +21,7 @@ Exit report(const base::Error& error, Console& console)
     return exitCode(error.code);
 }
 
-/// A reader that has gone away ("| head") needs no explanation; a full disk does.
+/// A reader that has ended ("| head") needs no message; a full disk does.
 Exit checkOutput(Exit exit, Console& console)
 {
     if (!console.writeError())
@@ -38,10 +38,9 @@ Exit runCommand(const ParsedCommandLine& parsed, Console& console, const base::S
 {
     Run run(parsed.globals, console, stop);
     const auto done = parsed.command->run(run, parsed.values);
-    for (const base::Error& journal : record::importUnreadableJournals())
-        console.printMessage(
-            errorText(journal) + QLatin1Char('\n') +
-            translate("cli", "  File, and how many lines: %1").arg(journal.detail));
+    for (const base::Error& journal : history::importUnreadableJournals())
+        console.printMessage(errorText(journal) + QLatin1Char('\n') +
+                             translate("cli", "  File and line count: %1").arg(journal.detail));
     if (done)
         return *done == Exit::Success && run.hasUnrecordedChange() ? Exit::File : *done;
     run.fail(done.error());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// servodesk-cli without main: parses, runs the command, words its error, answers the exit code.
-// Main thread, inside the application object.
+// servodesk-cli without main: parses the command line, runs the command, prints its error, returns
+// the exit code. Main thread; needs the application object.
 #pragma once
 
 #include "base/stop_token.h"
@@ -8,6 +8,6 @@
 #include <QStringList>
 
 namespace cli {
-/// `arguments` without the program's name.
+/// `arguments` without the name of the program.
 int runProgram(const QStringList& arguments, const base::StopToken& stop);
 } // namespace cli

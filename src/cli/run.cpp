@@ -41,7 +41,7 @@ void Run::setDefaultPort(const QString& port)
         m_globals.port = port;
 }
 
-/// Without --port the only adapter is meant; with none or several the user decides.
+/// Without --port the only adapter is used; with none or several the user must choose.
 base::Result<QString> Run::choosePort()
 {
     if (!m_globals.port.isEmpty())
@@ -55,9 +55,11 @@ base::Result<QString> Run::choosePort()
     for (const transport::PortInfo& info : adapters)
         names << info.path;
     names += session::simulatedPorts();
-    const QString why =
-        adapters.empty() ? translate("cli", "no adapter is plugged in; choose with --port: %1")
-                         : translate("cli", "there are several adapters; choose with --port: %1");
+    const QString why = adapters.empty()
+                            ? translate("cli", "no adapter is connected; select a port with "
+                                               "--port: %1")
+                            : translate("cli", "several adapters are connected; select one with "
+                                               "--port: %1");
     return badArgument(why.arg(names.join(QStringLiteral(", "))));
 }
 
@@ -93,7 +95,7 @@ QString Run::portName() const
     return m_port.isEmpty() ? QString() : transport::canonicalPath(m_port);
 }
 
-/// On stderr in JSON mode as well: not every document has room for notes.
+/// On stderr in JSON mode too, because not every document has notes.
 void Run::warn(const char* code, int id, const QString& text)
 {
     m_console.printMessage(text);
@@ -103,7 +105,7 @@ void Run::warn(const char* code, int id, const QString& text)
     m_warnings.push_back(note.add("text", text));
 }
 
-/// A history that cannot be read is spoken of by whoever needs it.
+/// Silent if the history cannot be read: the first write reports that.
 void Run::warnOfOpenChanges()
 {
     const auto open = session().journal().open();
@@ -121,8 +123,8 @@ void Run::warnOfOpenChanges()
     if (ids.isEmpty())
         return;
     warn("open-change", ids.size() == 1 ? ids.front().toInt() : -1,
-         translate("cli", "An interrupted change is open on this port (ID %1). To look at it, "
-                          "finish it or undo it: %2")
+         translate("cli",
+                   "A change on this port was interrupted (ID %1). To see, finish or undo it: %2")
              .arg(ids.join(QStringLiteral(", ")), recoverCommand()));
 }
 
@@ -137,7 +139,7 @@ QString Run::recoverCommand() const
     return QStringLiteral("servodesk-cli recover --port ") + m_connection->bus().portName();
 }
 
-/// The look itself takes some reads, so it is taken only where something was out of the ordinary.
+/// The check takes some reads, so it runs only after something unusual.
 void Run::reportDuplicates(const device::Servo& servo)
 {
     bus::Bus& bus = m_connection->bus();
@@ -168,13 +170,13 @@ base::Result<device::Context> Run::context()
 }
 
 namespace {
-/// Anything but silence in one of the languages.
-bool heard(const device::Context& context, int id, const std::vector<base::Protocol>& languages,
+/// Whether anything is received in one of the protocols.
+bool heard(const device::Context& context, int id, const std::vector<base::Protocol>& protocols,
            base::Duration timeout)
 {
-    return std::any_of(languages.begin(), languages.end(), [&](base::Protocol language) {
+    return std::any_of(protocols.begin(), protocols.end(), [&](base::Protocol protocol) {
         bus::Transaction ping;
-        ping.request = protocol::Request::ping(id).in(language);
+        ping.request = protocol::Request::ping(id).in(protocol);
         ping.retries = 1;
         ping.timeout = timeout;
         ping.stop = &context.stop;
@@ -185,8 +187,8 @@ bool heard(const device::Context& context, int id, const std::vector<base::Proto
 }
 } // namespace
 
-/// --baud auto: the first rate at which the servo answers becomes the rate of the run. At first
-/// nobody waits for a slow adapter.
+/// --baud auto: uses the first baud rate at which the servo replies. The first pass does not wait
+/// for slow adapters.
 base::Result<device::Servo> Run::findRate(const device::Context& context, int id)
 {
     for (const auto timeout : {context.bus.statistics().timeout, context.bus.maxReplyLateness()}) {
@@ -204,7 +206,7 @@ base::Result<device::Servo> Run::findRate(const device::Context& context, int id
             if (servo) {
                 m_rateFound = true;
                 m_console.printNote(
-                    translate("cli", "Servo %1 answers at %2 baud.").arg(id).arg(rate));
+                    translate("cli", "Servo %1 replies at %2 baud.").arg(id).arg(rate));
                 return servo;
             }
             if (servo.error().code == ErrorCode::LinkLost ||
@@ -213,7 +215,7 @@ base::Result<device::Servo> Run::findRate(const device::Context& context, int id
         }
     }
     return base::fail(ErrorCode::NoReply, QStringLiteral("identify"),
-                      translate("cli", "at none of the known baud rates"), id);
+                      translate("cli", "all known baud rates were tried"), id);
 }
 
 base::Result<device::Servo> Run::servo(int id)
@@ -264,18 +266,19 @@ base::Result<void> Run::backupTable(const device::Context& context, device::Serv
                                   [&](const auto& saved) { return saved.first == servo.id; });
     if (done)
         return {};
-    if (const auto may = device::beginWriting(context, servo, QStringLiteral("write")); !may)
-        return may;
+    if (const auto writable = device::beginWriting(context, servo, QStringLiteral("write"));
+        !writable)
+        return writable;
     const auto saved = session::saveSafetySnapshot(context, servo);
     if (!saved) {
-        m_console.printMessage(translate("cli",
-                                         "The settings of servo %1 could not be saved first, so "
-                                         "nothing is written to it.")
-                                   .arg(servo.id));
+        m_console.printMessage(
+            translate("cli",
+                      "The settings of servo %1 could not be saved, so nothing was written to it.")
+                .arg(servo.id));
         return tl::unexpected(saved.error());
     }
     m_saved.emplace_back(servo.id, *saved);
-    m_console.printNote(translate("cli", "The present settings are saved in %1").arg(*saved));
+    m_console.printNote(translate("cli", "Present settings saved to %1").arg(*saved));
     return {};
 }
 
@@ -285,7 +288,7 @@ base::Result<void> Run::backupTableAndReport(device::Servo& servo)
     const auto saved = backupTable(servo);
     if (m_console.isJson() && m_saved.size() > before)
         m_console.printMessage(
-            translate("cli", "The present settings are saved in %1").arg(m_saved.back().second));
+            translate("cli", "Present settings saved to %1").arg(m_saved.back().second));
     return saved;
 }
 
@@ -296,12 +299,12 @@ void Run::removeUnusedSnapshots()
     for (const auto& [id, file] : m_saved) {
         session::removeSafetySnapshot(file);
         m_console.printNote(
-            translate("cli", "No setting was changed; %1 has been removed again.").arg(file));
+            translate("cli", "No setting was changed; %1 has been deleted.").arg(file));
     }
     m_saved.clear();
 }
 
-/// "snapshot" of the only one, else "snapshots".
+/// "snapshot" for one servo, "snapshots" for several.
 void Run::addSaved(Json& document) const
 {
     if (m_saved.size() == 1)
@@ -319,7 +322,7 @@ bool Run::hasUnrecordedChange() const
     return m_notRecorded;
 }
 
-/// Steps of one task may say the same thing.
+/// The steps of one task may report the same.
 void Run::removeRepeatedNotices()
 {
     device::Notices once;

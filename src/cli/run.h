@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run of the program: what the global options say, and what commands share — the session, the
-// open port, notices, and how results are shown. Main thread. connect() and servo() open the port
-// when first needed.
+// One run of the program: the global options, and what commands share: the session, the port,
+// notices, and the printing of results. Created by runProgram(); main thread. connect() and servo()
+// open the port when it is first needed.
 #pragma once
 
 #include "cli/command.h"
@@ -11,7 +11,7 @@
 namespace cli {
 struct Globals {
     QString port;
-    std::optional<int> baud;                ///< none: the usual rate
+    std::optional<int> baud;                ///< none: the default
     bool autoBaud = false;                  ///< --baud auto
     std::optional<base::Protocol> protocol; ///< none: auto
     std::optional<base::Duration> maxReplyLateness;
@@ -29,51 +29,53 @@ public:
     session::Session& session();
 
     base::Result<session::Connection*> connect();
-    /// For a command that lists open changes itself; before connect().
+    /// For a command that lists unfinished changes itself; to be called before connect().
     void listsOpenChanges() { m_listsOpenChanges = true; }
-    /// Its canonical name; empty before connect() has chosen one.
+    /// The canonical name of the port; empty before connect().
     QString portName() const;
-    /// Of this servo, on this port, since before this run.
+    /// Whether an earlier run left a change to this servo on this port unfinished.
     bool hasOpenChange(int id) const;
-    /// What to type to finish or undo changes that are open on this port.
+    /// The command that finishes or undoes unfinished changes on this port.
     QString recoverCommand() const;
-    /// Says so if what has been read from it until now looks as if a second servo answered.
+    /// Warns if the replies so far show that a second servo has the same ID.
     void reportDuplicates(const device::Servo& servo);
 
-    /// Connects first. Valid while the run lives.
+    /// Connects first. Valid while this object exists.
     base::Result<device::Context> context();
-    /// The servo that answers to `id`, identified; with --baud auto at whatever rate.
+    /// Identifies the servo with this ID; with --baud auto at any baud rate.
     base::Result<device::Servo> servo(int id);
-    /// The same with its settings read, so that values have their right units.
+    /// The same with its settings read, which determine the units of values.
     base::Result<device::Servo> servoWithSettings(int id);
-    /// The one that the positional "ID" names.
+    /// The servo of the positional "ID".
     base::Result<device::Servo> servo(const Values& values);
     base::Result<device::Servo> servoWithSettings(const Values& values);
 
-    /// Before anything is written to its memory: the whole table to a file and to the history, once
-    /// a run. Says where; finish() says it in the document. What cannot be read is not written to.
+    /// To be called before the first write to a servo: saves the whole table to a file and to the
+    /// history, once per run. Prints the file name; finish() adds it to the document. If the table
+    /// cannot be read, nothing may be written.
     base::Result<void> backupTable(device::Servo& servo);
-    /// For commands whose document is a file of its own: said on stderr in JSON mode too.
+    /// For commands whose document is a separate file: prints the file name in JSON mode too.
     base::Result<void> backupTableAndReport(device::Servo& servo);
     base::Result<void> backupTable(const device::Context& context, device::Servo& servo);
-    /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
+    /// Prints the result: in JSON mode the document with the notices, else the text and the
+    /// notices.
     void finish(Json document, const QString& text);
     /// The notices since the last call, as lines.
     QString takeNotices();
-    /// The document of a command that has failed: the error with the notices in JSON mode, else the
-    /// notices as text and the error on stderr. What was saved first and is of no use is removed.
+    /// Prints the error: in JSON mode a document with the notices, else the notices on stdout and
+    /// the error on stderr. Removes saved tables if nothing was written.
     void fail(const base::Error& error);
-    /// Only used by commands that write their document piece by piece.
+    /// For commands that write their document in parts.
     Json takeNoticesAsJson();
 
-    /// A change was made whose end the history could not take.
+    /// Whether the history could not record the end of a change.
     bool hasUnrecordedChange() const;
 
-    /// For commands whose port is not the user's choice (tour).
+    /// For commands that need no --port (tour).
     void setDefaultPort(const QString& port);
 
 private:
-    /// What was saved is taken away again if no change was begun.
+    /// Removes the saved tables if no write was begun.
     void removeUnusedSnapshots();
     void addSaved(Json& document) const;
     void removeRepeatedNotices();
@@ -86,14 +88,14 @@ private:
     Console& m_console;
     const base::StopToken& m_stop;
     device::Notices m_notices;
-    Json::Array m_warnings;                       ///< said on stderr already; for the document
+    Json::Array m_warnings;                       ///< for the document; already printed on stderr
     std::vector<base::Intent> m_openChanges;      ///< on this port
     QString m_port;                               ///< as chosen
     std::vector<std::pair<int, QString>> m_saved; ///< ID and file
     std::unique_ptr<session::Session> m_session;
-    std::unique_ptr<session::Connection> m_connection; ///< goes before the session
+    std::unique_ptr<session::Connection> m_connection; ///< destroyed before the session
     bool m_rateFound = false;
     bool m_listsOpenChanges = false;
-    bool m_notRecorded = false; ///< said by notices that were taken
+    bool m_notRecorded = false; ///< a notice has reported it
 };
 } // namespace cli

@@ -3,6 +3,7 @@
 
 #include "cli/input/arguments.h"
 #include "cli/translate.h"
+#include "results/step_json.h"
 #include "results/sweep_json.h"
 #include "session/paths.h"
 #include "text/error_text.h"
@@ -25,47 +26,49 @@ const QRegularExpression& runNumber()
     return expression;
 }
 
-QString textFor(Console& console, const record::SavedRun& kept)
+QString textFor(Console& console, const history::SavedRun& kept)
 {
     if (!kept.trouble)
-        return translate("cli", "Kept in the history as test run %1").arg(qint64(kept.number));
-    console.printMessage(translate("cli", "The test could not be kept in the history: %1")
+        return translate("cli", "Saved to the history as test run %1").arg(qint64(kept.number));
+    console.printMessage(translate("cli", "The test could not be saved to the history: %1")
                              .arg(text::describe(*kept.trouble).message));
     console.printMessage(
         kept.file.isEmpty()
-            ? translate("cli", "It could not be left in a file beside the history either")
-            : translate("cli", "It was left in %1 instead").arg(kept.file));
+            ? translate("cli", "The test could not be saved to a file next to the history either")
+            : translate("cli", "The test was saved to %1 instead").arg(kept.file));
     return {};
 }
 } // namespace
 
-QString saveSweep(Console& console, const record::SweepRun& run, const QStringList& files)
+QString saveSweep(Console& console, const results::SweepRun& run, const QStringList& files)
 {
-    return textFor(console, record::saveRun(session::historyFile(), run, files));
+    return textFor(console, history::saveRun(session::historyFile(), run, files));
 }
 
-QString saveStep(Console& console, const record::StepRun& run, const QStringList& files)
+QString saveStep(Console& console, const results::StepRun& run, const QStringList& files)
 {
-    return textFor(console, record::saveRun(session::historyFile(), run, files));
+    return textFor(console, history::saveRun(session::historyFile(), run, files));
 }
 
 QString unreleasedTorqueText(const jobs::UnreleasedTorque& left)
 {
     const QString words =
         left.holding
-            ? translate("cli", "Servo %1 may still have torque and go on to its last goal: "
-                               "stopping it after the test failed (%2). Use \"torque %1 off\", or "
-                               "cut its supply.")
-            : translate("cli", "Servo %1 may still have torque: switching it off after the test "
-                               "failed (%2). Use \"torque %1 off\", or cut its supply.");
+            ? translate("cli", "Servo %1 could not be stopped after the test (%2). Torque may "
+                               "still be on, and the servo may continue to its last goal. Use "
+                               "\"torque %1 off\", or disconnect its power supply.")
+            : translate(
+                  "cli",
+                  "Torque of servo %1 could not be turned off after the test (%2) and may still be "
+                  "on. Use \"torque %1 off\", or disconnect the servo from its power supply.");
     return words.arg(QString::number(left.id), base::errorName(left.error.code));
 }
 
-base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& filter)
+base::Result<std::vector<history::TestRun>> listRuns(const history::RunFilter& filter)
 {
     if (!QFile::exists(session::historyFile()))
-        return std::vector<record::TestRun>();
-    const auto history = record::History::open(session::historyFile());
+        return std::vector<history::TestRun>();
+    const auto history = history::History::open(session::historyFile());
     if (!history)
         return tl::unexpected(history.error());
     return (*history)->runs(filter);
@@ -89,40 +92,65 @@ base::Result<RunSelector> parseRunSelector(const QString& word)
     return parsed;
 }
 
-base::Result<record::SweepRun> loadSweep(const RunSelector& word)
+namespace {
+/// A run of the history; `missing`: the message for a number that is not there.
+template <typename T>
+base::Result<T> loadRun(std::int64_t number, const QString& missing,
+                        base::Result<T> (history::History::*load)(std::int64_t) const)
 {
-    if (word.number == 0)
-        return record::loadSweepRun(word.name);
-    const auto none = [&] {
-        return badArgument(
-            translate("cli", "there is no test run %1 in the history; sweep-runs lists them")
-                .arg(qint64(word.number)));
-    };
     if (!QFile::exists(session::historyFile()))
-        return none();
-    const auto history = record::History::open(session::historyFile());
+        return badArgument(missing);
+    const auto history = history::History::open(session::historyFile());
     if (!history)
         return tl::unexpected(history.error());
-    auto run = (*history)->sweep(word.number);
+    auto run = ((**history).*load)(number);
     if (!run && run.error().code == base::ErrorCode::BadArgument)
-        return none();
+        return badArgument(missing);
     return run;
 }
+} // namespace
 
-base::Result<const record::SweepServo*> chooseServo(const record::SweepRun& run,
-                                                    const RunSelector& word)
+base::Result<results::SweepRun> loadSweep(const RunSelector& word)
+{
+    if (word.number == 0)
+        return results::loadSweepRun(word.name);
+    return loadRun(
+        word.number,
+        translate("cli", "no test run %1 in the history; \"sweep-runs\" lists all test runs")
+            .arg(qint64(word.number)),
+        &history::History::sweep);
+}
+
+base::Result<std::vector<results::StepRun>> loadSteps(const RunSelector& word)
+{
+    if (word.number == 0)
+        return results::loadStepRuns(word.name);
+    auto run = loadRun(
+        word.number,
+        translate("cli",
+                  "no step response %1 in the history; \"step-runs\" lists all step responses")
+            .arg(qint64(word.number)),
+        &history::History::step);
+    if (!run)
+        return tl::unexpected(run.error());
+    return std::vector<results::StepRun>{std::move(*run)};
+}
+
+base::Result<const results::SweepServo*> chooseServo(const results::SweepRun& run,
+                                                     const RunSelector& word)
 {
     if (word.servo) {
-        if (const record::SweepServo* servo = record::servoOf(run, *word.servo))
+        if (const results::SweepServo* servo = results::servoOf(run, *word.servo))
             return servo;
         return badArgument(translate("cli", "%1 has no servo %2").arg(word.name).arg(*word.servo));
     }
     if (run.servos.size() == 1)
         return &run.servos.front();
     QStringList ids;
-    for (const record::SweepServo& servo : run.servos)
+    for (const results::SweepServo& servo : run.servos)
         ids.append(QString::number(servo.parameters.servo.id));
-    return badArgument(translate("cli", "%1 has servos %2; say which, as in %1:%3 or with --servo")
-                           .arg(word.name, ids.join(QStringLiteral(", ")), ids.value(0)));
+    return badArgument(
+        translate("cli", "%1 contains servos %2; choose one, for example %1:%3, or use --servo")
+            .arg(word.name, ids.join(QStringLiteral(", ")), ids.value(0)));
 }
 } // namespace cli

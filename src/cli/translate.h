@@ -3,11 +3,8 @@
 // that is what lupdate collects.
 #pragma once
 
-#include <QCoreApplication>
+#include "text/translate.h"
 
 namespace cli {
-inline QString translate(const char* context, const char* source, const char* comment = nullptr)
-{
-    return QCoreApplication::translate(context, source, comment);
-}
+using text::translate;
 } // namespace cli

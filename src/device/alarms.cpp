@@ -14,7 +14,7 @@ struct AlarmNotice {
     NoticeCode code;
 };
 
-// Protocol sheet §7: how each protection lets go.
+// Protocol sheet §7: how each protection is released.
 constexpr std::array alarmNotices{
     AlarmNotice{QLatin1StringView("overload"), NoticeCode::OverloadActive},
     AlarmNotice{QLatin1StringView("current"), NoticeCode::OvercurrentActive},
@@ -31,7 +31,7 @@ const AlarmNotice* alarmNoticeOf(const catalog::NamedValue& bit)
     return found == alarmNotices.end() ? nullptr : &*found;
 }
 
-/// Bits with a name that is no fault's say how the servo is, not what ails it.
+/// Named bits that are no fault describe a state, not an alarm.
 std::uint8_t faultBits(std::int64_t raw, const catalog::Register& status)
 {
     auto faults = static_cast<std::uint8_t>(raw & 0xFF);
@@ -92,7 +92,8 @@ std::vector<Notice> derivedAlarms(const Servo& servo)
 }
 
 namespace {
-/// What is not told with every reply; limits are read once, they do not change by themselves.
+/// Registers that are not part of every reply. Limits are read once: they do not change by
+/// themselves.
 base::Result<void> readAlarmRegisters(const Context& context, Servo& servo)
 {
     if (servo.repliesCarryStatus())
@@ -111,7 +112,7 @@ base::Result<void> readAlarmRegisters(const Context& context, Servo& servo)
 
 void addAlarmNotices(const Context& context, Servo& servo)
 {
-    // What was read long ago is no alarm of now.
+    // An old reading is no present alarm.
     if (!readAlarmRegisters(context, servo))
         return;
     for (const Notice& alarm : derivedAlarms(servo))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every manoeuvre needs: the wire, the journal, the user's wish to stop and a place for
-// notices. Borrowed references for the duration of one job; the job's thread only.
+// What every operation on a servo needs: the bus, the journal, the user's stop request and a list
+// for notices. Borrowed references for the duration of one job; the job's thread only.
 #pragma once
 
 #include "base/journal.h"
@@ -19,10 +19,10 @@ struct Context {
     const base::StopToken& stop;
     Notices& notices;
     bus::Priority priority = bus::Priority::Job;
-    std::uint64_t hold = 0; ///< token of the bus::Hold this work owns its servos by
-    /// bus::Bus::emergencies() when the work was asked for: after a later one nothing is begun.
+    std::uint64_t hold = 0; ///< token of the bus::Hold that owns the servos for this work
+    /// bus::Bus::emergencies() when the work was requested: after a later one nothing is started.
     std::optional<std::uint64_t> epoch{};
-    /// Part of an emergency stop: writes without a look whether a second servo answers.
+    /// Part of an emergency stop: writes without checking for a second servo on the ID.
     bool emergencyStop = false;
 
     /// The same work, inside a hold.
@@ -38,8 +38,8 @@ struct Context {
         notices.push_back({code, id, std::move(key), a, b});
     }
 
-    /// Ends the intent of a change that was made. Where that cannot be recorded the change is
-    /// reported all the same, with a notice, and the intent stays open. False then.
+    /// Ends the intent of a change that was made. False when that cannot be recorded: the change is
+    /// still reported, with a notice, and the intent stays open.
     bool record(const QString& uuid, int id, const base::IntentResult& end) const
     {
         const auto ended = journal.end(uuid, end);
@@ -49,8 +49,8 @@ struct Context {
     }
 };
 
-/// A context that owns its servos, and the hold that makes it so. A manoeuvre inside another one
-/// goes on in the outer hold: taking it twice would wait for itself.
+/// A context that owns its servos, together with the hold. An operation inside another one uses the
+/// outer hold: taking it twice would wait for itself.
 struct Owned {
     bus::Hold hold;
     Context context;

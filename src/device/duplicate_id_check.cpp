@@ -11,15 +11,16 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
-/// A round reads everything that tells servos apart once. Two good ones are enough; each sign of a
-/// second servo asks for two more, and the same sign a second time is believed.
+/// A round reads everything that distinguishes servos once. Two good ones are enough; each sign of
+/// a second servo requires two more, and the same sign a second time counts as proof.
 constexpr int minGoodRounds = 2;
 constexpr int minSigns = 2;
 constexpr int maxRounds = 10;
 constexpr int maxPasses = 4;
-/// So many unreadable replies, and more than readable ones: no retry would make a write safe.
+/// With this many unreadable replies, and more than readable ones, no retry would make a write
+/// safe.
 constexpr int maxBroken = 6;
-/// So many rounds on end without a byte: it does not answer any more, whatever came before.
+/// After this many rounds in a row without a byte the servo does not answer any more.
 constexpr int maxSilentRounds = 3;
 
 // Twice the speed of the fastest servos of the vendor's list, and the jitter of a resting encoder,
@@ -32,7 +33,8 @@ constexpr double maxTemperatureJump = 3; // degrees
 constexpr double maxVoltageJump = 3;     // volts: supplies sag when a motor starts
 constexpr double jumpSlack = 1e-6;       // physical values are binary fractions
 
-/// Settings only writes can change. What the servo changes by itself is judged by its jumps.
+/// Settings that only writes can change. Values that the servo changes itself are checked for
+/// jumps.
 bool isConstant(const catalog::Register& reg)
 {
     return reg.area == catalog::Area::Eprom || reg.area == catalog::Area::Factory;
@@ -42,7 +44,7 @@ bool isConstant(const catalog::Register& reg)
 bool distinguishesServos(const catalog::Register& reg, base::Protocol protocol)
 {
     if (reg.role == Role::StoredGoal || reg.role == Role::StoredTime)
-        return false; // some models never answer that
+        return false; // some models never answer this command
     if (protocol != base::Protocol::Lx)
         return true;
     switch (reg.role) {
@@ -99,7 +101,7 @@ private:
         return base::fail(ErrorCode::NoReply, QStringLiteral("identify"), {}, m_servo.id);
     }
 
-    /// Of signs that were not seen twice. What is lost on the way does not speak of a second servo.
+    /// The result for signs that were not seen twice. Lost replies are no sign of a second servo.
     base::Result<DuplicateIdResult> inconclusive() const
     {
         if (m_broken > 0)
@@ -142,8 +144,8 @@ private:
         if (!missing)
             return tl::unexpected(missing.error());
         const bool complete = *missing == 0;
-        // A second reply may be as late as this link ever was. Only where nothing is out of the
-        // ordinary once is enough.
+        // A second reply may be as late as this link ever was. Waiting once is enough only if
+        // nothing unusual has been seen.
         const bool isInconclusive = m_broken > brokenBefore || m_secondReplies + m_differences > 0;
         if (first || isInconclusive) {
             if (const auto replyCount = m_context.bus.listen(m_context.bus.maxReplyLateness());
@@ -156,9 +158,9 @@ private:
         return {};
     }
 
-    /// How many spans could not be read. A map in many pieces would hardly ever be read whole on a
-    /// poor line, so what is missing is asked for again while anything new comes; every broken
-    /// reply counts.
+    /// Returns how many spans could not be read. On a poor line a map in many pieces is rarely read
+    /// in one pass, so missing spans are read again while anything new comes; every broken reply
+    /// counts.
     base::Result<std::size_t> readMissing(Servo& current)
     {
         std::vector<bus::PollSpan> missing = m_spans;
@@ -186,7 +188,7 @@ private:
         transaction.request =
             protocol::Request::read(current.id, span.address, span.count).in(current.protocol);
         transaction.priority = m_context.priority;
-        transaction.retries = 0; // a repeated read would hide what is looked for
+        transaction.retries = 0; // a repeated read would hide the signs
         transaction.hold = m_context.hold;
         transaction.epoch = m_context.epoch;
         transaction.stop = &m_context.stop;
@@ -292,7 +294,7 @@ bool canBeOneServo(const Servo& before, const Servo& after, base::Duration apart
         difference(before, after, Role::PresentVoltage) > maxVoltageJump + jumpSlack)
         return false;
     const double turn = stepsOrDegreesPerTurn(after);
-    // SCS and LX servos cannot measure a part of the turn, and say either end of the rest there.
+    // SCS and LX servos cannot measure a part of the turn, and report either end of the rest there.
     const double measured = after.profile->angleRangeDeg.value_or(turnDegrees);
     const double blindFraction = std::max(0.0, turnDegrees - measured) / turnDegrees;
     const double within = std::fmod(difference(before, after, Role::PresentPosition), turn) / turn;
@@ -301,7 +303,8 @@ bool canBeOneServo(const Servo& before, const Servo& after, base::Duration apart
     double possible = restJitterSteps;
     if (!isResting(before) || !isResting(after)) {
         possible += fastestStepsPerSecond * double(apart.count()) / 1e6;
-        possible += blindFraction * stepsPerTurn; // a turning motor passes it unseen
+        possible +=
+            blindFraction * stepsPerTurn; // a turning motor may pass it between two readings
     }
     return moved <= possible;
 }

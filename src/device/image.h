@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What has really been read of a servo's memory table, byte by byte, with the time of reading.
-// A plain value; never holds a number that did not come from the wire. Places are bytes of the
+// A plain value; never holds a number that did not come from the wire. Offsets are bytes of the
 // table (catalog::Register::offset). Times are bus-clock instants.
 #pragma once
 
@@ -14,17 +14,16 @@
 namespace device {
 class Image {
 public:
-    /// What was read later already stays: a polled block may be handed over after the write that
-    /// followed it.
+    /// A newer reading stays: a polled block may arrive here after the write that followed it.
     void store(int offset, base::ByteView bytes, base::Duration at);
     void invalidate(int offset, int count);
-    /// The same before a write whose read-back may be lost: what was read by then, here or by
-    /// others, no longer says what stands there.
+    /// The same before a write whose read-back may be lost: readings up to then, here or elsewhere,
+    /// are void.
     void invalidate(int offset, int count, base::Duration readUntil);
     void clear();
-    /// Takes what `other` has read from `since` on, where it is the newer reading.
+    /// Takes the readings of `other` from `since` on that are newer.
     void mergeNewer(const Image& other, base::Duration since);
-    /// Takes what `other` has where nothing was read here.
+    /// Takes the readings of `other` for bytes that were never read here.
     void mergeMissing(const Image& other);
 
     /// The bytes of a register, if all of them have been read.
@@ -39,6 +38,6 @@ private:
     };
     const Cell* cell(int offset) const; ///< null: never read
 
-    std::vector<Cell> m_cells; ///< as far as anything has been read
+    std::vector<Cell> m_cells; ///< up to the last byte that was read
 };
 } // namespace device

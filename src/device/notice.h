@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices under the name device and jobs use. They live in base, so that the text layer can word
-// them.
+// Notices under the name that device and jobs use. They live in base, so that the text layer can
+// describe them.
 #pragma once
 
 #include "base/notice.h"

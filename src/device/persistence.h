@@ -12,22 +12,22 @@ enum class Retention : std::uint8_t {
     Always,    ///< every write is kept
     Save,      ///< kept once the save command has been sent
     Never,     ///< lost at power-off
-    NotStated, ///< nobody says
+    NotStated, ///< no sheet states it
 };
 Retention retentionOf(const catalog::Register& reg);
 
-/// Can survive power-off: what recovery has to bring to one side or the other.
+/// Can survive power-off, so recovery has to finish or undo it.
 bool isPersistent(const catalog::Register& reg);
 
-/// Writing it may wear memory that needs its time before it reads back.
+/// Its memory may need time before a write reads back.
 bool needsWriteTime(const catalog::Register& reg);
 
 /// The value of the lock register under which writes to this area are kept.
 std::int64_t unlockValue(catalog::Area area);
 
-/// The value of the lock register that keeps nothing.
+/// The value of the lock register under which no write is kept.
 constexpr std::int64_t lockClosed = 1;
 
-/// A lock that shows this is open for some area.
+/// Whether a lock with this value is open for some area.
 bool isLockOpen(std::int64_t lock);
 } // namespace device

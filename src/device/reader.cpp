@@ -13,7 +13,7 @@ using base::Protocol;
 using catalog::Role;
 
 namespace {
-// Firmware, byte order, model, ID, rate, delay, level: the same place in every Feetech table.
+// Firmware, byte order, model, ID, rate, delay, level: at the same address in every Feetech table.
 constexpr int feetechHead = 9;
 constexpr int modbusHead = 8; ///< registers 0–3
 
@@ -78,7 +78,7 @@ base::Result<catalog::Identity> queryModbus(const Context& context, Servo& servo
     return identity;
 }
 
-/// An LX servo tells its ID and nothing else.
+/// An LX servo reports its ID and nothing else.
 base::Result<catalog::Identity> queryLx(const Context& context, Servo& servo, int retries)
 {
     catalog::Identity identity;
@@ -126,7 +126,7 @@ base::Result<Servo> identifyWithRetries(const Context& context, int id, Protocol
 
 constexpr int defaultRetries = -1;
 
-/// Says something about the servo; the others end the whole question.
+/// An error that concerns the servo only; the others end the whole search.
 bool isServoError(ErrorCode code)
 {
     switch (code) {
@@ -147,7 +147,7 @@ base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
 }
 
 namespace {
-/// Once, and again only if something came that was no answer: where one language answers, the
+/// Asks once, and again only if bytes came that were no reply: where one protocol answers, the
 /// silence of the others must not cost every command their retries.
 base::Result<Servo> identifyQuickly(const Context& context, int id, Protocol protocol)
 {
@@ -158,7 +158,7 @@ base::Result<Servo> identifyQuickly(const Context& context, int id, Protocol pro
     return garbled ? identify(context, id, protocol) : servo;
 }
 
-/// `asking` puts the question in one language.
+/// `asking` sends the request in one protocol.
 template <typename Identify>
 base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols,
                                Identify&& identifyWith)
@@ -170,7 +170,7 @@ base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols,
         Servo probe;
         probe.protocol = protocol;
         if (!canEncode(probe, protocol::Request::ping(id)))
-            continue; // an ID that this language does not have
+            continue; // an ID that this protocol does not have
         auto servo = identifyWith(protocol);
         if (servo) {
             protocolNames << base::protocolName(protocol);
@@ -207,7 +207,7 @@ base::Result<Servo> identifyAmong(const Context& context, int id,
 }
 
 namespace {
-/// False: it stayed silent, as it may, and what it holds is not known.
+/// False: the servo did not answer, as some models do, and its stored move is not known.
 base::Result<bool> readSpan(const Context& context, Servo& servo, const bus::PollSpan& span)
 {
     const catalog::Register* reg = servo.profile->at(span.address);

@@ -6,8 +6,8 @@ using catalog::Role;
 
 catalog::Lookup Servo::lookup() const
 {
-    // Deciding registers (phase, mode, limits) have no variants themselves, so their own meaning
-    // needs no lookup: this ends every recursion.
+    // The registers that decide meanings (phase, mode, limits) have no variants themselves, so they
+    // need no lookup: this ends every recursion.
     return [this](const QString& key) -> std::optional<std::int64_t> {
         const catalog::Register* reg = profile ? profile->find(key) : nullptr;
         if (reg == nullptr)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One servo as the program knows it: where it answers, what it is, what was read of it. A value,
-// copied freely; belongs to whoever holds it. All numbers by register key or role.
+// One servo as the program knows it: address, identity, and what was read of it. A value, copied
+// freely; owned by its holder. All numbers by register key or role.
 #pragma once
 
 #include "base/journal.h"
@@ -8,7 +8,7 @@
 #include "device/image.h"
 
 namespace device {
-/// The mode these three registers mean, or null while they are not known.
+/// The mode that these three registers select, or null while they are not known.
 const catalog::Mode* modeFor(const catalog::Profile& profile,
                              std::optional<std::int64_t> operatingMode,
                              std::optional<std::int64_t> minAngle,
@@ -21,7 +21,7 @@ struct Servo {
     QString port;
     catalog::ProfilePtr profile;
     Image image;
-    /// Fault bits as the family lays them out: the error byte of its latest reply, or its status
+    /// Fault bits in the layout of the family: the error byte of its latest reply, or its status
     /// register when last read; 0 for servos that report neither.
     std::uint8_t status = 0;
 
@@ -33,14 +33,14 @@ struct Servo {
     catalog::ValueFormat meaning(const catalog::Register& reg) const;
     catalog::Lookup lookup() const;
 
-    /// The mode its registers say (STS: 33, 9, 11), or null while they are not known.
+    /// The mode that its registers select (STS: 33, 9, 11), or null while they are not known.
     const catalog::Mode* mode() const;
     base::ServoIdentity identity() const;
-    bool acknowledgesWrites() const; ///< its language acknowledges writes
+    bool acknowledgesWrites() const; ///< its protocol acknowledges writes
     bool repliesToWrites() const;    ///< and its response level is not 0
     bool repliesCarryStatus() const; ///< every reply has an error byte
     bool movesNeedTorque() const;    ///< a goal does not switch torque on, and is lost without it
-    /// False for a register this servo has, but cannot fill: current without a sensor.
+    /// False for a register without a source in this servo: current without a sensor.
     bool measures(const catalog::Register& reg) const;
 };
 } // namespace device

@@ -36,7 +36,7 @@ public:
         const std::int64_t shown = end != nullptr && end->readBack ? *end->readBack : item.newRaw;
         const bool temporary = m_entry.intent.temporary;
         if (equals(outcome, "undone")) {
-            if (!temporary) // what is put back to stay has been written with the lock open
+            if (!temporary) // a value restored permanently has been written with the lock open
                 m_values.erase(item.key);
             return;
         }

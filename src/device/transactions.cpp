@@ -195,7 +195,7 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const Reg
         if (!patch)
             return tl::unexpected(patch.error());
         const auto sent = writeBlock(context, servo, *patch, protocol::Repeat::Safe);
-        // Whatever else ended it (an emergency stop) must not be undone by saying it again.
+        // Any other end (an emergency stop) must not be undone by sending it again.
         if (!sent && !isReplyLost(sent.error()))
             return sent;
         if (needsTime)
@@ -231,7 +231,7 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const cat
 
 base::Result<void> save(const Context& context, Servo& servo, const catalog::Register& reg)
 {
-    // Nobody answers and nothing shows it, so one lost frame must not be the end of it.
+    // There is no reply and no reading to prove it, so one lost frame must not be the end.
     constexpr int sendCount = 2;
     for (int sent = 0; sent < sendCount; ++sent) {
         const auto saved =

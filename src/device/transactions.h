@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The few sentences every manoeuvre says to one servo, and the frames they go in. Keeps its image
-// and status up to date with every reply. The job's thread; errors are those of bus::Bus::transact.
+// The few transactions with one servo that every operation is made of, and their frames. Keeps its
+// image and status up to date with every reply. The job's thread; errors are those of
+// bus::Bus::transact.
 #pragma once
 
 #include "device/context.h"
 #include "device/servo.h"
 
 namespace device {
-/// Time an EPROM write is given before it is read back. No official figure exists; the sheet
-/// advises 10–20 ms.
+/// Time between an EPROM write and its read-back. No official figure exists; the sheet advises
+/// 10–20 ms.
 constexpr base::Duration epromWriteTime = std::chrono::milliseconds(20);
 
-/// False when this servo's language has no words for the request. Says nothing on the wire.
+/// False when this servo's protocol has no such request. Sends nothing.
 bool canEncode(const Servo& servo, const protocol::Request& request);
 
 /// One PING, not repeated.
@@ -21,7 +22,7 @@ base::Result<bus::Outcome> pingOnce(const Context& context, base::Protocol proto
 /// `retries` −1: the bus' default.
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
                              int retries = -1);
-/// Reads it, with the block it travels in.
+/// Reads it, with the block that it travels in.
 base::Result<std::int64_t> readRegister(const Context& context, Servo& servo,
                                         const catalog::Register& reg);
 
@@ -34,7 +35,7 @@ using RegisterValues = std::vector<RegisterValue>;
 /// The bytes as they go into the frame, in the servo's byte order and encoding.
 base::Bytes wireBytes(const Servo& servo, const catalog::Register& reg, std::int64_t raw);
 
-/// One WRITE frame: where its bytes go and where they are read back.
+/// One WRITE frame: its bytes, their address, and where they are read back.
 struct Patch {
     int writeOffset = 0;
     int readOffset = 0;
@@ -42,8 +43,8 @@ struct Patch {
     int count() const { return static_cast<int>(data.size()); }
 };
 
-/// True when `next` goes into the frame that ends with `last`: it stands right behind it, or
-/// travels in the same block.
+/// True when `next` goes into the frame that ends with `last`: it follows directly, or travels in
+/// the same block.
 bool sharesFrame(const catalog::Register& last, const catalog::Register& next);
 
 /// The one frame for registers that share it, in the order of writing. The bytes of their block
@@ -57,16 +58,16 @@ base::Result<Patch> freshPatch(const Context& context, Servo& servo, const Regis
 base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch& patch,
                               protocol::Repeat repeat);
 
-/// For what makes a servo safe (torque off, a closed lock) where reading has just failed because
-/// the line never falls silent: the write goes out all the same, and nothing proves it.
+/// For writes that make a servo safe (torque off, lock closed) after a read has failed because the
+/// line never falls silent: the write is still sent, without proof.
 void writeUnverified(const Context& context, Servo& servo, const catalog::Register& reg,
                      std::int64_t raw, const base::Error& readFailed);
 
-/// True when a request went out and only its answer is missing: reading tells what happened.
+/// True when a request was sent and only its reply is missing: reading shows the result.
 bool isReplyLost(const base::Error& error);
 
-/// Reading proved that a write had no effect, and it is sent again. `replyLost`: an acknowledgement
-/// was due and did not come.
+/// Reading proved that a write had no effect, and it is sent again. `replyLost`: an expected
+/// acknowledgement did not come.
 void noteResent(const Context& context, const Servo& servo, bool replyLost,
                 const QString& key = {});
 

@@ -23,7 +23,7 @@ base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& s
         return tl::unexpected(present.error());
     if (isLockOpen(*present))
         context.note(NoticeCode::LockFoundOpen, servo.id, lock->key);
-    // From here on the destructor closes it, also when the unlock itself lost its answer.
+    // From here on the destructor closes it, even if the reply to the unlock was lost.
     UnlockedEprom unlocked(context, servo, needed);
     if (*present == needed)
         return unlocked;
@@ -67,7 +67,7 @@ LockState closeLock(const Context& context, Servo& servo)
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (lock == nullptr)
         return LockState::None;
-    // Retries inside are the bus'; a second round covers a servo that was deaf for a moment.
+    // The bus does the retries; a second round covers a servo that did not receive for a moment.
     constexpr int rounds = 2;
     LockState state = LockState::Unknown;
     for (int round = 0; round < rounds; ++round) {
@@ -77,7 +77,7 @@ LockState closeLock(const Context& context, Servo& servo)
                 break;
             if (flag.error().code != ErrorCode::LineBusy)
                 continue;
-            // The bus says it as often as any write; a second round would prove no more.
+            // The bus sends it as often as any write; a second round would prove no more.
             writeUnverified(context, servo, *lock, lockClosed, flag.error());
             break;
         }

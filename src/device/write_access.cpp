@@ -11,7 +11,8 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
-/// Every family knows its lock's values; another byte there means that it is another register.
+/// The values of the lock are known for every family; another value there means that the register
+/// is something else.
 bool isLockValue(const catalog::Register& lock, std::int64_t raw)
 {
     return lock.values.empty() ||

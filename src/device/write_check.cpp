@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/write_check.h"
 
+#include "device/consent.h"
 #include "device/persistence.h"
 #include "device/write_access.h"
+#include "device/write_meaning.h"
 
 #include <algorithm>
 #include <array>
@@ -18,38 +20,30 @@ tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QSt
     return tl::unexpected(base::Error{code, QStringLiteral("write"), detail, servo.id, key});
 }
 
-/// Of a fault reset register: "the present position becomes the middle" (Modbus sheet).
-constexpr std::int64_t centerBit = 4;
-
-/// Registers whose writing is more than a write name their command instead.
+/// Registers that are changed by a command of their own: the error names it.
 base::Result<void> checkDedicatedOperation(const Servo& servo, const catalog::Register& reg,
                                            std::int64_t raw)
 {
-    switch (reg.role) {
-    case Role::Id:
+    switch (classify(reg, raw).procedure) {
+    case WriteProcedure::Id:
         return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("set-id"));
-    case Role::BaudRate:
+    case WriteProcedure::BaudRate:
         return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("set-baud"));
-    case Role::TorqueSwitch:
-        if (raw == 128)
-            return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("center"));
+    case WriteProcedure::Center:
+        return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("center"));
+    case WriteProcedure::Torque:
         if (raw != 0)
             return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("torque"));
         return {};
-    case Role::Lock:
-        if (isLockOpen(raw))
-            return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("unlock"));
-        return {};
-    case Role::FaultReset:
-        if ((raw & centerBit) != 0)
-            return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("center"));
-        return {};
-    default:
-        return {};
+    case WriteProcedure::Register:
+        break;
     }
+    if (reg.role == Role::Lock && isLockOpen(raw))
+        return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("unlock"));
+    return {};
 }
 
-/// A travel time goes out with its goal, so writing it alone would repeat the latest move.
+/// A travel time is sent with its goal, so writing it alone would repeat the latest move.
 base::Result<void> checkTime(const Servo& servo, const RegisterValues& items)
 {
     const catalog::Register* time = servo.profile->byRole(Role::GoalTime);
@@ -85,9 +79,9 @@ base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<Wr
             return refuse(ErrorCode::BadArgument, servo, item.key, QStringLiteral("given twice"));
         if (const auto allowed = checkDedicatedOperation(servo, *reg, item.raw); !allowed)
             return tl::unexpected(allowed.error());
-        if (reg->dangerous && !options.dangerous)
-            return refuse(ErrorCode::NeedsConsent, servo, item.key,
-                          reg->motion ? QStringLiteral("turns") : QString());
+        if (const auto allowed = requireConsent(*reg, item.raw, options.consent, servo.id);
+            !allowed)
+            return tl::unexpected(allowed.error());
         if (options.temporary && retentionOf(*reg) == Retention::Always)
             return refuse(ErrorCode::NotSupported, servo, item.key, QStringLiteral("always-kept"));
         checked.push_back({reg, item.raw});

@@ -3,6 +3,7 @@
 
 #include "device/persistence.h"
 #include "device/transactions.h"
+#include "device/write_meaning.h"
 
 #include <algorithm>
 
@@ -12,11 +13,16 @@ using catalog::Role;
 using catalog::TorqueOff;
 
 namespace {
-/// Neither a lost answer nor the servo's own refusal: the link is gone, or the emergency lane took
-/// the wire, and what comes next would undo its stop.
+/// Neither a lost reply nor a refusal by the servo: the link is gone, or an emergency stop took the
+/// wire, and further writes would undo it.
 bool isFatal(const base::Error& error)
 {
     return !isReplyLost(error) && error.code != ErrorCode::Refused;
+}
+
+bool isMotion(const RegisterValue& item)
+{
+    return classify(*item.reg, item.raw).isMotion();
 }
 } // namespace
 
@@ -29,7 +35,7 @@ bool WriteExecutor::needsTorqueOff() const
     });
 }
 
-/// The first item from here on that is kept by means of the lock.
+/// The first item from here on that needs the open lock to be kept.
 std::size_t WriteExecutor::nextLocked(std::size_t from) const
 {
     while (from < m_items.size() && retentionOf(*m_items[from].reg) != Retention::Lock)
@@ -37,7 +43,7 @@ std::size_t WriteExecutor::nextLocked(std::size_t from) const
     return from;
 }
 
-/// A stretch ends where the lock must be opened for another area.
+/// A section ends where the lock must be opened for another area.
 std::size_t WriteExecutor::endOfSection(std::size_t first) const
 {
     const std::size_t locked = nextLocked(first);
@@ -51,7 +57,7 @@ std::size_t WriteExecutor::endOfSection(std::size_t first) const
     return m_items.size();
 }
 
-/// Torque and, for a temporary write, a lock that somebody left open.
+/// Torque off and, for a temporary write, closing a lock that was left open.
 base::Result<void> WriteExecutor::prepare()
 {
     if (m_options.torqueOff || needsTorqueOff()) {
@@ -106,7 +112,7 @@ WriteReport WriteExecutor::run()
     return m_report;
 }
 
-/// However the run ended: whoever is in another mode now must stand still in it.
+/// After every run, also a failed one: a servo that is in another mode now must stand still in it.
 void WriteExecutor::finishModeChange()
 {
     if (!m_change)
@@ -159,7 +165,7 @@ bool WriteExecutor::writeSection(std::size_t first, std::size_t last)
     return false;
 }
 
-/// The worse of the stretches' ends counts.
+/// The worst state of all sections counts.
 void WriteExecutor::setLockState(LockState lock)
 {
     const bool proven = m_report.lock == LockState::None || m_report.lock == LockState::Closed;
@@ -168,7 +174,7 @@ void WriteExecutor::setLockState(LockState lock)
 }
 
 /// The lock had closed by itself before the end: the servo restarted, or another one is here. Then
-/// nothing tells what the EPROM took, and a value that was read may be another servo's.
+/// it is not known what the EPROM took, and a value that was read may be another servo's.
 void WriteExecutor::markUncertain(std::size_t first, std::size_t last)
 {
     for (std::size_t i = first; i < last; ++i) {
@@ -190,11 +196,11 @@ bool WriteExecutor::writeRange(std::size_t first, std::size_t last)
     return whole;
 }
 
-/// False when the user stopped it, or the wire did; the rest is not sent then.
+/// False when the user or a fatal error ended it; the rest is not sent then.
 bool WriteExecutor::writeGroups(std::size_t first, std::size_t last)
 {
     while (first < last) {
-        // Neighbors go in one frame: both angle limits change at once, never one alone.
+        // Neighbors share a frame: both angle limits change at once, never one alone.
         std::size_t end = first + 1;
         while (end < last && sharesFrame(*m_items[end - 1].reg, *m_items[end].reg))
             ++end;
@@ -229,8 +235,8 @@ const WriteResult* WriteExecutor::failed(std::size_t first, std::size_t last) co
     return nullptr;
 }
 
-/// Reads all of them back at once where one read can: with many rows that is most of the time.
-/// False when it cannot or did not come; each is then asked for by itself.
+/// Reads all of them back in one read where that is possible; with many items reading takes most of
+/// the time. False when it is not possible or no reply came; each is then read by itself.
 bool WriteExecutor::readTogether(std::size_t first, std::size_t last)
 {
     const catalog::Register& front = *m_items[first].reg;
@@ -247,8 +253,7 @@ base::Result<void> WriteExecutor::sendGroup(std::size_t first, std::size_t last)
 {
     const RegisterValues group(m_items.begin() + static_cast<std::ptrdiff_t>(first),
                                m_items.begin() + static_cast<std::ptrdiff_t>(last));
-    const bool motion = std::any_of(group.begin(), group.end(),
-                                    [](const RegisterValue& item) { return item.reg->motion; });
+    const bool motion = std::any_of(group.begin(), group.end(), isMotion);
     const auto patch = freshPatch(m_context, m_servo, group);
     if (!patch)
         return tl::unexpected(patch.error());
@@ -264,9 +269,9 @@ void WriteExecutor::writeGroup(std::size_t first, std::size_t last)
         return result.readBack && result.readBack == result.oldRaw &&
                result.oldRaw != result.newRaw;
     };
-    // What moves is not sent twice, unless no write is ever acknowledged: such goals are places,
-    // never steps.
-    const bool once = m_items[first].reg->motion && m_servo.acknowledgesWrites();
+    // A motion command is not sent twice, unless the protocol has no acknowledgements: its goals
+    // are positions, never steps.
+    const bool once = isMotion(m_items[first]) && m_servo.acknowledgesWrites();
     for (int attempt = 0; attempt < tries; ++attempt) {
         const auto sent = sendGroup(first, last);
         if (needsWriteTime(*m_items[first].reg))
@@ -279,7 +284,7 @@ void WriteExecutor::writeGroup(std::size_t first, std::size_t last)
         if (m_fatalError)
             return;
         // Reading proved that nothing happened, so sending again repeats nothing. A servo that
-        // acknowledged and kept the old value has refused: asking twice changes nothing.
+        // acknowledged and kept the old value has refused: a second write would change nothing.
         const bool untouched = sent ? !m_servo.repliesToWrites() : isReplyLost(sent.error());
         const bool unclear = m_report.writes[first].outcome == WriteOutcome::Unknown;
         if (!untouched || unclear || !showsOld(first) || once)
@@ -291,8 +296,8 @@ void WriteExecutor::writeGroup(std::size_t first, std::size_t last)
         makePersistent(i);
 }
 
-/// Perhaps after the frame went out, so reading must tell another day. Nothing more is said but
-/// what closes the lock.
+/// The frame may have been sent, so a later reading must show the result. Nothing more is sent,
+/// except to close the lock.
 void WriteExecutor::abortAt(std::size_t first, std::size_t last, const base::Error& why)
 {
     m_fatalError = why;
@@ -324,7 +329,7 @@ void WriteExecutor::evaluate(std::size_t index, const base::Result<void>& sent, 
         result.error = sent.error();
         return;
     }
-    // A fault reset clears itself, so only its acknowledgement tells.
+    // A fault reset clears itself, so only its acknowledgement proves it.
     const bool shown = item.reg->role == Role::FaultReset ? sent.has_value() : *back == item.raw;
     if (shown && !refused) {
         result.outcome = WriteOutcome::Temporary;
@@ -339,7 +344,7 @@ void WriteExecutor::evaluate(std::size_t index, const base::Result<void>& sent, 
         refused ? sent.error().detail : QString::number(*back), m_servo.id, item.reg->key};
 }
 
-/// What was written and read back may survive power-off as well.
+/// Whether a value that was written and read back also survives power-off.
 void WriteExecutor::makePersistent(std::size_t index)
 {
     const catalog::Register& reg = *m_items[index].reg;
@@ -372,7 +377,7 @@ void WriteExecutor::makePersistent(std::size_t index)
     }
 }
 
-/// False while the wire still owes an answer: the intent then stays open in the journal.
+/// False while a result is unknown: the intent then stays open in the journal.
 bool WriteExecutor::finished() const
 {
     const bool certain =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One write from the first byte to the last: torque, lock, frames, reading back, saving. Internal
-// to device: lives on the stack of write(), which has checked everything and opened the intent. The
-// job's thread.
+// to device: owned by write(), which has checked everything and opened the intent. The job's
+// thread.
 #pragma once
 
 #include "device/motion/mode.h"
@@ -61,9 +61,9 @@ private:
     RegisterValues m_items;
     const WriteOptions& m_options;
     std::optional<ModeChange> m_change;
-    bool m_open = false; ///< the lock is open for what is being written
+    bool m_open = false; ///< the lock is open for the present items
     bool m_modeChangeFailed = false;
-    std::optional<base::Error> m_fatalError; ///< what forbids to say any more
+    std::optional<base::Error> m_fatalError; ///< nothing more may be sent after it
     WriteReport m_report;
 };
 } // namespace device

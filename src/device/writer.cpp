@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/writer.h"
 
+#include "base/enum_names.h"
 #include "device/write_access.h"
 #include "device/write_executor.h"
+#include "device/write_meaning.h"
 
 #include <algorithm>
 
 namespace device {
 using base::ErrorCode;
 
+namespace {
+constexpr base::EnumName<WriteOutcome> outcomeNames[]{
+    {WriteOutcome::Kept, "kept"},         {WriteOutcome::Temporary, "temporary"},
+    {WriteOutcome::Mismatch, "mismatch"}, {WriteOutcome::Refused, "refused"},
+    {WriteOutcome::NotSent, "not-sent"},  {WriteOutcome::NoReply, "no-answer"},
+    {WriteOutcome::Unknown, "unknown"},
+};
+
+constexpr base::EnumName<LockState> lockNames[]{
+    {LockState::Closed, "closed"},
+    {LockState::Open, "open"},
+    {LockState::Unknown, "unknown"},
+    {LockState::None, "none"},
+};
+} // namespace
+
 QString outcomeName(WriteOutcome outcome)
 {
-    switch (outcome) {
-    case WriteOutcome::Kept:
-        return QStringLiteral("kept");
-    case WriteOutcome::Temporary:
-        return QStringLiteral("temporary");
-    case WriteOutcome::Mismatch:
-        return QStringLiteral("mismatch");
-    case WriteOutcome::Refused:
-        return QStringLiteral("refused");
-    case WriteOutcome::NotSent:
-        return QStringLiteral("not-sent");
-    case WriteOutcome::NoReply:
-        return QStringLiteral("no-answer");
-    case WriteOutcome::Unknown:
-        return QStringLiteral("unknown");
-    }
-    return {};
+    return base::nameOf(outcomeNames, outcome);
 }
 
 WriteOutcome outcomeBeforeSending(const base::Error& why)
@@ -37,17 +39,7 @@ WriteOutcome outcomeBeforeSending(const base::Error& why)
 
 QString lockName(LockState lock)
 {
-    switch (lock) {
-    case LockState::Closed:
-        return QStringLiteral("closed");
-    case LockState::Open:
-        return QStringLiteral("open");
-    case LockState::Unknown:
-        return QStringLiteral("unknown");
-    case LockState::None:
-        return QStringLiteral("none");
-    }
-    return {};
+    return base::nameOf(lockNames, lock);
 }
 
 bool WriteReport::isSuccessful() const
@@ -91,8 +83,8 @@ base::Intent intentFor(const Servo& servo, const RegisterValues& items, const Wr
 } // namespace
 
 namespace {
-/// The old value of everything that will change, and the registers that decide what it means. What
-/// cannot be read cannot be proven, and is not written here.
+/// Reads the old value of everything that will change, and the registers that decide its meaning. A
+/// register that cannot be read cannot be proven, and is not written here.
 base::Result<void> readBefore(const Context& context, Servo& servo, const RegisterValues& items)
 {
     if (const auto fresh = readSettings(context, servo); !fresh)
@@ -115,13 +107,14 @@ void noteZeroCurrentLimitAfter(const Context& context, const Servo& servo,
         noteZeroCurrentLimit(context, servo);
 }
 
-/// Many servos switch torque on with a goal; nobody who writes one by hand may be left in the dark.
+/// Many servos turn torque on with a goal; a user who writes a goal by hand is told so.
 void noteEnergized(const Context& context, Servo& servo, const RegisterValues& items,
                    bool torqueWasOff)
 {
     const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
-    const bool motion = std::any_of(items.begin(), items.end(),
-                                    [](const RegisterValue& item) { return item.reg->motion; });
+    const bool motion = std::any_of(items.begin(), items.end(), [](const RegisterValue& item) {
+        return classify(*item.reg, item.raw).isMotion();
+    });
     if (torque == nullptr || !motion || !torqueWasOff)
         return;
     const auto now = readRegister(context, servo, *torque);

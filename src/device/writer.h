@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The safe write, the only way a register is changed: check everything before the first byte,
-// journal, torque off where asked, unlock, write, wait, read back, save where the family has a
+// The safe write, the only way to change a register: check everything before the first byte,
+// journal, torque off where required, unlock, write, wait, read back, save where the family has a
 // command for it, lock, prove the lock. On every path out the lock is closed again, or LockLeftOpen
 // is noted and the intent stays open. Registers that travel as a block are read, changed and
 // written as one, so changing the minimum never disturbs the maximum.
 #pragma once
 
+#include "device/consent.h"
 #include "device/reader.h"
 
 namespace device {
-/// The words for how a register ended, everywhere. NotSent: its turn never came, so the servo was
-/// not asked; Refused: it was, and did not take it.
+/// The result of writing a register. NotSent: the write was never sent; Refused: it was sent, and
+/// the servo did not take it.
 enum class WriteOutcome : std::uint8_t {
     Kept,
     Temporary,
@@ -21,10 +22,10 @@ enum class WriteOutcome : std::uint8_t {
     Unknown
 };
 QString outcomeName(WriteOutcome outcome); ///< "kept", "temporary", … "no-answer", "unknown"
-/// Of a register that was not written because of `why`: Refused only where the servo itself
-/// refused what had to come first.
+/// For a register that was not written because of `why`: Refused only where the servo itself
+/// refused a step before it.
 WriteOutcome outcomeBeforeSending(const base::Error& why);
-/// The servo holds what it held before.
+/// The servo still has its old value.
 inline bool isUntouched(WriteOutcome outcome)
 {
     return outcome == WriteOutcome::Refused || outcome == WriteOutcome::NotSent;
@@ -61,31 +62,33 @@ struct WriteOptions {
     /// The lock stays closed, nothing is saved: acts at once, lost at power-off. NotSupported
     /// ("always-kept") where every write is kept.
     bool temporary = false;
-    bool dangerous = false; ///< the user's consent to dangerous registers
+    Consent consent{}; ///< to dangerous registers
     base::IntentKind kind = base::IntentKind::Write;
-    /// Values that this servo had before: outside the documented range, or a pair upside down.
+    /// Allows values that this servo had before: outside the documented range, or a pair in the
+    /// wrong order.
     bool allowPreviousValues = false;
-    /// Torque goes off before anything is written, whatever the registers ask for; it stays off.
+    /// Turns torque off before anything is written, even if no register requires it; it stays off.
     bool torqueOff = false;
-    /// The items go out as given, not by address; neighbors in the list share a frame all the
-    /// same, and the lock is opened once for each run of items of one area.
+    /// Writes the items as given, not by address; neighbors in the list still share a frame, and
+    /// the lock is opened once for each run of items of one area.
     bool keepOrder = false;
-    /// At the first register that does not take its value; the rest is not sent ("after-failure").
+    /// Stops at the first register that does not take its value; the rest is not sent
+    /// ("after-failure").
     bool stopOnFailure = false;
 };
 
 /// Errors (nothing was written): UnknownRegister, ReadOnly, OutOfRange, NeedsConsent, NotSupported,
-/// FileUnwritable/DiskFull (journal), NoReply … of the reads before. Otherwise a report, whatever
-/// happened. ID and baud rate are not written here: see jobs/change_id.h and change_baud.h.
+/// FileUnwritable/DiskFull (journal), NoReply … of the reads before. Otherwise a report in
+/// every case. ID and baud rate are not written here: see jobs/change/change.h.
 base::Result<WriteReport> write(const Context& context, Servo& servo,
                                 const std::vector<WriteItem>& items, const WriteOptions& options);
 
-/// One unlocked stretch, for manoeuvres that are more than register writes. The destructor closes
-/// the lock. Used by write() itself.
+/// Keeps the EPROM unlocked during its lifetime, for procedures that are more than register writes.
+/// The destructor closes the lock. write() itself uses it.
 class UnlockedEprom {
 public:
     /// Open for the area of `reg` (factory rows have a value of their own). Where writes to `reg`
-    /// are kept without a lock, there is nothing to open, and close() says None.
+    /// are kept without a lock, there is nothing to open, and close() returns None.
     static base::Result<UnlockedEprom> open(const Context& context, Servo& servo,
                                             const catalog::Register& reg);
     UnlockedEprom(UnlockedEprom&& other) noexcept;
@@ -114,6 +117,6 @@ private:
     bool m_stayedOpen = false;
 };
 
-/// Closes the lock if its flag reads open, for whichever area; None where the map has no lock.
+/// Closes the lock if its flag reads open for any area; None where the map has no lock.
 LockState closeLock(const Context& context, Servo& servo);
 } // namespace device

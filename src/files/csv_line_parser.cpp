@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace record {
+namespace files {
 std::string_view trimmed(std::string_view text)
 {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
@@ -19,7 +19,7 @@ const std::vector<std::string_view>& CsvLineParser::split(std::string_view line)
     m_unquoted.clear();
     std::size_t begin = 0;
     while (true) {
-        // Most cells of most rows are empty: those of the other servos.
+        // Most cells are empty: they belong to the other servos.
         while (begin < line.size() && line[begin] == ',') {
             m_cells.emplace_back();
             ++begin;
@@ -37,7 +37,7 @@ const std::vector<std::string_view>& CsvLineParser::split(std::string_view line)
     }
 }
 
-/// Where the comma after it is, or the end.
+/// The position of the comma after it, or the end.
 std::size_t CsvLineParser::parseQuoted(std::string_view line, std::size_t begin)
 {
     std::string& text = m_unquoted.emplace_back();
@@ -52,4 +52,4 @@ std::size_t CsvLineParser::parseQuoted(std::string_view line, std::size_t begin)
     m_cells.push_back(text);
     return comma;
 }
-} // namespace record
+} // namespace files

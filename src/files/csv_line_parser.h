@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace record {
+namespace files {
 /// Without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
@@ -23,4 +23,4 @@ private:
     std::vector<std::string_view> m_cells;
     std::deque<std::string> m_unquoted;
 };
-} // namespace record
+} // namespace files

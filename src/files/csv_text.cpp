@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace record {
+namespace files {
 namespace {
 /// "-5" and "+5" are numbers, "-5+cmd" and "=1" are not.
 bool looksLikeFormula(const QString& cell)
@@ -43,4 +43,4 @@ QByteArray csvLine(const QStringList& cells)
         texts << csvText(cell);
     return texts.join(',') + '\n';
 }
-} // namespace record
+} // namespace files

@@ -7,10 +7,10 @@
 
 #include <optional>
 
-namespace record {
+namespace files {
 /// A text that a spreadsheet would take for a formula is given an apostrophe, as it recommends.
 QByteArray csvText(const QString& cell);
-/// As many digits as tell the number; empty for none, or one that is not finite.
+/// The fewest digits that read back as the same number; empty for none, or one that is not finite.
 QByteArray csvNumber(std::optional<double> value);
 QByteArray csvLine(const QStringList& cells); ///< with its line feed
-} // namespace record
+} // namespace files

@@ -11,7 +11,7 @@
 #include <unistd.h>
 #endif
 
-namespace record {
+namespace files {
 namespace {
 bool isDiskFullError(int systemError)
 {
@@ -76,4 +76,4 @@ base::Error noFileNameError(const QString& operation)
 {
     return {base::ErrorCode::FileUnwritable, operation, QStringLiteral("no file name")};
 }
-} // namespace record
+} // namespace files

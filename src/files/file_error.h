@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns what the system says about a file into an Error: DiskFull when there is no room (also a
+// Turns an error of the file system into an Error: DiskFull when there is no room (also a
 // used-up quota or size limit), otherwise the code given. detail is "PATH: system message". Pure;
 // any thread.
 #pragma once
@@ -10,7 +10,7 @@
 
 #include <optional>
 
-namespace record {
+namespace files {
 base::Error fileError(base::ErrorCode otherwise, const QString& operation, const QString& path,
                       int systemError);
 
@@ -28,4 +28,4 @@ std::optional<base::Error> writeRefusal(const QString& operation, const QString&
 
 /// For an empty path, which Qt would complain about on stderr.
 base::Error noFileNameError(const QString& operation);
-} // namespace record
+} // namespace files

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file as the operating system sees it: what QFile cannot do portably (shared append, locks
 // between programs, syncing to disk). Owned by one function call, one thread. Every call answers
-// whether it worked; errno then says why.
+// whether it worked; errno then has the reason.
 #pragma once
 
 #include <QByteArray>
@@ -14,8 +14,8 @@
 #include <memory>
 #endif
 
-namespace record {
-/// Tells a file from the one that replaced it.
+namespace files {
+/// Distinguishes a file from one that replaced it.
 struct FileId {
     quint64 device = 0;
     quint64 node = 0;
@@ -60,4 +60,4 @@ private:
     std::unique_ptr<QLockFile> m_lock;
 #endif
 };
-} // namespace record
+} // namespace files

@@ -13,7 +13,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace record {
+namespace files {
 namespace {
 constexpr auto lockTimeout = std::chrono::seconds(5);
 constexpr auto lockRetryInterval = std::chrono::milliseconds(2);
@@ -132,11 +132,11 @@ bool FileHandle::syncFolder(const QString& folder)
         ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
         return false;
-    // Some file systems cannot sync folders and say EINVAL; theirs are as safe as they get.
+    // Some file systems cannot sync folders and return EINVAL; there is nothing more to do.
     const bool synced = ::fsync(descriptor) == 0 || errno == EINVAL;
     ::close(descriptor);
     return synced;
 }
-} // namespace record
+} // namespace files
 
 #endif

@@ -8,7 +8,7 @@
 #include <io.h>
 #include <sys/stat.h>
 
-namespace record {
+namespace files {
 namespace {
 constexpr int lockTimeoutMs = 5000;
 
@@ -105,6 +105,6 @@ bool FileHandle::syncFolder(const QString&)
 {
     return true;
 }
-} // namespace record
+} // namespace files
 
 #endif

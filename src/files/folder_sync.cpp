@@ -6,7 +6,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-namespace record {
+namespace files {
 bool syncFolders(const QString& file, const QString& existingAncestor)
 {
     QString folder = file;
@@ -25,4 +25,4 @@ QString existingFolder(const QString& file)
         folder = QFileInfo(folder).absolutePath();
     return folder;
 }
-} // namespace record
+} // namespace files

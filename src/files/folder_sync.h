@@ -5,9 +5,9 @@
 
 #include <QString>
 
-namespace record {
+namespace files {
 /// All from the file up to `existingAncestor`; false: the system refuses.
 bool syncFolders(const QString& file, const QString& existingAncestor);
 /// The deepest folder above `file` that exists.
 QString existingFolder(const QString& file);
-} // namespace record
+} // namespace files

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace record {
+namespace files {
 namespace {
 /// The end of the string that begins at `begin`, behind its closing quote.
 qsizetype stringEnd(const QByteArray& text, qsizetype begin)
@@ -18,7 +18,7 @@ qsizetype stringEnd(const QByteArray& text, qsizetype begin)
     return std::min(at + 1, text.size());
 }
 
-/// The name without quotes; what is written with escapes is the same name as without.
+/// The name without quotes; a name with escapes equals the same name without.
 QString nameOf(const QByteArray& quoted)
 {
     if (!quoted.contains('\\'))
@@ -61,4 +61,4 @@ QString findDuplicateKey(const QByteArray& text)
     }
     return {};
 }
-} // namespace record
+} // namespace files

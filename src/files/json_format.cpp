@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/json_format.h"
 
-namespace record {
+namespace files {
 void checkFormat(const JsonReader& json, QLatin1StringView name, int newest,
                  const QString& mismatchText)
 {
@@ -17,4 +17,4 @@ void checkFormat(const JsonReader& json, QLatin1StringView name, int newest,
                              .arg(version)
                              .arg(newest));
 }
-} // namespace record
+} // namespace files

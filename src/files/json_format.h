@@ -5,9 +5,9 @@
 
 #include "files/json_reader.h"
 
-namespace record {
+namespace files {
 /// The head of a document: "format" is `name`, or the complaint is `mismatchText`; "version" is one
 /// that this program knows.
 void checkFormat(const JsonReader& json, QLatin1StringView name, int newest,
                  const QString& mismatchText);
-} // namespace record
+} // namespace files

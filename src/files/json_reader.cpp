@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace record {
+namespace files {
 namespace {
 // JSON numbers beyond this are not exact in every program that reads them.
 constexpr double exactLimit = 9007199254740992.0;
@@ -210,4 +210,4 @@ std::int64_t JsonReader::integerAt(const QJsonValue& value, const QString& path)
     }
     return value.toInteger();
 }
-} // namespace record
+} // namespace files

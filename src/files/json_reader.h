@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strict reading of JSON from files that anybody may have edited: each value is asked for with its
-// type; the first one that does not fit is remembered with its place, and reading goes on with
-// harmless values until somebody looks. Fields that nobody asks for do not matter. Values; one
-// thread.
+// Strict reading of JSON from files that may have been edited by hand: each value is read with its
+// type; the first one that does not fit is remembered with its path, and reading continues with
+// harmless values until the caller checks the error. Other fields are ignored. Values; one thread.
 #pragma once
 
 #include "base/error.h"
@@ -15,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace record {
+namespace files {
 /// The top object, or what is wrong with the text and in which line.
 tl::expected<QJsonObject, QString> parseJson(const QByteArray& text);
 
@@ -54,6 +53,15 @@ public:
     std::vector<double> numbers(const char* key) const;
     QStringList texts(const char* key) const;
     QDateTime time(const char* key) const; ///< ISO 8601; answers UTC
+    template <typename Enum>               ///< by its name; an unknown one is reported
+    Enum enumValue(const char* key, std::optional<Enum> (*fromName)(const QString&)) const
+    {
+        const QString name = text(key);
+        const auto value = fromName(name);
+        if (!value)
+            reportError(key, QStringLiteral("unknown word \"%1\"").arg(name));
+        return value.value_or(Enum());
+    }
     JsonReader object(const char* key) const;
     std::vector<JsonReader> objects(const char* key) const;
 
@@ -71,4 +79,4 @@ private:
     JsonReadError* m_readError;
     QString m_path;
 };
-} // namespace record
+} // namespace files

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace record {
+namespace files {
 QByteArray jsonText(const QString& text)
 {
     const QByteArray list = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
@@ -44,4 +44,4 @@ JsonObjectWriter& JsonObjectWriter::raw(const char* key, const QByteArray& value
     m_text += (m_text.size() > 1 ? ", \"" : "\"") + QByteArray(key) + "\": " + value;
     return *this;
 }
-} // namespace record
+} // namespace files

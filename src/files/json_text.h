@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace record {
+namespace files {
 QByteArray jsonText(const QString& text);
 QByteArray jsonText(const QStringList& texts);
 QByteArray jsonFlag(bool value);
@@ -65,4 +65,4 @@ public:
 private:
     QByteArray m_text = "{";
 };
-} // namespace record
+} // namespace files

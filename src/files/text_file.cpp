@@ -11,7 +11,7 @@
 #include <fcntl.h>
 #endif
 
-namespace record {
+namespace files {
 namespace {
 const auto openMode = QIODevice::WriteOnly | QIODevice::Unbuffered;
 
@@ -27,7 +27,7 @@ bool writeChunks(File& file, const std::function<void(const TextSink&)>& write)
     });
     return fine;
 }
-/// Some files of the system call themselves regular and wait for news (/proc/kmsg).
+/// Some system files are reported as regular but block until there is data (/proc/kmsg).
 bool openForReading(QFile& file)
 {
 #ifdef Q_OS_UNIX
@@ -36,7 +36,7 @@ bool openForReading(QFile& file)
     if (descriptor >= 0)
         return file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle);
 #endif
-    return file.open(QIODevice::ReadOnly); // says why not
+    return file.open(QIODevice::ReadOnly); // sets the reason
 }
 } // namespace
 
@@ -113,4 +113,4 @@ saveTextFileIfValid(const QString& operation,
         return tl::unexpected(fileError(operation, file));
     return {};
 }
-} // namespace record
+} // namespace files

@@ -11,13 +11,13 @@
 
 #include <functional>
 
-namespace record {
+namespace files {
 base::Result<QByteArray> readTextFile(const QString& operation, const QString& path,
                                       qint64 maxSize);
 base::Result<void> saveTextFile(const QString& operation, const QByteArray& text,
                                 const QString& path);
 
-/// Takes a piece of the text; false when it cannot, and then no more should be made.
+/// Takes a piece of the text; false when it cannot, and then the caller stops.
 using TextSink = std::function<bool(const QByteArray& piece)>;
 
 /// For what is too large to be one text: `write` hands it over in pieces.
@@ -29,4 +29,4 @@ base::Result<void>
 saveTextFileIfValid(const QString& operation,
                     const std::function<base::Result<void>(const TextSink&)>& write,
                     const QString& path);
-} // namespace record
+} // namespace files

@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace record {
+namespace history {
 namespace {
 constexpr qsizetype pieceSize = qsizetype(1) << 20; ///< before it is compressed
 
@@ -27,7 +27,7 @@ QVariantList testValues(const TestRun& head)
             nonNull(head.program),
             nonNull(head.port),
             head.simulated,
-            gradeName(head.verdict),
+            results::gradeName(head.verdict),
             nonNull(head.end),
             nonNull(head.operatorName),
             nonNull(head.note),
@@ -42,7 +42,7 @@ QVariantList testValues(std::int64_t number, int place, const TestServo& servo)
             nonNull(servo.model),
             nonNull(servo.map),
             nonNull(servo.firmware),
-            gradeName(servo.verdict),
+            results::gradeName(servo.verdict),
             nonNull(servo.label),
             servo.reference};
 }
@@ -106,9 +106,9 @@ base::Result<std::unique_ptr<History>> History::open(const QString& path,
     auto file = HistoryFile::open(path, timeout);
     if (!file)
         return tl::unexpected(file.error());
-    // Where the old journal cannot be read the journal says so; runs are kept all the same.
+    // An unreadable old journal is reported by the journal; runs are recorded anyway.
     (void)importJournal(**file);
-    // Where it cannot be done now, the next to open the file does it; ends are looked at anyway.
+    // If this fails, the next program that opens the file does it; readers check the end anyway.
     (void)reevaluateStoredSweeps(**file);
     return std::unique_ptr<History>(new History(std::move(*file)));
 }
@@ -120,7 +120,7 @@ History::History(std::unique_ptr<HistoryFile> file)
 History::~History() = default;
 
 base::Result<void> History::addParts(const TestRun& head, std::int64_t number,
-                                     const std::function<void(const TextSink&)>& write)
+                                     const std::function<void(const files::TextSink&)>& write)
 {
     int place = 0;
     for (const TestServo& servo : head.servos) {
@@ -145,7 +145,7 @@ base::Result<void> History::addParts(const TestRun& head, std::int64_t number,
 }
 
 base::Result<std::int64_t> History::add(const TestRun& head,
-                                        const std::function<void(const TextSink&)>& write)
+                                        const std::function<void(const files::TextSink&)>& write)
 {
     std::int64_t number = 0;
     const auto done = m_file->transaction([&]() -> base::Result<void> {
@@ -164,18 +164,19 @@ base::Result<std::int64_t> History::add(const TestRun& head,
     return number;
 }
 
-base::Result<std::int64_t> History::add(const SweepRun& run, const QStringList& files)
+base::Result<std::int64_t> History::add(const results::SweepRun& run, const QStringList& files)
 {
     TestRun head = toTestRun(run);
     head.files = files;
-    return add(head, [&](const TextSink& sink) { writeSweepRun(run, sink); });
+    return add(head, [&](const files::TextSink& sink) { results::writeSweepRun(run, sink); });
 }
 
-base::Result<std::int64_t> History::add(const StepRun& run, const QStringList& files)
+base::Result<std::int64_t> History::add(const results::StepRun& run, const QStringList& files)
 {
     TestRun head = toTestRun(run);
     head.files = files;
-    return add(head, [&](const TextSink& sink) { sink(encodeStepRuns({run}, {})); });
+    return add(head,
+               [&](const files::TextSink& sink) { sink(results::encodeStepRuns({run}, {})); });
 }
 
 base::Result<void> History::change(const QString& sql, const QVariantList& values,
@@ -238,16 +239,16 @@ base::Result<void> History::setReference(std::int64_t number, int servo, bool re
 
 bool canBeReference(const TestRun& run)
 {
-    const auto end = sweepEndFromName(run.end);
+    const auto end = results::sweepEndFromName(run.end);
     return end && canBeReference(*end);
 }
 
 bool canBeReference(const TestRun& run, const TestServo& servo)
 {
-    return canBeReference(run) && servo.verdict != Grade::Fail;
+    return canBeReference(run) && servo.verdict != results::Grade::Fail;
 }
 
-TestRun toTestRun(const SweepRun& run)
+TestRun toTestRun(const results::SweepRun& run)
 {
     TestRun head;
     head.at = run.at;
@@ -255,20 +256,20 @@ TestRun toTestRun(const SweepRun& run)
     head.port = run.port;
     head.simulated = run.simulated;
     head.verdict = run.verdict();
-    head.end = sweepEndName(run.end);
+    head.end = results::sweepEndName(run.end);
     head.operatorName = run.spec.operatorName;
     head.note = run.spec.note;
     head.length = run.length;
-    for (const SweepServo& servo : run.servos) {
-        const SnapshotServo& identity = servo.parameters.servo;
+    for (const results::SweepServo& servo : run.servos) {
+        const snapshot::SnapshotServo& identity = servo.parameters.servo;
         head.servos.push_back({identity.id, identity.model, identity.map, identity.firmware,
                                servo.verdict, servo.parameters.label, false});
     }
     return head;
 }
 
-/// A response lasts as long as its readings.
-TestRun toTestRun(const StepRun& run)
+/// The length of a response is that of its readings.
+TestRun toTestRun(const results::StepRun& run)
 {
     TestRun head;
     head.kind = QStringLiteral("step");
@@ -276,14 +277,14 @@ TestRun toTestRun(const StepRun& run)
     head.program = run.program;
     head.port = run.port;
     head.simulated = run.simulated;
-    head.end = sweepEndName(run.end);
+    head.end = results::sweepEndName(run.end);
     head.operatorName = run.spec.operatorName;
     head.note = run.spec.note;
-    for (const StepResponse& response : run.responses)
+    for (const results::StepResponse& response : run.responses)
         head.length += response.samples.empty() ? base::Duration{} : response.samples.back().at;
-    const SnapshotServo& identity = run.parameters.servo;
+    const snapshot::SnapshotServo& identity = run.parameters.servo;
     head.servos.push_back({identity.id, identity.model, identity.map, identity.firmware,
-                           Grade::NotMeasured, run.parameters.label, false});
+                           results::Grade::NotMeasured, run.parameters.label, false});
     return head;
 }
 
@@ -308,18 +309,19 @@ SavedRun saveRunOrFile(const QString& historyPath, const Run& run, const QString
 }
 } // namespace
 
-SavedRun saveRun(const QString& historyPath, const SweepRun& run, const QStringList& files,
+SavedRun saveRun(const QString& historyPath, const results::SweepRun& run, const QStringList& files,
                  std::chrono::milliseconds timeout)
 {
-    return saveRunOrFile(historyPath, run, files, timeout, QStringLiteral("sweep"),
-                         [&](const QString& path) { return saveSweepRun(run, path).has_value(); });
+    return saveRunOrFile(
+        historyPath, run, files, timeout, QStringLiteral("sweep"),
+        [&](const QString& path) { return results::saveSweepRun(run, path).has_value(); });
 }
 
-SavedRun saveRun(const QString& historyPath, const StepRun& run, const QStringList& files,
+SavedRun saveRun(const QString& historyPath, const results::StepRun& run, const QStringList& files,
                  std::chrono::milliseconds timeout)
 {
     return saveRunOrFile(
         historyPath, run, files, timeout, QStringLiteral("step"),
-        [&](const QString& path) { return saveStepRuns({run}, {}, path).has_value(); });
+        [&](const QString& path) { return results::saveStepRuns({run}, {}, path).has_value(); });
 }
-} // namespace record
+} // namespace history

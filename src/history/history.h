@@ -2,7 +2,7 @@
 // The history database in the user's data folder: the test runs; log() has servos, writes,
 // snapshots, alarms and recordings. SQLite; several programs may use one file at the same time. An
 // object belongs to the thread that opened it, and any number may be open. Everything fails as
-// record/history_file.h says; a run that is not there is a BadArgument. Servos carry no serial
+// history/history_file.h; a run that is not there is a BadArgument. Servos carry no serial
 // number: a servo is a model, a firmware, an ID and the user's label.
 #pragma once
 
@@ -17,7 +17,7 @@
 #include <chrono>
 #include <memory>
 
-namespace record {
+namespace history {
 class HistoryFile;
 
 /// A servo in a run.
@@ -26,7 +26,7 @@ struct TestServo {
     QString model{};
     QString map{}; ///< of its registers, the same for a series
     QString firmware{};
-    Grade verdict = Grade::NotMeasured;
+    results::Grade verdict = results::Grade::NotMeasured;
     QString label{};        ///< the user's
     bool reference = false; ///< what others of its model are held against; one a model
     bool operator==(const TestServo&) const = default;
@@ -41,7 +41,7 @@ struct TestRun {
     QString program{};
     QString port{};
     bool simulated = false;
-    Grade verdict = Grade::NotMeasured;
+    results::Grade verdict = results::Grade::NotMeasured;
     QString end{}; ///< sweepEndName()
     QString operatorName{};
     QString note{};
@@ -83,20 +83,20 @@ public:
     explicit History(std::unique_ptr<HistoryFile> file);
     ~History();
 
-    /// Answers its number. `write` hands over the whole run as text; number and uuid of `head` are
-    /// made here.
+    /// Returns its number. `write` writes the whole run as text; number and uuid of `head` are set
+    /// here.
     base::Result<std::int64_t> add(const TestRun& head,
-                                   const std::function<void(const TextSink&)>& write);
-    base::Result<std::int64_t> add(const SweepRun& run, const QStringList& files = {});
-    base::Result<std::int64_t> add(const StepRun& run, const QStringList& files = {});
+                                   const std::function<void(const files::TextSink&)>& write);
+    base::Result<std::int64_t> add(const results::SweepRun& run, const QStringList& files = {});
+    base::Result<std::int64_t> add(const results::StepRun& run, const QStringList& files = {});
 
     /// Newest first.
     base::Result<std::vector<TestRun>> runs(const RunFilter& filter = {}) const;
     base::Result<TestRun> run(std::int64_t number) const;
     base::Result<QByteArray> text(std::int64_t number) const;
     /// With the labels and the note as they are now.
-    base::Result<SweepRun> sweep(std::int64_t number) const;
-    base::Result<StepRun> step(std::int64_t number) const;
+    base::Result<results::SweepRun> sweep(std::int64_t number) const;
+    base::Result<results::StepRun> step(std::int64_t number) const;
     base::Result<void> remove(std::int64_t number);
 
     base::Result<void> setLabel(std::int64_t number, int servo, const QString& label);
@@ -113,15 +113,15 @@ public:
 private:
     base::Result<void> change(const QString& sql, const QVariantList& values, std::int64_t number);
     base::Result<void> addParts(const TestRun& head, std::int64_t number,
-                                const std::function<void(const TextSink&)>& write);
+                                const std::function<void(const files::TextSink&)>& write);
     base::Result<std::vector<TestRun>> read(const QString& whereClause,
                                             const QVariantList& values) const;
 
     std::unique_ptr<HistoryFile> m_file;
 };
 
-TestRun toTestRun(const SweepRun& run);
-TestRun toTestRun(const StepRun& run);
+TestRun toTestRun(const results::SweepRun& run);
+TestRun toTestRun(const results::StepRun& run);
 
 struct SavedRun {
     std::int64_t number = 0;              ///< in the history; 0: it is not there
@@ -132,8 +132,10 @@ struct SavedRun {
 /// Opens the history, adds the run, closes it. If that cannot be, the run becomes a JSON file
 /// beside it: what was measured is not lost. It waits longer than a list or a write that has yet to
 /// begin.
-SavedRun saveRun(const QString& historyPath, const SweepRun& run, const QStringList& files = {},
+SavedRun saveRun(const QString& historyPath, const results::SweepRun& run,
+                 const QStringList& files = {},
                  std::chrono::milliseconds timeout = std::chrono::seconds(5));
-SavedRun saveRun(const QString& historyPath, const StepRun& run, const QStringList& files = {},
+SavedRun saveRun(const QString& historyPath, const results::StepRun& run,
+                 const QStringList& files = {},
                  std::chrono::milliseconds timeout = std::chrono::seconds(5));
-} // namespace record
+} // namespace history

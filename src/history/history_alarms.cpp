@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace record {
+namespace history {
 namespace {
 QString selectAlarms(const QString& inner)
 {
@@ -168,7 +168,7 @@ HistoryLog::recordings(const HistoryFilter& filter) const
         extra.add(QStringLiteral("number IN (SELECT recording FROM recording_servos WHERE servo IN "
                                  "(%1))")
                       .arg(numberList(**servos)));
-    // The servos are chosen; what is left of the filter is time and page.
+    // The servos are selected; time and page of the filter remain.
     HistoryFilter rest;
     rest.from = filter.from;
     rest.until = filter.until;
@@ -198,4 +198,4 @@ base::Result<void> HistoryLog::removeRecording(std::int64_t number) const
         return notFoundError(QStringLiteral("recording"), number);
     return {};
 }
-} // namespace record
+} // namespace history

@@ -3,8 +3,8 @@
 
 #include "history/history_timeout.h"
 
-namespace record {
-/// A connection that has the file to itself, as on a full disk, would lock other programs out.
+namespace history {
+/// A connection with exclusive access, as on a full disk, would lock other programs out.
 bool HistoryChangeDetector::open()
 {
     auto opened = HistoryFile::open(m_path, historyTimeout);
@@ -21,7 +21,7 @@ bool HistoryChangeDetector::open()
 /// SQLite counts the commits of all other connections, per connection.
 std::optional<qint64> HistoryChangeDetector::version()
 {
-    const auto fileInfo = FileHandle::infoOf(m_path);
+    const auto fileInfo = files::FileHandle::infoOf(m_path);
     if (!fileInfo)
         return std::nullopt;
     if (m_file && !(fileInfo->id == m_fileId)) {
@@ -57,4 +57,4 @@ void HistoryChangeDetector::close()
     m_version.reset();
     m_lost = false;
 }
-} // namespace record
+} // namespace history

@@ -7,7 +7,7 @@
 #include "files/file_handle.h"
 #include "history/history_file.h"
 
-namespace record {
+namespace history {
 class HistoryChangeDetector {
 public:
     explicit HistoryChangeDetector(QString path)
@@ -25,8 +25,8 @@ private:
 
     const QString m_path;
     std::unique_ptr<HistoryFile> m_file;
-    FileId m_fileId{}; ///< of the open file
+    files::FileId m_fileId{}; ///< of the open file
     std::optional<qint64> m_version;
     bool m_lost = false; ///< it could not be read since the last answer
 };
-} // namespace record
+} // namespace history

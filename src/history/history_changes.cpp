@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace record {
+namespace history {
 namespace {
 struct Child {
     const char* table;
@@ -28,7 +28,7 @@ QStringList splitWords(const char* list)
     return QString::fromLatin1(list).split(QLatin1Char(' '));
 }
 
-/// Blobs come last, so that they are met only where they are wanted.
+/// Blobs come last, so that SQLite reads them only where they are needed.
 const std::vector<SyncedTable>& tables()
 {
     static const std::vector<SyncedTable> all{
@@ -90,17 +90,17 @@ QVariantMap toValueMap(const QVariantList& row, const QStringList& columns, bool
     return values;
 }
 
-/// A row that has changed or gone, not read yet.
+/// A row that was changed or deleted, not read yet.
 struct ChangeEntry {
     std::int64_t revision = 0;
     QString table;
     QString uuid;
-    std::int64_t number = 0; ///< 0: it is gone
+    std::int64_t number = 0; ///< 0: deleted
 };
 
-/// The first `most` after `revision`, of all tables. One statement, so that it sees one state of
-/// the file: table by table, a row that comes meanwhile into one that was asked already would be
-/// passed over by a later one of another table.
+/// The first rows after `revision`, of all tables. One statement, so that it reads one state of
+/// the file: with a query per table, a row added meanwhile to a table already read would be
+/// skipped.
 base::Result<std::vector<ChangeEntry>> changesAfter(const HistoryFile& file, std::int64_t revision,
                                                     int limit)
 {
@@ -127,7 +127,7 @@ base::Result<std::vector<ChangeEntry>> changesAfter(const HistoryFile& file, std
     return changes;
 }
 
-/// Nothing: it has been deleted since, which is a later change.
+/// Nothing: it was deleted since, which is a later change.
 base::Result<std::optional<ChangedRow>> readRow(const HistoryFile& file, const ChangeEntry& changes,
                                                 qint64& bytes)
 {
@@ -214,4 +214,4 @@ base::Result<std::int64_t> HistoryChanges::pendingCount(std::int64_t revision) c
         return tl::unexpected(counted.error());
     return counted->rows.front().value(0).toLongLong();
 }
-} // namespace record
+} // namespace history

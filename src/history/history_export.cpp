@@ -1,50 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "history/history_export.h"
 
+#include "base/enum_names.h"
 #include "files/csv_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include <algorithm>
-#include <array>
-
-namespace record {
+namespace history {
 namespace {
 const QString exportOperation = QStringLiteral("export");
 constexpr int pageSize = 2000;
 
-struct KindName {
-    HistoryKind kind;
-    QLatin1String name;
-    const char* columns;
+constexpr base::EnumName<HistoryKind> kindNames[]{
+    {HistoryKind::Servos, "servos"},         {HistoryKind::Writes, "writes"},
+    {HistoryKind::Snapshots, "snapshots"},   {HistoryKind::Alarms, "alarms"},
+    {HistoryKind::Recordings, "recordings"}, {HistoryKind::Runs, "runs"},
 };
-
-constexpr std::array kindNames{
-    KindName{HistoryKind::Servos, QLatin1String("servos"),
-             "number uuid model protocol model_id firmware map id label current last_write port "
-             "baud"},
-    KindName{HistoryKind::Writes, QLatin1String("writes"),
-             "number intent time servo id model label kind register address old new read_back "
-             "outcome temporary port baud program detail"},
-    KindName{HistoryKind::Snapshots, QLatin1String("snapshots"),
-             "number uuid time servo id model firmware label note reason registers file port baud "
-             "program"},
-    KindName{HistoryKind::Alarms, QLatin1String("alarms"),
-             "number uuid time went servo id model label alarm derived port"},
-    KindName{HistoryKind::Recordings, QLatin1String("recordings"),
-             "number uuid time length_ms file readings port simulated ids models labels"},
-    KindName{HistoryKind::Runs, QLatin1String("runs"),
-             "number uuid time kind verdict end ids models labels operator note length_ms port "
-             "simulated program files"},
-};
-
-const KindName& nameEntryOf(HistoryKind kind)
-{
-    return *std::find_if(kindNames.begin(), kindNames.end(),
-                         [&](const KindName& entry) { return entry.kind == kind; });
-}
 
 QVariant number(std::int64_t value)
 {
@@ -59,6 +32,24 @@ QVariant milliseconds(base::Duration length)
 QString versionOf(int high, int low)
 {
     return high < 0 || low < 0 ? QString() : QStringLiteral("%1.%2").arg(high).arg(low);
+}
+
+template <typename Servo>
+QStringList idsOf(const std::vector<Servo>& servos)
+{
+    QStringList ids;
+    for (const Servo& servo : servos)
+        ids.append(QString::number(servo.id));
+    return ids;
+}
+
+template <typename Servo>
+QStringList textsOf(const std::vector<Servo>& servos, QString Servo::*member)
+{
+    QStringList texts;
+    for (const Servo& servo : servos)
+        texts.append(servo.*member);
+    return texts;
 }
 
 QString timeText(const QDateTime& at)
@@ -88,9 +79,9 @@ QJsonValue jsonOf(const QVariant& value)
     return QJsonValue::fromVariant(value);
 }
 
-using RowSink = std::function<bool(const QVariantList& row)>;
+using RowSink = std::function<bool(const HistoryFields& row)>;
 
-/// Hands over all pages of a list; false: the sink has had enough.
+/// Gives all pages of a list to the sink, until the sink returns false.
 template <typename Row>
 base::Result<std::int64_t>
 forEachPage(HistoryFilter filter, const RowSink& sink,
@@ -105,7 +96,7 @@ forEachPage(HistoryFilter filter, const RowSink& sink,
             return tl::unexpected(rows.error());
         for (const Row& row : *rows) {
             ++count;
-            if (!sink(valuesOf(row)))
+            if (!sink(fieldsOf(row)))
                 return count;
         }
         if (rows->size() < std::size_t(pageSize))
@@ -120,7 +111,7 @@ base::Result<std::int64_t> all(const base::Result<std::vector<Row>>& rows, const
     if (!rows)
         return tl::unexpected(rows.error());
     for (const Row& row : *rows) {
-        if (!sink(valuesOf(row)))
+        if (!sink(fieldsOf(row)))
             break;
     }
     return std::int64_t(rows->size());
@@ -153,10 +144,10 @@ base::Result<std::int64_t> forEachRow(const History& history, HistoryKind kind,
                 : base::Result<std::int64_t>(tl::unexpected(runs.error()));
 }
 
-/// Rows are short; the disk is given more at a time.
+/// Rows are short; writing larger pieces is faster.
 class BufferedSink {
 public:
-    explicit BufferedSink(const TextSink& sink)
+    explicit BufferedSink(const files::TextSink& sink)
         : m_sink(sink)
     {}
 
@@ -174,18 +165,18 @@ public:
     }
 
 private:
-    const TextSink& m_sink;
+    const files::TextSink& m_sink;
     QByteArray m_text;
 };
 
-/// Nothing takes the file's place unless all of it could be read.
+/// The file is replaced only if all rows could be read.
 base::Result<std::int64_t>
 save(const QString& path, const std::function<base::Result<std::int64_t>(BufferedSink&)>& write)
 {
     std::int64_t count = 0;
-    const auto saved = saveTextFileIfValid(
+    const auto saved = files::saveTextFileIfValid(
         exportOperation,
-        [&](const TextSink& sink) -> base::Result<void> {
+        [&](const files::TextSink& sink) -> base::Result<void> {
             BufferedSink out(sink);
             const auto written = write(out);
             if (!written)
@@ -200,151 +191,164 @@ save(const QString& path, const std::function<base::Result<std::int64_t>(Buffere
     return count;
 }
 
-QByteArray jsonLine(const QStringList& columns, const QVariantList& row)
+QByteArray jsonLine(const HistoryFields& row)
 {
     QJsonObject object;
-    for (qsizetype i = 0; i < columns.size(); ++i)
-        object.insert(columns[i], jsonOf(row.value(i)));
+    for (const auto& [name, value] : row)
+        object.insert(QLatin1String(name), jsonOf(value));
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+/// The field names of an empty row.
+QStringList columnsOf(HistoryKind kind)
+{
+    const auto names = [](const HistoryFields& row) {
+        QStringList columns;
+        for (const HistoryField& field : row)
+            columns.append(QLatin1String(field.name));
+        return columns;
+    };
+    switch (kind) {
+    case HistoryKind::Servos:
+        return names(fieldsOf(HistoryServo()));
+    case HistoryKind::Writes:
+        return names(fieldsOf(HistoryWrite()));
+    case HistoryKind::Snapshots:
+        return names(fieldsOf(HistorySnapshot()));
+    case HistoryKind::Alarms:
+        return names(fieldsOf(HistoryAlarm()));
+    case HistoryKind::Recordings:
+        return names(fieldsOf(HistoryRecording()));
+    case HistoryKind::Runs:
+        break;
+    }
+    return names(fieldsOf(TestRun()));
 }
 } // namespace
 
 QString historyKindName(HistoryKind kind)
 {
-    return nameEntryOf(kind).name;
+    return base::nameOf(kindNames, kind);
 }
 
 std::optional<HistoryKind> historyKindFromName(const QString& name)
 {
-    for (const KindName& entry : kindNames) {
-        if (name == entry.name)
-            return entry.kind;
-    }
-    return std::nullopt;
+    return base::valueOf(kindNames, name);
 }
 
-QStringList historyColumns(HistoryKind kind)
-{
-    return QString::fromLatin1(nameEntryOf(kind).columns).split(QLatin1Char(' '));
-}
-
-QVariantList valuesOf(const HistoryServo& servo)
+HistoryFields fieldsOf(const HistoryServo& servo)
 {
     const base::ServoIdentity& identity = servo.identity;
-    return {number(servo.number),
-            servo.uuid,
-            identity.model,
-            base::protocolName(identity.protocol),
-            versionOf(identity.modelMajor, identity.modelMinor),
-            versionOf(identity.firmwareMajor, identity.firmwareMinor),
-            identity.map,
-            identity.id,
-            servo.label,
-            servo.current,
-            servo.lastWrite,
-            identity.port,
-            identity.baud};
+    return {
+        {"number", number(servo.number)},
+        {"uuid", servo.uuid},
+        {"model", identity.model},
+        {"protocol", base::protocolName(identity.protocol)},
+        {"model_id", versionOf(identity.modelMajor, identity.modelMinor)},
+        {"firmware", versionOf(identity.firmwareMajor, identity.firmwareMinor)},
+        {"map", identity.map},
+        {"id", identity.id},
+        {"label", servo.label},
+        {"current", servo.current},
+        {"last_write", servo.lastWrite},
+        {"port", identity.port},
+        {"baud", identity.baud},
+    };
 }
 
-QVariantList valuesOf(const HistoryWrite& write)
+HistoryFields fieldsOf(const HistoryWrite& write)
 {
-    return {number(write.number),
-            write.intentUuid,
-            write.at,
-            number(write.servo),
-            write.servoId,
-            write.model,
-            write.label,
-            base::intentKindName(write.kind),
-            write.key,
-            write.address,
-            number(write.oldRaw),
-            write.newRaw ? number(*write.newRaw) : QVariant(),
-            write.readBack ? number(*write.readBack) : QVariant(),
-            write.outcome,
-            write.temporary,
-            write.port,
-            write.baud,
-            write.program,
-            write.detail};
+    return {
+        {"number", number(write.number)},
+        {"intent", write.intentUuid},
+        {"time", write.at},
+        {"servo", number(write.servo)},
+        {"id", write.servoId},
+        {"model", write.model},
+        {"label", write.label},
+        {"kind", base::intentKindName(write.kind)},
+        {"register", write.key},
+        {"address", write.address},
+        {"old", number(write.oldRaw)},
+        {"new", write.newRaw ? number(*write.newRaw) : QVariant()},
+        {"read_back", write.readBack ? number(*write.readBack) : QVariant()},
+        {"outcome", write.outcome},
+        {"temporary", write.temporary},
+        {"port", write.port},
+        {"baud", write.baud},
+        {"program", write.program},
+        {"detail", write.detail},
+    };
 }
 
-QVariantList valuesOf(const HistorySnapshot& snapshot)
+HistoryFields fieldsOf(const HistorySnapshot& snapshot)
 {
-    return {number(snapshot.number),
-            snapshot.uuid,
-            snapshot.at,
-            number(snapshot.servo),
-            snapshot.servoId,
-            snapshot.model,
-            snapshot.firmware,
-            snapshot.label,
-            snapshot.note,
-            snapshotReasonName(snapshot.reason),
-            snapshot.registers,
-            snapshot.file,
-            snapshot.port,
-            snapshot.baud,
-            snapshot.program};
+    return {
+        {"number", number(snapshot.number)},
+        {"uuid", snapshot.uuid},
+        {"time", snapshot.at},
+        {"servo", number(snapshot.servo)},
+        {"id", snapshot.servoId},
+        {"model", snapshot.model},
+        {"firmware", snapshot.firmware},
+        {"label", snapshot.label},
+        {"note", snapshot.note},
+        {"reason", snapshotReasonName(snapshot.reason)},
+        {"registers", snapshot.registers},
+        {"file", snapshot.file},
+        {"port", snapshot.port},
+        {"baud", snapshot.baud},
+        {"program", snapshot.program},
+    };
 }
 
-QVariantList valuesOf(const HistoryAlarm& alarm)
+HistoryFields fieldsOf(const HistoryAlarm& alarm)
 {
-    return {number(alarm.number), alarm.uuid,          alarm.at,
-            alarm.clearedAt,      number(alarm.servo), alarm.servoId,
-            alarm.model,          alarm.label,         alarm.key,
-            alarm.derived,        alarm.port};
+    return {
+        {"number", number(alarm.number)}, {"uuid", alarm.uuid},           {"time", alarm.at},
+        {"went", alarm.clearedAt},        {"servo", number(alarm.servo)}, {"id", alarm.servoId},
+        {"model", alarm.model},           {"label", alarm.label},         {"alarm", alarm.key},
+        {"derived", alarm.derived},       {"port", alarm.port},
+    };
 }
 
-QVariantList valuesOf(const HistoryRecording& recording)
+HistoryFields fieldsOf(const HistoryRecording& recording)
 {
-    QStringList ids;
-    QStringList models;
-    QStringList labels;
-    for (const HistoryRecording::Servo& servo : recording.servos) {
-        ids.append(QString::number(servo.id));
-        models.append(servo.model);
-        labels.append(servo.label);
-    }
-    return {number(recording.number),
-            recording.uuid,
-            recording.at,
-            milliseconds(recording.length),
-            recording.file,
-            recording.rows,
-            recording.port,
-            recording.simulated,
-            ids,
-            models,
-            labels};
+    return {
+        {"number", number(recording.number)},
+        {"uuid", recording.uuid},
+        {"time", recording.at},
+        {"length_ms", milliseconds(recording.length)},
+        {"file", recording.file},
+        {"readings", recording.rows},
+        {"port", recording.port},
+        {"simulated", recording.simulated},
+        {"ids", idsOf(recording.servos)},
+        {"models", textsOf(recording.servos, &HistoryRecording::Servo::model)},
+        {"labels", textsOf(recording.servos, &HistoryRecording::Servo::label)},
+    };
 }
 
-QVariantList valuesOf(const TestRun& run)
+HistoryFields fieldsOf(const TestRun& run)
 {
-    QStringList ids;
-    QStringList models;
-    QStringList labels;
-    for (const TestServo& servo : run.servos) {
-        ids.append(QString::number(servo.id));
-        models.append(servo.model);
-        labels.append(servo.label);
-    }
-    return {number(run.number),
-            run.uuid,
-            run.at,
-            run.kind,
-            gradeName(run.verdict),
-            run.end,
-            ids,
-            models,
-            labels,
-            run.operatorName,
-            run.note,
-            milliseconds(run.length),
-            run.port,
-            run.simulated,
-            run.program,
-            run.files};
+    return {
+        {"number", number(run.number)},
+        {"uuid", run.uuid},
+        {"time", run.at},
+        {"kind", run.kind},
+        {"verdict", results::gradeName(run.verdict)},
+        {"end", run.end},
+        {"ids", idsOf(run.servos)},
+        {"models", textsOf(run.servos, &TestServo::model)},
+        {"labels", textsOf(run.servos, &TestServo::label)},
+        {"operator", run.operatorName},
+        {"note", run.note},
+        {"length_ms", milliseconds(run.length)},
+        {"port", run.port},
+        {"simulated", run.simulated},
+        {"program", run.program},
+        {"files", run.files},
+    };
 }
 
 base::Result<RunFilter> runFilterOf(const History& history, const HistoryFilter& filter)
@@ -370,12 +374,12 @@ base::Result<std::int64_t> exportHistoryCsv(const History& history, HistoryKind 
                                             const HistoryFilter& filter, const QString& path)
 {
     return save(path, [&](BufferedSink& out) {
-        out.put(csvLine(historyColumns(kind)));
-        return forEachRow(history, kind, filter, [&](const QVariantList& row) {
+        out.put(files::csvLine(columnsOf(kind)));
+        return forEachRow(history, kind, filter, [&](const HistoryFields& row) {
             QStringList cells;
-            for (const QVariant& value : row)
-                cells.append(cellOf(value));
-            return out.put(csvLine(cells));
+            for (const HistoryField& field : row)
+                cells.append(cellOf(field.value));
+            return out.put(files::csvLine(cells));
         });
     });
 }
@@ -388,11 +392,10 @@ base::Result<std::int64_t> exportHistoryJson(const History& history,
         std::int64_t count = 0;
         out.put("{\"format\": \"servodesk-history\", \"version\": 1");
         for (const HistoryKind kind : kinds) {
-            const QStringList columns = historyColumns(kind);
             out.put(",\n\"" + historyKindName(kind).toLatin1() + "\": [");
             bool first = true;
-            const auto rows = forEachRow(history, kind, filter, [&](const QVariantList& row) {
-                const bool put = out.put((first ? "\n" : ",\n") + jsonLine(columns, row));
+            const auto rows = forEachRow(history, kind, filter, [&](const HistoryFields& row) {
+                const bool put = out.put((first ? "\n" : ",\n") + jsonLine(row));
                 first = false;
                 return put;
             });
@@ -405,4 +408,4 @@ base::Result<std::int64_t> exportHistoryJson(const History& history,
         return count;
     });
 }
-} // namespace record
+} // namespace history

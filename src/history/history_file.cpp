@@ -16,7 +16,7 @@
 
 #include <vector>
 
-namespace record {
+namespace history {
 namespace {
 const QString historyOperation = QStringLiteral("history");
 const QString driver = QStringLiteral("QSQLITE");
@@ -33,7 +33,7 @@ enum SqliteCode : int {
     noSpaceForIndex = 4874, ///< SQLITE_IOERR_SHMSIZE
 };
 
-/// Less than SQLite needs for its index of what is not in the database file yet.
+/// Less than SQLite needs for the index of the write-ahead log.
 constexpr qint64 minFreeSpace = 64 * 1024;
 
 bool hasFreeSpace(const QString& path)
@@ -56,8 +56,8 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
                           QStringLiteral("Qt's SQLite driver is missing (libqt6sql6-sqlite)"));
     const QString folder = QFileInfo(path).absolutePath();
     const bool isNew = !QFileInfo::exists(path);
-    const QString existingAncestor = existingFolder(path);
-    // SQLite would wait for ever for a pipe to say something.
+    const QString existingAncestor = files::existingFolder(path);
+    // SQLite would wait forever for data from a pipe.
     if (!isNew && !QFileInfo(path).isFile())
         return base::fail(base::ErrorCode::FileUnwritable, historyOperation,
                           path + QStringLiteral(": not a regular file"));
@@ -79,7 +79,7 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
         ready = file->prepareExclusive();
     if (!ready)
         return tl::unexpected(ready.error());
-    if (isNew && !syncFolders(path, existingAncestor))
+    if (isNew && !files::syncFolders(path, existingAncestor))
         return base::fail(base::ErrorCode::FileUnwritable, historyOperation,
                           folder + QStringLiteral(": the folder cannot be written to the disk"));
     return file;
@@ -160,7 +160,7 @@ base::Result<void> HistoryFile::transaction(const std::function<base::Result<voi
             return {};
         done = tl::unexpected(kept.error());
     }
-    // A full disk has rolled back already; then this fails, and nothing is lost by it.
+    // On a full disk SQLite has rolled back already; then this fails without harm.
     (void)run(QStringLiteral("ROLLBACK"));
     return done;
 }
@@ -180,9 +180,9 @@ base::Result<int> HistoryFile::version() const
     return found;
 }
 
-/// On a full disk there is no room for the index that programs share. Alone, one needs none: what
-/// is there can still be read, also what is not in the database file yet. The connection must not
-/// have looked for the index before.
+/// On a full disk there is no room for the shared index of the write-ahead log. In exclusive mode
+/// SQLite needs none, so that everything can still be read. The connection must not have opened the
+/// index before.
 base::Result<void> HistoryFile::prepareExclusive() const
 {
     QSqlDatabase database = QSqlDatabase::database(m_connection, false);
@@ -198,12 +198,12 @@ base::Result<void> HistoryFile::prepare() const
     const auto found = version();
     if (!found)
         return tl::unexpected(found.error());
-    // Fails while another program does the same, or where the file may only be read; whether the
-    // file can be used shows without it.
+    // Fails while another program does the same, or where the file is read-only; the next
+    // statements show whether the file can be used.
     (void)run(QStringLiteral("PRAGMA journal_mode = WAL"));
     if (const auto keys = run(QStringLiteral("PRAGMA foreign_keys = ON")); !keys)
         return tl::unexpected(keys.error());
-    // What has been said to be kept is on the disk; for others it costs little.
+    // What was reported as kept is on the disk; for other work it costs little.
     if (const auto full = run(QStringLiteral("PRAGMA synchronous = FULL")); !full)
         return tl::unexpected(full.error());
     return *found < newest() ? migrate() : base::Result<void>();
@@ -226,4 +226,4 @@ base::Result<void> HistoryFile::migrate() const
         return marked ? base::Result<void>() : tl::unexpected(marked.error());
     });
 }
-} // namespace record
+} // namespace history

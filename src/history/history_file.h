@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The SQLite file of the history: one connection to it, its schema, and errors as values. Internal
-// to record/history.h; the thread that opened it. Several programs may have the file open at once:
-// write-ahead logging, and whoever finds it locked waits as long as `patience` says.
+// to history/history.h; the thread that opened it. Several programs may have the file open at once:
+// write-ahead logging, and a connection that finds it locked waits up to its timeout.
 // Fails with NotSupported (no SQLite driver), FileFormat (from a newer version, no database,
 // damaged), DiskFull, and FileUnwritable for all else, locked included; detail has the path.
 #pragma once
@@ -17,7 +17,7 @@
 
 class QSqlError;
 
-namespace record {
+namespace history {
 struct QueryResult {
     std::vector<QVariantList> rows{};
     std::int64_t insertedId = 0;
@@ -33,7 +33,8 @@ public:
     HistoryFile& operator=(const HistoryFile&) = delete;
     virtual ~HistoryFile();
 
-    // Virtual, because a copy on a server is asked the same questions: record/history_server.h.
+    // Virtual, because a copy on a server is asked the same questions:
+    // history/server/history_server.h.
     /// One statement with its values in place of `?`.
     virtual base::Result<QueryResult> run(const QString& sql,
                                           const QVariantList& values = {}) const;
@@ -59,4 +60,4 @@ private:
     QString m_path;
     QString m_connection;
 };
-} // namespace record
+} // namespace history

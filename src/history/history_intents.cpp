@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <map>
 
-namespace record {
+namespace history {
 namespace {
 const QString identityCondition =
     QStringLiteral("id = ? AND simulated = ? AND protocol = ? AND model_major = "
@@ -45,13 +45,7 @@ base::Result<std::int64_t> insertServo(const HistoryFile& file, const base::Serv
     return added->insertedId;
 }
 
-bool isSuccess(const QString& outcome)
-{
-    return outcome == QLatin1String("kept") || outcome == QLatin1String("temporary") ||
-           outcome == QLatin1String("done") || outcome == QLatin1String("undone");
-}
-
-/// The outcome of each register; what is not known of one is known of the whole.
+/// The outcome of each register; where only the outcome of the whole write is known, that one.
 base::Result<void> endWrites(const HistoryFile& file, std::int64_t intent,
                              const base::IntentResult& end)
 {
@@ -60,7 +54,7 @@ base::Result<void> endWrites(const HistoryFile& file, std::int64_t intent,
     if (!all)
         return tl::unexpected(all.error());
     for (const base::ItemResult& item : end.items) {
-        // Not known of that time, but settled since with the whole.
+        // Unknown when it was written, but the end of the whole write was a success.
         const bool settled = isSuccess(end.outcome) && item.outcome == QLatin1String("unknown");
         const auto one = file.run(
             QStringLiteral("UPDATE writes SET read_back = ?, outcome = ?, trouble = ? "
@@ -73,7 +67,7 @@ base::Result<void> endWrites(const HistoryFile& file, std::int64_t intent,
     return {};
 }
 
-/// The label goes with the servo to its new ID; whoever answers to the old one is another.
+/// The label goes with the servo to its new ID; a servo that replies to the old one is another.
 base::Result<void> moveLabel(const HistoryFile& file, std::int64_t intent)
 {
     const auto moved = file.run(
@@ -321,7 +315,7 @@ readServoEntries(const HistoryFile& file, const base::ServoIdentity& servo, int 
 {
     const QString ownServo = QStringLiteral("(SELECT number FROM servos WHERE current = 1 AND ") +
                              identityCondition + QStringLiteral(")");
-    // Those on the way to this ID carry another one, so only the kind tells them.
+    // Servos changing to this ID have another one, so only the kind is compared.
     const QString isSameKind =
         QStringLiteral("(SELECT number FROM servos WHERE ") +
         identityCondition.mid(identityCondition.indexOf(QLatin1String("simulated"))) +
@@ -330,7 +324,7 @@ readServoEntries(const HistoryFile& file, const base::ServoIdentity& servo, int 
     values << limit;
     values += valuesOf(servo).mid(1);
     values << servo.id << limit << limit;
-    // Each part by itself, so that an index answers however long the history is.
+    // Each part is a query of its own, so that an index is used in a long history too.
     return readEntries(
         file,
         QStringLiteral("WHERE i.number IN (SELECT number FROM (SELECT * FROM (SELECT number, at "
@@ -345,4 +339,4 @@ readServoEntries(const HistoryFile& file, const base::ServoIdentity& servo, int 
                            "ORDER BY i.at, i.number"),
         values);
 }
-} // namespace record
+} // namespace history

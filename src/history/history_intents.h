@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The journal's rows in the history: intents with their writes, and facts. Internal to
-// record/history_journal.h and record/journal_takeover.h. The thread of the connection. Errors of
-// record/history_file.h.
+// history/history_journal.h and history/journal_import.h. The thread of the connection. Errors of
+// history/history_file.h.
 #pragma once
 
 #include "history/history_file.h"
 #include "history/history_rows.h"
 
-namespace record {
+namespace history {
 /// These belong inside HistoryFile::together(), which makes them one with what is around them.
 /// The number of the servo that answers like this, made if it was never met.
 base::Result<std::int64_t> findOrAddServo(const HistoryFile& file,
@@ -35,7 +35,7 @@ loadFact(const HistoryFile& file, const base::ServoIdentity& servo, const QStrin
 /// What follows FROM intents i: a condition and an order. Oldest first.
 base::Result<std::vector<base::JournalEntry>>
 readEntries(const HistoryFile& file, const QString& whereClause, const QVariantList& values);
-/// The latest `most` of one servo, and of those that were on their way to its ID.
+/// The latest ones of one servo, and of servos that were changing to its ID.
 base::Result<std::vector<base::JournalEntry>>
 readServoEntries(const HistoryFile& file, const base::ServoIdentity& servo, int limit);
-} // namespace record
+} // namespace history

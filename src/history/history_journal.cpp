@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "history/history_journal.h"
 
+#include "base/job_thread.h"
 #include "files/file_handle.h"
 #include "history/history_intents.h"
 #include "history/history_query.h"
@@ -9,11 +10,10 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <condition_variable>
+#include <future>
 #include <mutex>
-#include <thread>
 
-namespace record {
+namespace history {
 namespace {
 /// For what has been written to a servo already: its record is worth a wait.
 constexpr std::chrono::milliseconds endTimeout{5000};
@@ -43,8 +43,8 @@ private:
 };
 } // namespace
 
-/// The connection and its thread. Calls from any thread are done one after another; the thread is
-/// there from the first call on.
+/// The connection and its thread, which starts with the first call. Calls from any thread are
+/// executed one after another.
 class HistoryJournal::Worker {
 public:
     Worker(QString path, QString program, std::chrono::milliseconds timeout)
@@ -56,7 +56,7 @@ public:
     Worker& operator=(const Worker&) = delete;
     ~Worker();
 
-    /// `work` on the worker's thread with the history open; its answer.
+    /// Runs `work` on the thread with the history open, and returns its answer.
     template <typename T>
     base::Result<T> call(const std::function<base::Result<T>(const HistoryFile&)>& work)
     {
@@ -68,75 +68,49 @@ public:
         return answer;
     }
 
-    /// Neither a history nor what would have to be taken over: nothing is made by looking.
+    /// Neither a history nor an older journal to import exists. Reading must not create one.
     bool isNothingStored() const;
     const QString& program() const { return m_program; }
     std::chrono::milliseconds timeout() const { return m_timeout; }
 
 private:
     void run(const std::function<void()>& work);
-    void runLoop();
     base::Result<const HistoryFile*> ensureOpen();
 
     const QString m_path;
     const QString m_program;
     const std::chrono::milliseconds m_timeout;
 
-    std::mutex m_callMutex; ///< one caller at a time
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    const std::function<void()>* m_work = nullptr; ///< of the caller who waits
-    bool m_ending = false;
-    std::thread m_thread;
-
-    // Of the worker's thread.
+    // Used on the thread only.
     std::unique_ptr<HistoryFile> m_file;
-    FileId m_fileId; ///< of the file that is open
+    files::FileId m_fileId; ///< of the file that is open
+
+    std::mutex m_mutex;
+    std::optional<base::JobThread> m_thread; ///< last: its jobs use the others
 };
 
 HistoryJournal::Worker::~Worker()
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_ending = true;
-    }
-    m_changed.notify_all();
-    if (m_thread.joinable())
-        m_thread.join();
+    if (m_thread)
+        run([this] { m_file.reset(); }); // on the thread that opened it
 }
 
 void HistoryJournal::Worker::run(const std::function<void()>& work)
 {
-    const std::lock_guard turn(m_callMutex);
-    if (!m_thread.joinable())
-        m_thread = std::thread([this] { runLoop(); });
-    std::unique_lock lock(m_mutex);
-    m_work = &work;
-    m_changed.notify_all();
-    m_changed.wait(lock, [this] { return m_work == nullptr; });
-}
-
-void HistoryJournal::Worker::runLoop()
-{
-    std::unique_lock lock(m_mutex);
-    for (;;) {
-        m_changed.wait(lock, [this] { return m_work != nullptr || m_ending; });
-        if (m_work == nullptr)
-            break;
-        const std::function<void()>& work = *m_work;
-        lock.unlock();
-        work();
-        lock.lock();
-        m_work = nullptr;
-        m_changed.notify_all();
+    const auto task = std::make_shared<std::packaged_task<void()>>(work);
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_thread)
+            m_thread.emplace();
+        m_thread->start([task] { (*task)(); });
     }
-    m_file.reset(); // on the thread that opened it
+    task->get_future().wait();
 }
 
 /// A file that was moved away or replaced meanwhile must not swallow what is written to it.
 base::Result<const HistoryFile*> HistoryJournal::Worker::ensureOpen()
 {
-    const auto present = FileHandle::infoOf(m_path);
+    const auto present = files::FileHandle::infoOf(m_path);
     if (m_file && !(present && present->id == m_fileId))
         m_file.reset();
     if (!m_file) {
@@ -144,7 +118,7 @@ base::Result<const HistoryFile*> HistoryJournal::Worker::ensureOpen()
         if (!opened)
             return tl::unexpected(opened.error());
         m_file = std::move(*opened);
-        m_fileId = FileHandle::infoOf(m_path).value_or(FileHandle::Info()).id;
+        m_fileId = files::FileHandle::infoOf(m_path).value_or(files::FileHandle::Info()).id;
     }
     if (const auto taken = importJournal(*m_file); !taken)
         return tl::unexpected(taken.error());
@@ -268,4 +242,4 @@ HistoryJournal::servoValues(const base::ServoIdentity& servo, const QString& nam
     return m_worker->call<Fact>(
         [&](const HistoryFile& file) { return loadFact(file, servo, name); });
 }
-} // namespace record
+} // namespace history

@@ -3,16 +3,16 @@
 // lives on a thread of its own, since SQLite connections of Qt belong to a thread, and whoever
 // calls waits for the disk (synchronous = FULL: begin, end and keep answer when it is there). The
 // database is opened by the first call that needs it, and opened again where the file was
-// replaced. Several programs may use one file. Errors as record/history_file.h: a database that is
-// damaged, newer, locked for long or may not be written refuses begin(), so no write begins.
+// replaced. Several programs may use one file. Errors as history/history_file.h: a database that is
+// damaged, newer, locked for long or not writable refuses begin(), so no write begins.
 //
 // From begin() until end() or release() an intent is this program's: other programs see it as under
-// way. See record/intent_locks.h.
+// way. See history/intent_locks.h.
 //
 // The file journal of earlier versions (journal.jsonl beside the database) is taken over whenever
 // the history is opened and finds it, with all its lines in one transaction, and renamed, never
 // deleted; whatever an older program appends later is taken over as well. See
-// record/journal_takeover.h.
+// history/journal_import.h.
 #pragma once
 
 #include "base/journal.h"
@@ -23,7 +23,7 @@
 #include <chrono>
 #include <memory>
 
-namespace record {
+namespace history {
 class HistoryJournal final : public base::Journal {
 public:
     /// Nothing is opened or created here. `program` is written beside every intent.
@@ -56,4 +56,4 @@ private:
     std::unique_ptr<Worker> m_worker;
     IntentLocks m_locks;
 };
-} // namespace record
+} // namespace history

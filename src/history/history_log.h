@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Servos, writes, snapshots, alarms and recordings of the history database: what is added, listed,
-// labeled, taken out again. Borrows the connection of a record::History (its thread). Writes are
-// added by record/history_journal.h only. Lists are pages: `most` rows, and filter.after for the
-// next. Fails as record/history_file.h says; BadArgument for a number that is not there.
+// labeled, taken out again. Borrows the connection of a history::History (its thread). Writes are
+// added by history/history_journal.h only. Lists are pages of `limit` rows, and filter.after for
+// the next. Fails as history/history_file.h; BadArgument for a number that is not there.
 #pragma once
 
 #include "history/history_rows.h"
 
-namespace record {
+namespace history {
 class HistoryFile;
 
-/// Whom a snapshot is of, as the journal would name it.
-base::ServoIdentity identityOf(const Snapshot& snapshot);
+/// The servo of a snapshot, as the journal would name it.
+base::ServoIdentity identityOf(const snapshot::Snapshot& snapshot);
 
 class HistoryLog {
 public:
@@ -38,13 +38,13 @@ public:
     /// The register keys ever written to this servo (any, without), in order, for a filter.
     base::Result<QStringList> writtenKeys(std::optional<std::int64_t> servo = {}) const;
 
-    /// Answers its number. The servo is met by the identity in the snapshot.
-    base::Result<std::int64_t> addSnapshot(const Snapshot& snapshot, SnapshotReason reason,
-                                           const QString& file = {}) const;
+    /// Returns its number. The servo is found by the identity in the snapshot.
+    base::Result<std::int64_t> addSnapshot(const snapshot::Snapshot& snapshot,
+                                           SnapshotReason reason, const QString& file = {}) const;
     base::Result<std::vector<HistorySnapshot>> snapshots(const HistoryFilter& filter = {}) const;
     base::Result<HistorySnapshot> snapshotRow(std::int64_t number) const;
     /// With label and note as they are now.
-    base::Result<Snapshot> snapshot(std::int64_t number) const;
+    base::Result<snapshot::Snapshot> snapshot(std::int64_t number) const;
     base::Result<void> setSnapshotNote(std::int64_t number, const QString& label,
                                        const QString& note) const;
     base::Result<void> removeSnapshot(std::int64_t number) const;
@@ -65,4 +65,4 @@ public:
 private:
     const HistoryFile& m_file;
 };
-} // namespace record
+} // namespace history

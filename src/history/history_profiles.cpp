@@ -4,11 +4,11 @@
 #include "catalog/value.h"
 #include "snapshot/factory_snapshot.h"
 
-namespace record {
+namespace history {
 void HistoryProfiles::add(const std::vector<HistoryServo>& servos)
 {
     for (const HistoryServo& servo : servos) {
-        Snapshot like;
+        snapshot::Snapshot like;
         const base::ServoIdentity& is = servo.identity;
         like.servo = {is.id,
                       is.model,
@@ -16,13 +16,13 @@ void HistoryProfiles::add(const std::vector<HistoryServo>& servos)
                       QStringLiteral("%1.%2").arg(is.firmwareMajor).arg(is.firmwareMinor),
                       is.map,
                       base::protocolName(is.protocol)};
-        // The history does not keep the byte order, by which some maps are told apart.
-        SnapshotRegister order;
+        // The history does not keep the byte order, which distinguishes some maps.
+        snapshot::SnapshotRegister order;
         order.key = QStringLiteral("byte_order");
         for (const std::int64_t flag : {0, 1}) {
             order.raw = flag;
             like.registers = {order};
-            if (const auto profile = profileOf(like, m_catalog)) {
+            if (const auto profile = snapshot::profileOf(like, m_catalog)) {
                 m_profiles[servo.number] = profile;
                 break;
             }
@@ -50,4 +50,4 @@ QString HistoryProfiles::valueText(const HistoryWrite& row, std::int64_t raw, bo
         raw, *reg, catalog::valueFormat(*reg, *known->second, catalog::noLookup), chinese);
     return words == number ? number : number + QStringLiteral(" · ") + words;
 }
-} // namespace record
+} // namespace history

@@ -8,7 +8,7 @@
 
 #include <map>
 
-namespace record {
+namespace history {
 class HistoryProfiles {
 public:
     explicit HistoryProfiles(const catalog::Catalog& catalog)
@@ -18,11 +18,11 @@ public:
     void add(const std::vector<HistoryServo>& servos);
     /// The name in the sheet; the key where the map is not known.
     QString registerName(const HistoryWrite& row, bool chinese) const;
-    /// "85 · 8.5 V": the raw value, and its physical value where that says more.
+    /// "85 · 8.5 V": the raw value, and its physical value where that differs.
     QString valueText(const HistoryWrite& row, std::int64_t raw, bool chinese) const;
 
 private:
     const catalog::Catalog& m_catalog;
     std::map<std::int64_t, catalog::ProfilePtr> m_profiles; ///< by number of the servo
 };
-} // namespace record
+} // namespace history

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "history/history_query.h"
 
-namespace record {
+namespace history {
 tl::unexpected<base::Error> notFoundError(const QString& what, std::int64_t number)
 {
     return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history"),
@@ -138,4 +138,4 @@ HistoryServo readServoRow(const QVariantList& row, int from)
     servo.identity.model = row.value(from++).toString();
     return servo;
 }
-} // namespace record
+} // namespace history

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of the history have in common: conditions with their values, times, and the
-// servos a filter means. Internal to record/history*. Errors of record/history_file.h.
+// Common parts of the readers of the history: conditions with their values, times, and the
+// servos that match a filter. Internal to history. Errors of history/history_file.h.
 #pragma once
 
 #include "history/history_file.h"
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace record {
+namespace history {
 /// An SQL NULL is not an empty text.
 inline QString nonNull(const QString& text)
 {
@@ -49,13 +49,13 @@ SqlConditions toConditions(const HistoryFilter& filter);
 base::Result<std::optional<std::vector<std::int64_t>>> matchingServos(const HistoryFile& file,
                                                                       const HistoryFilter& filter);
 
-/// Newest first: all of `table` that fits, as far as `filter.most`. Each servo is asked for by
-/// itself, so that an index answers; `rows` makes the whole SELECT around the inner one.
+/// Newest first: all of `table` that fits, up to `filter.limit`. Each servo is a query of its
+/// own, so that an index is used; `rows` makes the whole SELECT around the inner one.
 base::Result<std::vector<QVariantList>>
 readPage(const HistoryFile& file, const HistoryFilter& filter, const QString& table,
          const SqlConditions& extra, const std::function<QString(const QString& inner)>& rows);
 
-/// Rows of several servos in one order, no more than `most`.
+/// Rows of several servos in one order, at most `limit`.
 template <typename Row>
 std::vector<Row> newestFirst(const std::vector<QVariantList>& rows,
                              Row (*rowIn)(const QVariantList& row), int limit)
@@ -72,11 +72,11 @@ std::vector<Row> newestFirst(const std::vector<QVariantList>& rows,
     return all;
 }
 
-/// "1, 2, 3"; "-1", which nothing has, for none.
+/// "1, 2, 3"; for none "-1", which no row has.
 QString numberList(const std::vector<std::int64_t>& numbers);
 
 /// A SELECT's columns of servos in the order readServoRow() takes them, from the alias s.
 QString servoColumns();
 constexpr int servoColumnCount = 11;
 HistoryServo readServoRow(const QVariantList& row, int from = 0);
-} // namespace record
+} // namespace history

@@ -8,14 +8,15 @@
 
 #include <map>
 
-namespace record {
+namespace history {
 namespace {
-const QString columns = QStringLiteral("number, uuid, kind, at, program, port, simulated, verdict, "
-                                       "ended, operator, note, length");
+const QString runColumns =
+    QStringLiteral("number, uuid, kind, at, program, port, simulated, verdict, "
+                   "ended, operator, note, length");
 
-Grade readGrade(const QVariant& value)
+results::Grade readGrade(const QVariant& value)
 {
-    return gradeFromName(value.toString()).value_or(Grade::NotMeasured);
+    return results::gradeFromName(value.toString()).value_or(results::Grade::NotMeasured);
 }
 
 TestRun readRunRow(const QVariantList& row)
@@ -44,19 +45,19 @@ TestServo readTestServo(const QVariantList& row)
             row.value(7).toBool()};
 }
 
-/// A list has no figures, but it knows how the run ended. With several servos it does not know
-/// which of them is to blame: then the run itself says so.
+/// A list has no figures, but it has the end of the run. With several servos it does not know
+/// which of them caused the end: then only the run itself has the verdict.
 void applyEndToVerdict(TestRun& run)
 {
-    const auto end = sweepEndFromName(run.end);
+    const auto end = results::sweepEndFromName(run.end);
     if (!end || run.kind != QLatin1StringView("sweep"))
         return;
     for (TestServo& servo : run.servos)
-        servo.verdict = gradeAfter(*end, servo.verdict, run.servos.size() == 1);
-    run.verdict = gradeAfter(*end, run.verdict, true);
+        servo.verdict = results::gradeAfter(*end, servo.verdict, run.servos.size() == 1);
+    run.verdict = results::gradeAfter(*end, run.verdict, true);
 }
 
-/// What the user typed, anywhere in a text.
+/// Matches the text that the user typed anywhere.
 QString likePattern(QString text)
 {
     text.replace(u'\\', QStringLiteral("\\\\"))
@@ -114,12 +115,12 @@ base::Error noSuchRun(std::int64_t number)
 }
 } // namespace
 
-/// `chosen`: what follows FROM runs. Two questions for all servos and files, however many runs.
+/// `whereClause` follows FROM runs. One query each for the servos and files of all runs.
 base::Result<std::vector<TestRun>> History::read(const QString& whereClause,
                                                  const QVariantList& values) const
 {
     const auto heads =
-        m_file->run(QStringLiteral("SELECT %1 FROM runs ").arg(columns) + whereClause, values);
+        m_file->run(QStringLiteral("SELECT %1 FROM runs ").arg(runColumns) + whereClause, values);
     if (!heads)
         return tl::unexpected(heads.error());
     std::vector<TestRun> runs;
@@ -202,7 +203,7 @@ base::Result<QByteArray> History::text(std::int64_t number) const
     return runText(*m_file, number);
 }
 
-base::Result<SweepRun> History::sweep(std::int64_t number) const
+base::Result<results::SweepRun> History::sweep(std::int64_t number) const
 {
     const auto head = run(number);
     if (!head)
@@ -210,7 +211,7 @@ base::Result<SweepRun> History::sweep(std::int64_t number) const
     const auto fullText = text(number);
     if (!fullText)
         return tl::unexpected(fullText.error());
-    auto sweep = decodeSweepRun(*fullText);
+    auto sweep = results::decodeSweepRun(*fullText);
     if (!sweep)
         return sweep;
     sweep->spec.note = head->note;
@@ -220,7 +221,7 @@ base::Result<SweepRun> History::sweep(std::int64_t number) const
     return sweep;
 }
 
-base::Result<StepRun> History::step(std::int64_t number) const
+base::Result<results::StepRun> History::step(std::int64_t number) const
 {
     const auto head = run(number);
     if (!head)
@@ -228,12 +229,12 @@ base::Result<StepRun> History::step(std::int64_t number) const
     const auto fullText = text(number);
     if (!fullText)
         return tl::unexpected(fullText.error());
-    auto runs = decodeStepRuns(*fullText);
+    auto runs = results::decodeStepRuns(*fullText);
     if (!runs)
         return tl::unexpected(runs.error());
     if (runs->empty())
         return tl::unexpected(noSuchRun(number));
-    StepRun step = std::move(runs->front());
+    results::StepRun step = std::move(runs->front());
     step.spec.note = head->note;
     if (!head->servos.empty())
         step.parameters.label = head->servos.front().label;
@@ -260,4 +261,4 @@ base::Result<std::optional<ReferenceServo>> History::reference(const QString& mo
     }
     return std::nullopt;
 }
-} // namespace record
+} // namespace history

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the history besides the test runs, and what chooses among them. Plain values; any
-// thread. Times are UTC. `number` counts within one file and is never given twice; `uuid` is the
-// same in every copy. Servos carry no serial number: a servo is its language, model, firmware, map
-// and ID, and the user's label, which tells two alike apart. Two servos that nobody has labeled
-// and that are alike in all this are one to the history, and there is no way to know better.
+// The rows of the history except the test runs, and their filter. Plain values; any thread. Times
+// are UTC. `number` counts within one file and is never reused; `uuid` is the same in every copy.
+// Servos have no serial number: a servo is identified by protocol, model, firmware, map, ID and the
+// user's label. Two servos that are equal in all of these are one servo to the history.
 #pragma once
 
 #include "base/clock.h"
@@ -12,17 +11,20 @@
 
 #include <QStringList>
 
-namespace record {
+namespace history {
 struct HistoryServo {
     std::int64_t number = 0;
     QString uuid{};
     base::ServoIdentity
         identity{};  ///< port and baud as when it was last written to; model for people
     QString label{}; ///< the user's; empty: none yet
-    /// Of those alike but for the label, the one that is meant when such a servo answers now.
+    /// Among servos that differ only by label: the one that is assumed when such a servo replies.
     bool current = true;
     QDateTime lastWrite{}; ///< invalid: never written to
 };
+
+/// An outcome of a write or of one register: kept, temporary, done or undone.
+bool isSuccess(const QString& outcome);
 
 /// One register of one write. Writes that belong together carry the same intent.
 struct HistoryWrite {
@@ -40,7 +42,7 @@ struct HistoryWrite {
     QString key{};
     int address = 0;
     std::int64_t oldRaw = 0;
-    /// None: the servo itself chose it (centering, factory defaults), and nobody has read it.
+    /// None: the servo itself chose it (centering, factory defaults), and it was not read.
     std::optional<std::int64_t> newRaw{};
     bool ownDefaults = false; ///< the whole intent: the servo took what it had stored itself
     std::optional<std::int64_t> readBack{};
@@ -51,7 +53,7 @@ struct HistoryWrite {
     QString port{};
     int baud = 0;
     QString program{};
-    bool isGood() const; ///< kept, temporary, done or undone
+    bool isGood() const { return isSuccess(outcome); }
 };
 
 enum class SnapshotReason : std::uint8_t { Automatic, Manual, Bundle, Commission };
@@ -72,7 +74,7 @@ struct HistorySnapshot {
     QString program{};
     QString port{};
     int baud = 0;
-    QString file{};    ///< where it was written to besides; empty: nowhere
+    QString file{};    ///< the file it was also saved to; empty: none
     int registers = 0; ///< with a value
     bool operator==(const HistorySnapshot&) const = default;
 };
@@ -85,9 +87,9 @@ struct HistoryAlarm {
     QString model{};
     QString label{};
     QString key{};         ///< "overload", "voltage" …
-    bool derived = false;  ///< worked out from the limits, not reported by the servo
-    QDateTime at{};        ///< when it came
-    QDateTime clearedAt{}; ///< invalid: not seen to go
+    bool derived = false;  ///< derived from the limits, not reported by the servo
+    QDateTime at{};        ///< when it began
+    QDateTime clearedAt{}; ///< invalid: still active when last seen
     QString port{};
 };
 
@@ -109,26 +111,26 @@ struct HistoryRecording {
     std::vector<Servo> servos{};
 };
 
-/// Where a list goes on: after the last row of the page before.
+/// Where the next page begins: after the last row of the previous page.
 struct PageCursor {
     QDateTime at{};
     std::int64_t number = 0;
     bool operator==(const PageCursor&) const = default;
 };
 
-/// Empty members do not choose; from inclusive, until exclusive. Newest first, always.
+/// Empty members match all; from is inclusive, until exclusive. Always newest first.
 struct HistoryFilter {
     std::optional<std::int64_t> servo{}; ///< number of a HistoryServo
     std::optional<int> id{};
-    QString model{}; ///< by name, whatever the case
+    QString model{}; ///< by name, case-insensitive
     QString label{};
     QDateTime from{};
     QDateTime until{};
     QString key{};             ///< of the register (writes) or of the alarm
-    bool onlyProblems = false; ///< writes that did not end well, alarms that have not gone
+    bool onlyProblems = false; ///< failed or open writes, active alarms
     std::optional<SnapshotReason> reason{};
     std::optional<PageCursor> after{};
     int limit = 200;
     bool operator==(const HistoryFilter&) const = default;
 };
-} // namespace record
+} // namespace history

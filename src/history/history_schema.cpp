@@ -3,7 +3,7 @@
 // only triggers, partial indexes' use and AUTOINCREMENT are SQLite's own.
 #include "history/history_schema.h"
 
-namespace record {
+namespace history {
 namespace {
 /// `label` and `reference` belong to a servo in a run, because servos carry no serial number.
 /// The text of a run is kept in pieces, compressed each: a night has more than fits into memory.
@@ -145,7 +145,7 @@ QStringList alarmsAndRecordings()
     };
 }
 
-/// Every change of a row gives it the next revision; whoever writes cannot forget it.
+/// Triggers give every changed row the next revision, so that no writer can forget it.
 QStringList revisionTriggers(const QString& table, const QString& columns)
 {
     const QString next = QStringLiteral("UPDATE clock SET revision = revision + 1; ");
@@ -200,4 +200,4 @@ const QStringList& syncedTables()
                                  QStringLiteral("runs")};
     return all;
 }
-} // namespace record
+} // namespace history

@@ -4,9 +4,9 @@
 #include "history/history_log.h"
 #include "history/history_query.h"
 
-namespace record {
+namespace history {
 namespace {
-/// With where and when it was last written to.
+/// With place and time of the last write.
 const QString selectServos = QStringLiteral(
     "SELECT %1, s.current, (SELECT MAX(at) FROM intents WHERE servo = s.number), "
     "(SELECT port FROM intents WHERE servo = s.number ORDER BY at DESC, number DESC LIMIT 1), "
@@ -150,4 +150,4 @@ base::Result<HistoryServo> HistoryLog::assignToOther(std::int64_t number,
         return tl::unexpected(done.error());
     return readOne(m_file, other);
 }
-} // namespace record
+} // namespace history

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The snapshots of the history: the text of the snapshot file, compressed, and what a list shows.
+// The snapshots of the history: the compressed text of the snapshot file and the columns of lists.
 #include "catalog/profile.h"
 #include "history/history_intents.h"
 #include "history/history_log.h"
 #include "history/history_query.h"
 
-namespace record {
+namespace history {
 namespace {
 QString selectSnapshotRows(const QString& inner)
 {
@@ -49,7 +49,7 @@ HistorySnapshot readSnapshotRow(const QVariantList& row)
     return snapshot;
 }
 
-/// "3.10" → 3, 10; what says nothing → -1, -1.
+/// "3.10" → 3, 10; all other texts → -1, -1.
 std::pair<int, int> numbersIn(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char('.'));
@@ -72,7 +72,7 @@ base::Result<void> changeOne(const HistoryFile& file, const QString& sql,
 }
 } // namespace
 
-base::ServoIdentity identityOf(const Snapshot& snapshot)
+base::ServoIdentity identityOf(const snapshot::Snapshot& snapshot)
 {
     base::ServoIdentity identity;
     identity.id = snapshot.servo.id;
@@ -87,12 +87,12 @@ base::ServoIdentity identityOf(const Snapshot& snapshot)
     return identity;
 }
 
-base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, SnapshotReason reason,
-                                                   const QString& file) const
+base::Result<std::int64_t> HistoryLog::addSnapshot(const snapshot::Snapshot& snapshot,
+                                                   SnapshotReason reason, const QString& file) const
 {
     const auto known =
         std::count_if(snapshot.registers.begin(), snapshot.registers.end(),
-                      [](const SnapshotRegister& row) { return row.raw.has_value(); });
+                      [](const snapshot::SnapshotRegister& row) { return row.raw.has_value(); });
     std::int64_t number = 0;
     const auto done = m_file.transaction([&]() -> base::Result<void> {
         const auto servo = findOrAddServo(m_file, identityOf(snapshot));
@@ -105,7 +105,7 @@ base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, Sna
             {newUuid(), qint64(*servo), snapshot.at.toMSecsSinceEpoch(), snapshotReasonName(reason),
              nonNull(snapshot.program), nonNull(snapshot.port), snapshot.baud, nonNull(file),
              nonNull(snapshot.label), nonNull(snapshot.note), int(known),
-             qCompress(encodeSnapshot(snapshot))});
+             qCompress(snapshot::encodeSnapshot(snapshot))});
         if (!added)
             return tl::unexpected(added.error());
         number = added->insertedId;
@@ -140,7 +140,7 @@ base::Result<HistorySnapshot> HistoryLog::snapshotRow(std::int64_t number) const
     return readSnapshotRow(row->rows.front());
 }
 
-base::Result<Snapshot> HistoryLog::snapshot(std::int64_t number) const
+base::Result<snapshot::Snapshot> HistoryLog::snapshot(std::int64_t number) const
 {
     const auto row =
         m_file.run(QStringLiteral("SELECT data, label, note FROM snapshots WHERE number = ?"),
@@ -149,7 +149,7 @@ base::Result<Snapshot> HistoryLog::snapshot(std::int64_t number) const
         return tl::unexpected(row.error());
     if (row->rows.empty())
         return notFoundError(QStringLiteral("snapshot"), number);
-    auto snapshot = decodeSnapshot(qUncompress(row->rows.front().value(0).toByteArray()));
+    auto snapshot = snapshot::decodeSnapshot(qUncompress(row->rows.front().value(0).toByteArray()));
     if (!snapshot)
         return snapshot;
     snapshot->label = row->rows.front().value(1).toString();
@@ -170,4 +170,4 @@ base::Result<void> HistoryLog::removeSnapshot(std::int64_t number) const
     return changeOne(m_file, QStringLiteral("DELETE FROM snapshots WHERE number = ?"),
                      {qint64(number)}, number);
 }
-} // namespace record
+} // namespace history

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <tuple>
 
-namespace record {
+namespace history {
 namespace {
 const QLatin1String idKey("id");
 
@@ -49,7 +49,7 @@ WriteStep stepFrom(const QVariantList& row, std::int64_t until)
     step.began = row.value(10).toLongLong();
     step.number = row.value(11).toLongLong();
     step.ended = row.value(9).isNull() ? step.began : row.value(9).toLongLong();
-    // How a later recovery ended it was not so yet, and the servo may have had either value.
+    // A later recovery had not ended it yet, and the servo may have had either value.
     if (step.ended > until)
         return step;
     const QString own = row.value(4).toString();
@@ -169,7 +169,7 @@ base::Result<std::vector<WriteStep>> allSteps(const HistoryFile& file, const His
     return steps;
 }
 
-/// Follows the writes over the snapshot.
+/// Applies the writes to the snapshot.
 class Replay {
 public:
     explicit Replay(TableState& state)
@@ -180,13 +180,13 @@ public:
     {
         if (step.outcome == QLatin1String("refused") || step.outcome == QLatin1String("not-sent"))
             return;
-        // Gone with the next power-off, by design; what a test or blinking had set is put back.
+        // Lost at the next power-off by design; values set by a test or by blinking are restored.
         if (step.temporary || step.outcome == QLatin1String("temporary")) {
             noteTemporary(step);
             return;
         }
-        // Old and new are the same in all rows where the servo took what it had stored itself
-        // (0x06); the values of a restored snapshot are known.
+        // After a reset by the servo itself (0x06) old and new value are equal in all rows; the
+        // values of a restored snapshot are known.
         const bool measured = step.kind == base::IntentKind::Calibrate; // by the servo itself
         if (step.kind == base::IntentKind::Restore && !step.valuesKnown) {
             forgetSettings();
@@ -202,11 +202,11 @@ public:
     }
 
 private:
-    SnapshotRegister* find(const QString& key)
+    snapshot::SnapshotRegister* find(const QString& key)
     {
         const auto row =
             std::find_if(m_state.table.registers.begin(), m_state.table.registers.end(),
-                         [&](const SnapshotRegister& one) { return one.key == key; });
+                         [&](const snapshot::SnapshotRegister& one) { return one.key == key; });
         return row == m_state.table.registers.end() ? nullptr : &*row;
     }
     void noteId(const WriteStep& step)
@@ -216,17 +216,17 @@ private:
             m_state.changedId = {int(step.newRaw),
                                  QDateTime::fromMSecsSinceEpoch(step.ended, Qt::UTC)};
     }
-    /// Until power-off the servo has another value than the one it stores.
+    /// Until power-off the value in effect differs from the stored one.
     void noteTemporary(const WriteStep& step)
     {
-        const SnapshotRegister* row = find(step.key);
+        const snapshot::SnapshotRegister* row = find(step.key);
         if (row != nullptr && row->area == catalog::Area::Eprom &&
             step.outcome != QLatin1String("undone") && !m_state.temporary.contains(step.key))
             m_state.temporary.append(step.key);
     }
     void set(const QString& key, std::int64_t raw)
     {
-        SnapshotRegister* row = find(key);
+        snapshot::SnapshotRegister* row = find(key);
         if (row == nullptr)
             return;
         row->raw = raw;
@@ -238,7 +238,7 @@ private:
     }
     void forget(const QString& key)
     {
-        SnapshotRegister* row = find(key);
+        snapshot::SnapshotRegister* row = find(key);
         if (row == nullptr)
             return;
         row->raw.reset();
@@ -247,10 +247,10 @@ private:
         if (!m_state.unknown.contains(key))
             m_state.unknown.append(key);
     }
-    /// Whatever had been stored is there now, and nobody has read it.
+    /// The stored value is in effect now, but it has not been read.
     void forgetSettings()
     {
-        for (const SnapshotRegister& row : std::vector(m_state.table.registers)) {
+        for (const snapshot::SnapshotRegister& row : std::vector(m_state.table.registers)) {
             if (row.area == catalog::Area::Eprom && row.access != catalog::Access::ReadOnly)
                 forget(row.key);
         }
@@ -259,8 +259,9 @@ private:
     TableState& m_state;
 };
 
-/// Physical values anew: what a write has changed may decide the meaning of others.
-void fillValues(Snapshot& table, const catalog::Catalog& catalog, const base::ServoIdentity& servo)
+/// Computes the physical values again: a written register can change the meaning of others.
+void fillValues(snapshot::Snapshot& table, const catalog::Catalog& catalog,
+                const base::ServoIdentity& servo)
 {
     catalog::Identity identity;
     identity.firmwareMajor = servo.firmwareMajor;
@@ -272,13 +273,13 @@ void fillValues(Snapshot& table, const catalog::Catalog& catalog, const base::Se
     if (!profile || profile->mapKey != table.servo.map)
         return;
     const catalog::Lookup lookup = [&](const QString& key) -> std::optional<std::int64_t> {
-        for (const SnapshotRegister& row : table.registers) {
+        for (const snapshot::SnapshotRegister& row : table.registers) {
             if (row.key == key)
                 return row.raw;
         }
         return std::nullopt;
     };
-    for (SnapshotRegister& row : table.registers) {
+    for (snapshot::SnapshotRegister& row : table.registers) {
         const catalog::Register* reg = profile->find(row.key);
         if (reg == nullptr || !row.raw)
             continue;
@@ -320,4 +321,4 @@ base::Result<TableState> tableAt(const HistoryFile& file, const catalog::Catalog
     fillValues(state.table, catalog, identity->identity);
     return state;
 }
-} // namespace record
+} // namespace history

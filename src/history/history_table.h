@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A servo's table as it was at a moment between two snapshots: the last snapshot before it, and the
-// kept writes after that. Says what it cannot know. Borrows the connection of a record::History
+// kept writes after that. Names what it cannot know. Borrows the connection of a history::History
 // (its thread). BadArgument "no-snapshot" where none was taken before; else as
-// record/history_file.h.
+// history/history_file.h.
 #pragma once
 
 #include "catalog/catalog.h"
 #include "history/history_log.h"
 
-namespace record {
+namespace history {
 /// The ID that the servo had at the moment, and since when: what was written to it under that ID is
 /// in the history of the servo with that ID. A servo that had come back to its own ID by then has
 /// none, and what was written to it in between is in its table.
@@ -18,7 +18,7 @@ struct ChangedId {
 };
 
 struct TableState {
-    Snapshot table{}; ///< `at` is the moment asked for
+    snapshot::Snapshot table{}; ///< `at` is the moment asked for
     HistorySnapshot base{};
     QStringList replayed{}; ///< keys whose value comes from a write after the snapshot
     /// Keys that were changed without a record of the value (centering, stored parameters put back,
@@ -33,4 +33,4 @@ struct TableState {
 /// Physical values follow the catalog's profile of that servo; without one they are left out.
 base::Result<TableState> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
                                  std::int64_t servo, const QDateTime& at);
-} // namespace record
+} // namespace history

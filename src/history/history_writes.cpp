@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace record {
+namespace history {
 namespace {
 QString selectWriteRows(const QString& inner)
 {
@@ -108,7 +108,7 @@ base::Result<HistoryWrite> HistoryLog::write(std::int64_t number) const
     return readWriteRow(row->rows.front());
 }
 
-/// Goes from key to key by the index: a DISTINCT would look at every write there is.
+/// Steps from key to key in the index: DISTINCT would read every write.
 base::Result<QStringList> HistoryLog::writtenKeys(std::optional<std::int64_t> servo) const
 {
     const QString next = servo
@@ -128,4 +128,4 @@ base::Result<QStringList> HistoryLog::writtenKeys(std::optional<std::int64_t> se
         keys.append(last);
     }
 }
-} // namespace record
+} // namespace history

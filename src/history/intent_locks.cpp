@@ -3,7 +3,7 @@
 
 #include <QDir>
 
-namespace record {
+namespace history {
 IntentLocks::IntentLocks(QString folder)
     : m_folder(std::move(folder))
 {}
@@ -21,10 +21,12 @@ QString IntentLocks::lockPathOf(const QString& uuid) const
 void IntentLocks::acquire(const QString& uuid)
 {
     QDir().mkpath(m_folder);
-    auto file = std::make_unique<FileHandle>(lockPathOf(uuid), FileHandle::Mode::Append);
+    auto file =
+        std::make_unique<files::FileHandle>(lockPathOf(uuid), files::FileHandle::Mode::Append);
     if (!file->isOpen())
         return;
-    if (file->tryLock(FileHandle::Lock::Exclusive) != FileHandle::LockResult::Locked) {
+    if (file->tryLock(files::FileHandle::Lock::Exclusive) !=
+        files::FileHandle::LockResult::Locked) {
         file.reset();
         QFile::remove(lockPathOf(uuid));
         return;
@@ -45,7 +47,7 @@ void IntentLocks::releaseAll()
     const std::lock_guard lock(m_mutex);
     while (!m_heldLocks.empty()) {
         const QString uuid = m_heldLocks.begin()->first;
-        m_heldLocks.erase(m_heldLocks.begin()); // a file that is open cannot be removed everywhere
+        m_heldLocks.erase(m_heldLocks.begin()); // some systems cannot remove an open file
         QFile::remove(lockPathOf(uuid));
     }
 }
@@ -59,16 +61,17 @@ bool IntentLocks::isHeldElsewhere(const QString& uuid) const
     }
     bool stale = false;
     {
-        FileHandle file(lockPathOf(uuid), FileHandle::Mode::Read);
+        files::FileHandle file(lockPathOf(uuid), files::FileHandle::Mode::Read);
         if (!file.isOpen())
             return false;
-        const auto tried = file.tryLock(FileHandle::Lock::Shared); // others may ask as well
-        if (tried == FileHandle::LockResult::HeldElsewhere)
+        const auto tried = file.tryLock(
+            files::FileHandle::Lock::Shared); // other programs may check at the same time
+        if (tried == files::FileHandle::LockResult::HeldElsewhere)
             return true;
-        stale = tried == FileHandle::LockResult::Locked;
+        stale = tried == files::FileHandle::LockResult::Locked;
     }
     if (stale)
         QFile::remove(lockPathOf(uuid));
     return false;
 }
-} // namespace record
+} // namespace history

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which open intents a running program has under way: a locked file for each, in a folder beside
-// the history. The system gives the lock back when the program ends, also by kill -9, so nothing is
-// judged by times or process numbers. Where files cannot be locked nothing is under way. Any
+// Which open intents a running program is executing: a locked file for each, in a folder beside the
+// history. The system releases the lock when the program ends, also by kill -9, so that no times or
+// process numbers are needed. Where files cannot be locked, no intent counts as being executed. Any
 // thread.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include <memory>
 #include <mutex>
 
-namespace record {
+namespace history {
 class IntentLocks {
 public:
     /// The folder is made by the first acquire().
@@ -32,6 +32,6 @@ private:
 
     const QString m_folder;
     mutable std::mutex m_mutex;
-    std::map<QString, std::unique_ptr<FileHandle>> m_heldLocks;
+    std::map<QString, std::unique_ptr<files::FileHandle>> m_heldLocks;
 };
-} // namespace record
+} // namespace history

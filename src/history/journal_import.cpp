@@ -12,7 +12,7 @@
 
 #include <mutex>
 
-namespace record {
+namespace history {
 namespace {
 const QString importOperation = QStringLiteral("journal");
 const QString importedSuffix = QStringLiteral(".taken-");
@@ -22,8 +22,8 @@ tl::unexpected<base::Error> unreadable(const QString& path)
     return base::fail(base::ErrorCode::FileUnreadable, importOperation, path);
 }
 
-/// What was found in files that were taken over, until it is told. One for the program: whoever
-/// opens the history first does the work, and any part of the program may be that.
+/// What was found in imported files, until it is reported. One per program: the part that
+/// opens the history first does the import, and this can be any part.
 class UnreadableFiles {
 public:
     void add(const QString& path, int lines)
@@ -49,7 +49,7 @@ UnreadableFiles& unreadableFiles()
     return files;
 }
 
-/// Of whichever name: its first line has a time and, mostly, a uuid.
+/// Identifies a file independent of its name: the first line has a time and usually a uuid.
 QString firstLineHash(const QByteArray& text)
 {
     const QByteArray line = text.left(text.indexOf('\n'));
@@ -74,11 +74,11 @@ base::Result<void> importLine(const HistoryFile& file, const QByteArray& text,
     const auto ended = endIntent(file, end.uuid, end.end, end.at, ConflictPolicy::UnlessOlder);
     if (!ended)
         return tl::unexpected(ended.error());
-    journalImport.unreadable += *ended ? 0 : 1; // of an intent that is not there
+    journalImport.unreadable += *ended ? 0 : 1; // the end of an unknown intent
     return {};
 }
 
-/// Only whole lines: what is still being written, or was torn, is left for the next time.
+/// Only whole lines: an unfinished line is left for the next import.
 base::Result<void> importText(const HistoryFile& file, const QByteArray& text,
                               JournalImport& journalImport)
 {
@@ -125,21 +125,21 @@ QString renameImported(const QString& path)
     }
 }
 
-/// `current`: it is the one that programs write to, and is renamed afterwards. Held by a lock that
-/// whoever appends needs as well, until it has its new name.
+/// `current`: the file that programs append to; it is renamed afterwards. Until then it is locked
+/// against appending.
 base::Result<void> importFile(const HistoryFile& file, const QString& path, bool current,
                               JournalImport& journalImport)
 {
-    FileHandle source(path, FileHandle::Mode::Read);
+    files::FileHandle source(path, files::FileHandle::Mode::Read);
     if (!source.isOpen())
         return QFileInfo::exists(path) ? base::Result<void>(unreadable(path))
                                        : base::Result<void>(); // renamed meanwhile
-    if (!source.lock(FileHandle::Lock::Exclusive))
+    if (!source.lock(files::FileHandle::Lock::Exclusive))
         return unreadable(path);
     const auto info = source.info();
     if (!info || !info->regular)
         return unreadable(path);
-    const auto now = FileHandle::infoOf(path);
+    const auto now = files::FileHandle::infoOf(path);
     if (!now || !(now->id == info->id))
         return {}; // another program has just done it
     const auto text = source.read(0, info->size);
@@ -158,12 +158,12 @@ base::Result<void> importFile(const HistoryFile& file, const QString& path, bool
     return {};
 }
 
-/// The files set aside that have grown since; asked without a lock on the database.
+/// The renamed files that have grown since; checked without a lock on the database.
 base::Result<bool> hasNewLines(const HistoryFile& file, const QFileInfo& renamed)
 {
     QFile source(renamed.absoluteFilePath());
     if (!source.open(QIODevice::ReadOnly))
-        return false; // it was taken, and may be moved away at will
+        return false; // it was imported, and the user may move it
     constexpr qint64 maxLineLength = 1 << 20;
     const QByteArray first = source.readLine(maxLineLength);
     const auto known =
@@ -212,4 +212,4 @@ base::Result<JournalImport> importJournal(const HistoryFile& file)
     }
     return journalImport;
 }
-} // namespace record
+} // namespace history

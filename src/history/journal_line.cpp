@@ -5,23 +5,18 @@
 
 #include <QJsonDocument>
 
-namespace record {
+namespace history {
 namespace {
 constexpr int journalVersion = 1;
 
-/// Lines from before there was more than one language do not name it.
-base::Protocol readProtocol(const JsonReader& json)
+/// Lines of versions with one protocol only do not name it.
+base::Protocol readProtocol(const files::JsonReader& json)
 {
-    if (!json.contains("protocol"))
-        return base::Protocol::Feetech;
-    const QString name = json.text("protocol");
-    const auto found = base::protocolFromName(name);
-    if (!found)
-        json.reportError("protocol", QStringLiteral("unknown word \"%1\"").arg(name));
-    return found.value_or(base::Protocol::Feetech);
+    return json.contains("protocol") ? json.enumValue("protocol", base::protocolFromName)
+                                     : base::Protocol::Feetech;
 }
 
-base::ServoIdentity readServo(const JsonReader& json)
+base::ServoIdentity readServo(const files::JsonReader& json)
 {
     base::ServoIdentity servo;
     servo.id = json.smallInteger("id");
@@ -36,33 +31,24 @@ base::ServoIdentity readServo(const JsonReader& json)
     return servo;
 }
 
-base::IntentKind readKind(const JsonReader& json)
-{
-    const QString name = json.text("kind");
-    const auto found = base::intentKindFromName(name);
-    if (!found)
-        json.reportError("kind", QStringLiteral("unknown word \"%1\"").arg(name));
-    return found.value_or(base::IntentKind::Write);
-}
-
-BeginLine readBegin(const JsonReader& json)
+BeginLine readBegin(const files::JsonReader& json)
 {
     BeginLine line;
     base::Intent& intent = line.intent;
     intent.uuid = json.nonEmptyText("uuid");
     intent.at = json.time("at");
-    intent.kind = readKind(json);
+    intent.kind = json.enumValue("kind", base::intentKindFromName);
     intent.temporary = json.flag("temporary");
     intent.lockOpened = json.flag("lock_opened");
     intent.servo = readServo(json.object("servo"));
-    for (const JsonReader& item : json.objects("items")) {
+    for (const files::JsonReader& item : json.objects("items")) {
         intent.items.push_back({item.nonEmptyText("key"), item.smallInteger("address"),
                                 item.integer("old"), item.integer("new")});
     }
     return line;
 }
 
-FactLine readFact(const JsonReader& json)
+FactLine readFact(const files::JsonReader& json)
 {
     return {readServo(json.object("servo")), json.nonEmptyText("name"), json.integers("values"),
             json.time("at")};
@@ -72,11 +58,11 @@ FactLine readFact(const JsonReader& json)
 base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
 {
     const QString operation = QStringLiteral("journal");
-    JsonReadError readError;
-    const auto document = parseJson(text);
+    files::JsonReadError readError;
+    const auto document = files::parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, operation, document.error());
-    const JsonReader json(*document, readError);
+    const files::JsonReader json(*document, readError);
     JournalLine line;
     if (const int version = json.smallInteger("v"); version != journalVersion) {
         json.reportError("v", QStringLiteral("format version %1 is not known").arg(version));
@@ -95,4 +81,4 @@ base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
         return base::fail(base::ErrorCode::FileFormat, operation, readError.text());
     return line;
 }
-} // namespace record
+} // namespace history

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one line of the journal file of earlier versions says. Each line is one JSON object with "v"
-// (format version) and "type" (begin, end, keep); nothing writes them any more, and all that was
-// ever published is understood. Pure; any thread.
+// One line of the journal file of earlier versions. Each line is one JSON object with "v"
+// (format version) and "type" (begin, end, keep); they are no longer written, and all
+// published versions can be read. Pure; any thread.
 #pragma once
 
 #include "base/journal.h"
@@ -10,7 +10,7 @@
 
 #include <variant>
 
-namespace record {
+namespace history {
 struct BeginLine {
     base::Intent intent;
 };
@@ -30,6 +30,6 @@ struct FactLine {
 
 using JournalLine = std::variant<BeginLine, EndLine, FactLine>;
 
-/// FileFormat says what is wrong with it.
+/// FileFormat; the detail has the reason.
 base::Result<JournalLine> decodeJournalLine(const QByteArray& text);
-} // namespace record
+} // namespace history

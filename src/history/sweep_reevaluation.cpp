@@ -6,25 +6,25 @@
 #include "results/sweep_json.h"
 #include "results/sweep_verdict.h"
 
-namespace record {
+namespace history {
 namespace {
 const QString versionKey = QStringLiteral("sweep-verdicts");
 const QString version =
-    QStringLiteral("2"); ///< record/sweep_verdict.h, since it gives none to a stop
+    QStringLiteral("2"); ///< results/sweep_verdict.h, since it gives none to a stop
 
-/// A night's worth of legs is not worth the wait where the lists, which go by its end, are right
-/// without it: only a path with limits of its own can have passed wrongly. The test stands at the
-/// start of the text.
+/// Reading the legs of a long run takes too long and is needed only where its path has limits of
+/// its own: other verdicts follow from the end of the run. The test is at the start of the text.
 bool needsReading(const QByteArray& start)
 {
-    for (const SweepShape shape : {SweepShape::Sine, SweepShape::Random}) {
-        if (start.contains("\"shape\": \"" + sweepShapeName(shape).toLatin1() + '"'))
+    for (const results::SweepShape shape :
+         {results::SweepShape::Sine, results::SweepShape::Random}) {
+        if (start.contains("\"shape\": \"" + results::sweepShapeName(shape).toLatin1() + '"'))
             return true;
     }
     return false;
 }
 
-base::Result<std::optional<SweepRun>> storedRun(const HistoryFile& file, qint64 number)
+base::Result<std::optional<results::SweepRun>> storedRun(const HistoryFile& file, qint64 number)
 {
     const auto start = file.run(
         QStringLiteral("SELECT data, (SELECT COUNT(*) FROM run_texts WHERE run = ?) FROM run_texts "
@@ -40,21 +40,22 @@ base::Result<std::optional<SweepRun>> storedRun(const HistoryFile& file, qint64 
     const auto text = runText(file, number);
     if (!text)
         return tl::unexpected(text.error());
-    auto run = decodeSweepRun(*text);
+    auto run = results::decodeSweepRun(*text);
     return run ? std::optional(std::move(*run)) : std::nullopt;
 }
 
-/// Rows that are right already stay untouched, so that no copy of them is sent again.
-base::Result<void> updateVerdict(const HistoryFile& file, qint64 number, const SweepRun& run)
+/// Correct rows stay unchanged, so that they are not sent to a server again.
+base::Result<void> updateVerdict(const HistoryFile& file, qint64 number,
+                                 const results::SweepRun& run)
 {
-    const QString overallGrade = gradeName(run.verdict());
+    const QString overallGrade = results::gradeName(run.verdict());
     const auto head =
         file.run(QStringLiteral("UPDATE runs SET verdict = ? WHERE number = ? AND verdict <> ?"),
                  {overallGrade, number, overallGrade});
     if (!head)
         return tl::unexpected(head.error());
-    for (const SweepServo& servo : run.servos) {
-        const QString grade = gradeName(servo.verdict);
+    for (const results::SweepServo& servo : run.servos) {
+        const QString grade = results::gradeName(servo.verdict);
         const auto row = file.run(QStringLiteral("UPDATE run_servos SET verdict = ? WHERE run = ? "
                                                  "AND id = ? AND verdict <> ?"),
                                   {grade, number, servo.parameters.servo.id, grade});
@@ -108,4 +109,4 @@ base::Result<void> reevaluateStoredSweeps(const HistoryFile& file)
         return *meanwhile ? base::Result<void>() : reevaluateAll(file);
     });
 }
-} // namespace record
+} // namespace history

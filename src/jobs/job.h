@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What long tasks share: progress and stop. A job is a plain sequential function on the caller's
+// Progress and stop of long tasks. A job is a plain sequential function on the caller's
 // thread; it writes as described in its header and returns a report or an error.
 #pragma once
 
@@ -13,7 +13,7 @@ struct Progress {
     base::Duration remaining{};                        ///< estimate
     int found = 0;                                     ///< scan: servos so far
     int baud = 0;                                      ///< scan: rate being searched
-    base::Protocol protocol = base::Protocol::Feetech; ///< scan: in which language
+    base::Protocol protocol = base::Protocol::Feetech; ///< scan: protocol being searched
 };
 
 using ProgressFn = std::function<void(const Progress&)>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// At the end of a job that awaits a pulled plug: what makes its end safe can be said only when the
-// line is back, or not at all. The job's thread; ends with the bus' patience.
+// For the end of a job after the adapter was unplugged: the requests that make its end safe can be
+// sent only when the link is back, or not at all. The job's thread; ends when the bus gives up.
 #pragma once
 
 #include "bus/bus.h"

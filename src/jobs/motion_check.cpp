@@ -3,6 +3,7 @@
 
 #include "device/alarms.h"
 #include "device/motion/motion.h"
+#include "device/motion/move_limits.h"
 #include "device/reader.h"
 #include "device/write_check.h"
 
@@ -23,7 +24,7 @@ bool hasMovingFlag(const device::Servo& servo)
     return servo.profile->byRole(Role::Moving) != nullptr;
 }
 
-/// Without a flag two places tell. The last step of the encoder comes and goes.
+/// Without a flag two positions decide. The last step of the encoder flickers.
 base::Result<Motion> comparePositions(const device::Context& context, device::Servo& servo)
 {
     const auto before = servo.raw(Role::PresentPosition);
@@ -35,7 +36,7 @@ base::Result<Motion> comparePositions(const device::Context& context, device::Se
     return moved ? Motion::ToGoal : Motion::Rest;
 }
 
-/// Together with the position, or later.
+/// Read together with the position, or later.
 bool isLoadCurrent(const device::Servo& servo)
 {
     constexpr base::Duration maxSkew = std::chrono::seconds(1);
@@ -48,8 +49,8 @@ bool isLoadCurrent(const device::Servo& servo)
     return load && position && *load >= *position - maxSkew;
 }
 
-/// P alone, at half its usual value, gives a quarter of the full load 1/64 turn away from the goal.
-/// Where torque or current is limited, the limit is all a servo can give.
+/// P alone, at half its default value, gives a quarter of the full load 1/64 turn away from the
+/// goal. Where torque or current is limited, the limit is the most a servo can give.
 bool isPushing(const device::Servo& servo)
 {
     constexpr double pushingLoad = 20; // %
@@ -67,7 +68,7 @@ bool isPushing(const device::Servo& servo)
 
 bool isTurning(const device::Servo& servo)
 {
-    constexpr std::int64_t movingBit = 1; // HLS: bit 1 only tells that the goal was not reached
+    constexpr std::int64_t movingBit = 1; // HLS: bit 1 only means that the goal was not reached
     if (hasMovingFlag(servo))
         return (servo.raw(Role::Moving).value_or(0) & movingBit) != 0;
     return servo.raw(Role::PresentSpeed).value_or(0) != 0;
@@ -84,6 +85,21 @@ Motion lastKnownMotion(const device::Servo& servo)
         return servo.raw(mode->command).value_or(0) != 0 || isTurning(servo) ? Motion::Endless
                                                                              : Motion::Rest;
     return servo.raw(Role::Moving).value_or(0) != 0 ? Motion::ToGoal : Motion::Rest;
+}
+
+bool isInPositionMode(const device::Servo& servo)
+{
+    const auto kind = device::goalKind(servo);
+    return kind == device::GoalKind::Position || kind == device::GoalKind::Turns;
+}
+
+base::Error notInPositionMode(const QString& operation, const device::Servo& servo)
+{
+    const catalog::Mode* mode = servo.mode();
+    base::Error error{base::ErrorCode::NotSupported, operation, QStringLiteral("not-position"),
+                      servo.id, mode != nullptr ? mode->key : QString()};
+    error.reason = base::Reason::NotInPositionMode;
+    return error;
 }
 
 bool isJammed(const device::Servo& servo, bool ownGoal)

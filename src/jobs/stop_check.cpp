@@ -11,17 +11,18 @@ using catalog::Role;
 using Torque = StopCheckResult::Torque;
 
 namespace {
-/// How often one that is still on is told.
+/// How often torque off is sent to a servo that is still on.
 constexpr int tries = 4;
 
-/// Concerns the whole bus, or the user: nobody else need be asked.
+/// An error of the whole bus, or the user's stop: no other servo needs to be asked.
 bool endsJob(const base::Error& error)
 {
     return error.code == ErrorCode::LinkLost || error.code == ErrorCode::Stopped ||
            error.code == ErrorCode::Preempted;
 }
 
-/// Where the torque switch is. Who could not be identified has it where all Feetech tables do.
+/// The register of the torque switch. A servo that was not identified has it at the address of all
+/// Feetech tables.
 bus::PollSpan torqueSwitch(const device::Servo& servo)
 {
     constexpr bus::PollSpan everyFeetech{40, 1};
@@ -62,10 +63,9 @@ verifyEmergencyStop(const device::Context& outer, const std::vector<device::Serv
 {
     device::Context stopping = outer;
     stopping.emergencyStop = true;
-    waitForReconnection(
-        outer.bus); // the stop itself is said when the line is back, before all else
+    waitForReconnection(outer.bus); // the stop itself is sent first when the link is back
     std::vector<StopCheckResult> verdicts(servos.size());
-    // Torque of all of them first: what waits in one of them does nothing by itself.
+    // Torque of all of them first: a waiting goal does nothing by itself.
     for (std::size_t i = 0; i < servos.size(); ++i) {
         const device::Owned owned = device::own(stopping, {servos[i]->id});
         const auto torque = ensureTorqueOff(owned.context, *servos[i]);

@@ -4,6 +4,7 @@
 #include "device/motion/motion.h"
 #include "device/motion/move_limits.h"
 #include "jobs/link_reconnect.h"
+#include "jobs/motion_check.h"
 
 #include <algorithm>
 #include <map>
@@ -14,12 +15,12 @@ using catalog::Role;
 using device::NoticeCode;
 
 namespace {
-constexpr int rounds = 3;
+constexpr int maxRestoreRounds = 3;
 constexpr base::Duration retryDelay = std::chrono::milliseconds(50);
 
-/// The writes in between are covered by the one intent around them: two open intents about one
-/// register would contradict each other. What a mode switch remembers for the way back is
-/// remembered no longer than the switch lasts.
+/// The one intent covers all writes in between: two open intents about one register would
+/// contradict each other. The values that a mode switch saves for the way back are kept only as
+/// long as the switch lasts.
 class ShadowJournal final : public base::Journal {
 public:
     explicit ShadowJournal(base::Journal& outer)
@@ -73,7 +74,7 @@ base::Intent makeTrialIntent(const device::Servo& servo,
     return intent;
 }
 
-/// The end of an intent of which nothing was written.
+/// Ends an intent of which nothing was written.
 base::IntentResult notSentEnd(const std::vector<base::JournalItem>& items)
 {
     base::IntentResult end{QStringLiteral("failed"), {}};
@@ -88,12 +89,6 @@ std::vector<device::WriteItem> previousValues(const std::vector<base::JournalIte
     for (const base::JournalItem& item : items)
         old.push_back({item.key, item.oldRaw});
     return old;
-}
-
-bool hasPositions(const device::Servo& servo)
-{
-    const auto kind = device::goalKind(servo);
-    return kind == device::GoalKind::Position || kind == device::GoalKind::Turns;
 }
 } // namespace
 
@@ -132,7 +127,7 @@ TemporarySettings::CreateResult TemporarySettings::positionMode(const device::Co
 {
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    if (hasPositions(servo))
+    if (isInPositionMode(servo))
         return std::unique_ptr<TemporarySettings>();
     const QString wanted = QStringLiteral("position");
     if (servo.profile->mode(wanted) == nullptr) {
@@ -199,13 +194,13 @@ base::Result<void> TemporarySettings::write(const device::Context& context,
                                 notices,     context.priority, context.hold, context.epoch};
     device::WriteOptions options;
     options.temporary = true;
-    options.dangerous = m_mode; // asking for the test in another mode is the consent
+    options.consent = device::Consent::byTask(m_mode);
     options.kind = base::IntentKind::Trial;
     options.allowPreviousValues = allowPreviousValues;
     const auto report = device::write(inner, m_servo, items, options);
     begun = report.has_value();
     for (const device::Notice& notice : notices) {
-        // Nothing is kept beyond the test.
+        // Nothing is saved beyond the test.
         if (notice.code != NoticeCode::LimitsSaved)
             context.notices.push_back(notice);
     }
@@ -216,7 +211,7 @@ base::Result<void> TemporarySettings::write(const device::Context& context,
 
 base::Result<void> TemporarySettings::tryRevert()
 {
-    // The user's stop has ended the job, not what makes its end safe.
+    // The user's stop has ended the job, but not the restoring that makes its end safe.
     const base::StopToken neverStop;
     waitForReconnection(m_context.bus);
     const std::uint64_t now = m_context.bus.emergencyCount();
@@ -225,11 +220,11 @@ base::Result<void> TemporarySettings::tryRevert()
         return base::fail(ErrorCode::Preempted, QStringLiteral("write"), {}, m_servo.id);
     device::Context last{m_context.bus,     m_context.catalog,  m_context.journal, neverStop,
                          m_context.notices, m_context.priority, m_context.hold,    m_context.epoch};
-    // Gains move nothing; left as they are they would act as soon as torque comes on again.
+    // Gains move nothing, but without restoring they would act as soon as torque comes on again.
     if (emergency)
         last.epoch = now;
     base::Result<void> back;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < maxRestoreRounds; ++round) {
         bool begun = true;
         back = write(last, previousValues(m_items), true, begun);
         if (back || back.error().code == ErrorCode::LinkLost)

@@ -10,7 +10,7 @@
 #include <QString>
 
 namespace protocol {
-/// What must come back for a request: from whom and how long. The end of a reply is computed from
+/// The reply that a request expects: its sender and its length. The end of a reply is computed from
 /// this, never guessed from silence.
 struct Expectation {
     std::vector<int> ids; ///< one reply each; empty: nothing is answered. broadcastId: any servo

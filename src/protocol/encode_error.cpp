@@ -1,43 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "protocol/encode_error.h"
 
+#include "base/enum_names.h"
+
 namespace protocol {
 namespace {
+constexpr base::EnumName<Op> operationNames[]{
+    {Op::Ping, "ping"},
+    {Op::Read, "read"},
+    {Op::Write, "write"},
+    {Op::RegWrite, "reg-write"},
+    {Op::Action, "action"},
+    {Op::Halt, "halt"},
+    {Op::Restore, "restore"},
+    {Op::Backup, "backup"},
+    {Op::StateReset, "state-reset"},
+    {Op::Calibrate, "calibrate"},
+    {Op::Reboot, "reboot"},
+    {Op::SyncRead, "sync-read"},
+    {Op::SyncWrite, "sync-write"},
+    {Op::Raw, "raw"},
+};
+} // namespace
+
 QString operationName(Op op)
 {
-    switch (op) {
-    case Op::Ping:
-        return QStringLiteral("ping");
-    case Op::Read:
-        return QStringLiteral("read");
-    case Op::Write:
-        return QStringLiteral("write");
-    case Op::RegWrite:
-        return QStringLiteral("reg-write");
-    case Op::Action:
-        return QStringLiteral("action");
-    case Op::Halt:
-        return QStringLiteral("halt");
-    case Op::Restore:
-        return QStringLiteral("restore");
-    case Op::Backup:
-        return QStringLiteral("backup");
-    case Op::StateReset:
-        return QStringLiteral("state-reset");
-    case Op::Calibrate:
-        return QStringLiteral("calibrate");
-    case Op::Reboot:
-        return QStringLiteral("reboot");
-    case Op::SyncRead:
-        return QStringLiteral("sync-read");
-    case Op::SyncWrite:
-        return QStringLiteral("sync-write");
-    case Op::Raw:
-        return QStringLiteral("raw");
-    }
-    return {};
+    return base::nameOf(operationNames, op);
 }
-} // namespace
 
 tl::unexpected<base::Error> refuse(const Request& request, const QString& detail)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts the Feetech codec is put together from, one file each. Pure functions, any thread.
-// Everybody else uses feetechCodec() of protocol/codec.h.
+// All other code uses feetechCodec() of protocol/codec.h.
 #pragma once
 
 #include "protocol/codec.h"

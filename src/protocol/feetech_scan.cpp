@@ -19,7 +19,7 @@ bool isExpectedId(int id, const Expectation& expected)
            (expected.any() && id == expected.alternateId);
 }
 
-/// ID and LEN of the expected reply stand at `offset`, whatever the checksum.
+/// ID and LEN of the expected reply are at `offset`, with any checksum.
 bool matchesExpected(ByteView buffer, std::size_t offset, const Expectation& expected)
 {
     return buffer.size() >= offset + 4 &&

@@ -7,7 +7,7 @@ namespace protocol {
 namespace {
 using base::ByteView;
 
-/// One look at a buffer.
+/// One scan of a buffer.
 struct Scanner {
     const FrameRules& rules;
     ByteView buffer;
@@ -18,7 +18,7 @@ struct Scanner {
         return expected.any() ? rules.replyAt(buffer.subspan(offset), expected) : FrameMatch{};
     }
 
-    /// The first place in [from, end) whose claim to be the reply is as `fits` says, else `end`.
+    /// The first position in [from, end) that is a reply in the sense of `fits`, else `end`.
     template <typename Predicate>
     std::size_t findReply(std::size_t from, std::size_t end, Predicate&& predicate) const
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scanner behind Codec::scan for languages that can say of any place whether a frame may begin
+// The scanner behind Codec::scan for protocols where any position shows whether a frame may begin
 // there (Modbus, LX): the order of claims, and where to go on after what is no frame. Pure, any
 // thread.
 #pragma once
@@ -33,6 +33,6 @@ public:
 ScanResult scanFrames(const FrameRules& rules, base::ByteView buffer, const Expectation& expected,
                       bool atDeadline);
 
-/// `id` may send the reply: asked for, or anybody up to `highest` was, or it is as good.
+/// `id` may send the reply: it was addressed, or all up to `highest` were, or it is equivalent.
 bool canReply(int id, int maxReplyId, const Expectation& expected);
 } // namespace protocol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests to LX bytes, and what must come back for them: writes are never acknowledged.
+// Requests to LX bytes, and the replies they expect: writes are never acknowledged.
 #include "protocol/encode_error.h"
 #include "protocol/lx_codec.h"
 #include "protocol/lx_frame.h"

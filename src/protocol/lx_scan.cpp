@@ -8,7 +8,7 @@ using base::ByteView;
 
 class LxRules final : public FrameRules {
 public:
-    /// The command tells a late reply to another question from the answer.
+    /// The command distinguishes the reply from a late reply to another request.
     FrameMatch replyAt(ByteView rest, const Expectation& expected) const override
     {
         const FrameMatch match = lx::matchAt(rest);

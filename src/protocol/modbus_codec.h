@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts the Modbus codec is put together from, one file each. Pure functions, any thread.
-// Everybody else uses modbusCodec() of protocol/codec.h.
+// All other code uses modbusCodec() of protocol/codec.h.
 #pragma once
 
 #include "protocol/codec.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests to Modbus bytes, and what must come back for them.
+// Requests to Modbus bytes, and the replies they expect.
 #include "protocol/encode_error.h"
 #include "protocol/modbus_codec.h"
 #include "protocol/modbus_frame.h"
@@ -72,7 +72,7 @@ Result<Bytes> encodeRead(const Request& request)
     });
 }
 
-/// What the acknowledgement repeats: the address, and the value or the number of registers.
+/// The content of the acknowledgement: the address, and the value or the number of registers.
 Bytes writeHead(const Request& request)
 {
     const Bytes& data = request.data;

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-namespace record {
+namespace recording {
 namespace {
 const QString csvOperation = QStringLiteral("write-csv");
 
-// Enough for every register there is, and hides the noise of raw × scale.
+// Enough for every register, and hides the rounding noise of raw × scale.
 constexpr int valueDigits = 12;
 
 QByteArray utf8Cell(const QString& text)
@@ -32,12 +32,12 @@ base::Result<std::unique_ptr<CsvWriter>> CsvWriter::create(const QString& path,
                                                            const std::vector<CsvColumn>& columns)
 {
     if (path.isEmpty())
-        return tl::unexpected(noFileNameError(csvOperation));
-    if (auto special = writeRefusal(csvOperation, path))
+        return tl::unexpected(files::noFileNameError(csvOperation));
+    if (auto special = files::writeRefusal(csvOperation, path))
         return tl::unexpected(std::move(*special));
     std::unique_ptr<CsvWriter> writer(new CsvWriter(path));
     if (!writer->m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered))
-        return tl::unexpected(fileError(csvOperation, writer->m_file));
+        return tl::unexpected(files::fileError(csvOperation, writer->m_file));
     QByteArray header = "time_us,id";
     for (const CsvColumn& column : columns)
         header += ',' + utf8Cell(QStringLiteral("%1[%2]").arg(column.key, column.unit));
@@ -64,12 +64,12 @@ base::Result<void> CsvWriter::write(base::Duration at, int id,
 base::Result<void> CsvWriter::append(const QByteArray& line)
 {
     const QByteArray bytes = line + '\n';
-    if (writeAll(m_file, bytes)) {
+    if (files::writeAll(m_file, bytes)) {
         m_size += bytes.size();
         return {};
     }
-    const base::Error error = fileError(csvOperation, m_file);
+    const base::Error error = files::fileError(csvOperation, m_file);
     m_file.resize(m_size);
     return tl::unexpected(error);
 }
-} // namespace record
+} // namespace recording

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measurements to a CSV file while they come in: one header line `time_us,id,` and a column a
 // register named `key[unit]`; then one line a reading, time in microseconds from the first one,
-// decimal points whatever the locale, an empty cell where nothing was measured. Each line reaches
+// decimal points in every locale, an empty cell where nothing was measured. Each line reaches
 // the system before write() returns, so a crash loses nothing. One owner, one thread. Fails with
 // FileUnwritable or DiskFull; after that the file ends with the last whole line.
 #pragma once
@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace record {
+namespace recording {
 struct CsvColumn {
     QString key;
     QString unit; ///< empty: a plain number, the column is called `key[]`
@@ -45,4 +45,4 @@ private:
     quint64 m_rows = 0;
     std::optional<base::Duration> m_start;
 };
-} // namespace record
+} // namespace recording

@@ -10,17 +10,11 @@
 #include <mutex>
 #include <thread>
 
-namespace record {
+namespace recording {
 namespace {
 const QString recordOperation = QStringLiteral("record");
 constexpr auto flushPeriod = std::chrono::milliseconds(400);
 constexpr std::size_t recorderBlockSize = std::size_t(256) << 10;
-
-struct Batch {
-    std::vector<RecordingRow> rows;
-    std::vector<Mark> marks;
-    std::size_t size() const { return rows.size() + marks.size(); }
-};
 } // namespace
 
 class Recorder::Worker {
@@ -46,6 +40,11 @@ public:
     const RecorderSpec& spec() const { return m_spec; }
 
 private:
+    struct Batch {
+        std::vector<RecordingRow> rows;
+        std::vector<Mark> marks;
+        std::size_t size() const { return rows.size() + marks.size(); }
+    };
     enum class Next : std::uint8_t { Continue, End };
 
     void run();
@@ -71,13 +70,13 @@ private:
     bool m_stopping = false;
     RecorderStatus m_status;
 
-    // of the thread alone
+    // used by the thread only
     const std::unique_ptr<RecordingFile> m_file;
     RecordingBlock m_blockSize;
     std::optional<base::Duration> m_start;    ///< of the first line
     std::optional<base::Duration> m_firstRow; ///< from here the length counts
     base::Duration m_lastRow{};
-    std::uint64_t m_unknownRows = 0; ///< rows of servos that are not in the head
+    std::uint64_t m_unknownRows = 0; ///< rows of servos that are not in the header
     std::chrono::steady_clock::time_point m_lastFlush = std::chrono::steady_clock::now();
 
     std::thread m_thread; ///< last: it uses the others
@@ -94,7 +93,7 @@ bool Recorder::Worker::tryWrite(std::vector<RecordingRow>& rows, std::vector<Mar
             marks.clear();
             return true;
         }
-        // A batch that is larger than the room by itself gets through when nothing else waits.
+        // A batch larger than the buffer is accepted when the buffer is empty.
         if (m_queuedSize > 0 && m_queuedSize + size > maxPending)
             return false;
         if (size == 0)
@@ -116,7 +115,7 @@ void Recorder::Worker::lost(std::uint64_t rows)
 void Recorder::Worker::advanceTo(base::Duration now)
 {
     const std::lock_guard lock(m_mutex);
-    m_reached = now; // looked at within a flush period
+    m_reached = now; // checked within a flush period
 }
 
 void Recorder::Worker::stop()
@@ -140,7 +139,7 @@ void Recorder::Worker::run()
     }
 }
 
-/// Takes what waits, or wakes in time for the next flush.
+/// Waits for rows, at most until the next flush.
 Recorder::Worker::Next Recorder::Worker::processQueue()
 {
     std::deque<Batch> batches;
@@ -201,7 +200,7 @@ Recorder::Worker::Next Recorder::Worker::add(const Batch& batch)
         if (!m_start)
             m_start = row.at;
         if (!m_text.row(row.at - *m_start, row, m_blockSize.text)) {
-            lost(1); // of a servo that is not in the head
+            lost(1); // of a servo that is not in the header
             ++m_unknownRows;
             continue;
         }
@@ -314,4 +313,4 @@ const RecorderSpec& Recorder::spec() const
 {
     return m_thread->spec();
 }
-} // namespace record
+} // namespace recording

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace record {
+namespace recording {
 namespace {
 const QString loadOperation = QStringLiteral("load-recording");
 constexpr std::size_t readBlockSize = std::size_t(1) << 20;
@@ -40,9 +40,9 @@ private:
     bool m_isHeaderComplete = false;
     quint64 m_lines = 0;
     std::string m_unfinished;
-    bool m_tooLong = false; ///< the unfinished line is thrown away up to its end
+    bool m_tooLong = false; ///< the rest of this line is discarded
     RecordingLine m_line;
-    std::vector<std::optional<base::Duration>> m_latest; ///< a servo
+    std::vector<std::optional<base::Duration>> m_latest; ///< per servo
     LoadedRecording m_loaded;
 };
 
@@ -113,7 +113,7 @@ base::Result<void> RecordingLoader::parseHeader(std::string_view line)
     return {};
 }
 
-/// A row that goes back in its servo's time was put there by hand.
+/// A row earlier than the previous one of its servo was inserted by hand.
 bool RecordingLoader::isInOrder(const RecordingLine& line)
 {
     if (!line.isRow)
@@ -213,4 +213,4 @@ base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& in
     }
     return loader.finish();
 }
-} // namespace record
+} // namespace recording

@@ -14,7 +14,7 @@
 
 #include <functional>
 
-namespace record {
+namespace recording {
 enum class RecordingFormat : std::uint8_t { Csv, JsonLines };
 RecordingFormat recordingFormatOf(const QString& path); ///< by its end; .jsonl is JsonLines
 
@@ -66,4 +66,4 @@ struct LoadedRecording {
 base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& into,
                                             const base::StopToken& stop,
                                             const std::function<void(double)>& onProgress = {});
-} // namespace record
+} // namespace recording

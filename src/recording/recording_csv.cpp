@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading a recording's CSV, also after a spreadsheet program or a person has been at it: columns
+// Reading a recording's CSV, also after editing in a spreadsheet program or by hand: columns
 // may have been moved, left out or added, cells quoted, '#' lines padded with commas.
 #include "files/csv_line_parser.h"
 #include "recording/recording_text.h"
@@ -8,7 +8,7 @@
 #include <charconv>
 #include <limits>
 
-namespace record {
+namespace recording {
 namespace {
 constexpr std::string_view title = "# ServoDesk recording ";
 
@@ -89,7 +89,7 @@ private:
     std::size_t m_time = 0;
     std::size_t m_servo = 0;
     std::vector<std::pair<std::string, std::size_t>> m_labels;
-    CsvLineParser m_cells;
+    files::CsvLineParser m_cells;
 };
 
 tl::expected<RecordingReader::HeaderState, QString> CsvReader::parseHeader(std::string_view line)
@@ -105,7 +105,7 @@ tl::expected<RecordingReader::HeaderState, QString> CsvReader::parseHeader(std::
     if (!m_hasTitle)
         return parseTitle(line);
     if (comment)
-        parseComment(trimmed(line.substr(1)));
+        parseComment(files::trimmed(line.substr(1)));
     return HeaderState::More;
 }
 
@@ -263,4 +263,4 @@ std::unique_ptr<RecordingReader> makeCsvReader()
 {
     return std::make_unique<CsvReader>();
 }
-} // namespace record
+} // namespace recording

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 
-namespace record {
+namespace recording {
 namespace {
 const QString fileOperation = QStringLiteral("record");
 
@@ -26,16 +26,16 @@ void RecordingBlock::clear()
 
 RecordingFile::RecordingFile(const QString& path)
     : m_path(path)
-    , m_file(path, FileHandle::Mode::Append)
+    , m_file(path, files::FileHandle::Mode::Append)
 {}
 
 base::Result<std::unique_ptr<RecordingFile>> RecordingFile::create(const QString& path,
                                                                    const std::string& head)
 {
     if (path.isEmpty())
-        return tl::unexpected(noFileNameError(fileOperation));
+        return tl::unexpected(files::noFileNameError(fileOperation));
     std::unique_ptr<RecordingFile> made(new RecordingFile(path));
-    FileHandle& file = made->m_file;
+    files::FileHandle& file = made->m_file;
     if (!file.isOpen())
         return tl::unexpected(made->lastError());
     const auto info = file.info();
@@ -46,8 +46,9 @@ base::Result<std::unique_ptr<RecordingFile>> RecordingFile::create(const QString
         return tl::unexpected(made->lastError());
     if (const auto written = made->append({head, {}}); !written)
         return tl::unexpected(written.error());
-    // /dev/full and the like cannot be synced, and need not be.
-    if (info->regular && (!file.sync() || !FileHandle::syncFolder(QFileInfo(path).absolutePath())))
+    // /dev/full and the like cannot be synced and need no sync.
+    if (info->regular &&
+        (!file.sync() || !files::FileHandle::syncFolder(QFileInfo(path).absolutePath())))
         return tl::unexpected(made->lastError());
     return made;
 }
@@ -64,7 +65,7 @@ base::Result<void> RecordingFile::append(const RecordingBlock& block)
     return tl::unexpected(error);
 }
 
-/// A part of the block may have found room: as many lines of it as are whole stay.
+/// Part of the block may have been written: its whole lines stay.
 void RecordingFile::truncateToWholeLines(const RecordingBlock& block)
 {
     const auto info = m_file.info();
@@ -88,10 +89,10 @@ base::Result<void> RecordingFile::flush()
     return {};
 }
 
-/// What is written to a file that was deleted or moved away succeeds, and nobody finds it.
+/// Writing to a file that was deleted or moved away succeeds, but the data is lost.
 base::Result<void> RecordingFile::checkFile() const
 {
-    const auto named = FileHandle::infoOf(m_path);
+    const auto named = files::FileHandle::infoOf(m_path);
     const bool mine = named && named->id == m_fileId;
     if (mine && (!named->regular || std::uint64_t(named->size) == m_size))
         return {};
@@ -106,6 +107,6 @@ base::Result<void> RecordingFile::checkFile() const
 
 base::Error RecordingFile::lastError() const
 {
-    return fileError(base::ErrorCode::FileUnwritable, fileOperation, m_path, errno);
+    return files::fileError(base::ErrorCode::FileUnwritable, fileOperation, m_path, errno);
 }
-} // namespace record
+} // namespace recording

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file a recording is written to. Whatever goes wrong, it ends with a whole line; no byte is
+// The file a recording is written to. After any failure it ends with a whole line; no byte is
 // counted that is not in it. Owned by the recorder's thread. Fails with FileUnwritable (also when
 // the file is no longer there under its name) or DiskFull, and is of no use after that.
 #pragma once
@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace record {
+namespace recording {
 /// Whole lines, and where in the text those end that are rows.
 struct RecordingBlock {
     std::string text;
@@ -37,9 +37,9 @@ private:
     void truncateToWholeLines(const RecordingBlock& block);
 
     QString m_path;
-    FileHandle m_file;
-    FileId m_fileId;
+    files::FileHandle m_file;
+    files::FileId m_fileId;
     std::uint64_t m_size = 0;
     std::uint64_t m_rows = 0;
 };
-} // namespace record
+} // namespace recording

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading a recording's JSON lines. Rows as this program writes them are read by hand, because
-// there are millions; whatever else is valid JSON goes the long way.
+// Reading a recording's JSON lines. Rows as this program writes them have a parser of their own,
+// because there are millions; all other valid JSON is read by the general parser.
 #include "files/json_reader.h"
 #include "recording/recording_text.h"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace record {
+namespace recording {
 namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -19,7 +19,7 @@ QByteArray bytesOf(std::string_view text)
     return QByteArray::fromRawData(text.data(), qsizetype(text.size()));
 }
 
-/// Walks through a line; once something does not fit, ok() stays false.
+/// Parses a line; after the first mismatch ok() stays false.
 class TextScanner {
 public:
     explicit TextScanner(std::string_view text)
@@ -59,17 +59,18 @@ public:
 
 private:
     bool parseOwnLine(std::string_view line, RecordingLine& out) const;
-    bool parseRow(const JsonReader& reader, const QJsonArray& values, RecordingLine& out) const;
+    bool parseRow(const files::JsonReader& reader, const QJsonArray& values,
+                  RecordingLine& out) const;
 };
 
 tl::expected<RecordingReader::HeaderState, QString>
 JsonLinesReader::parseHeader(std::string_view line)
 {
-    const auto object = parseJson(bytesOf(line));
+    const auto object = files::parseJson(bytesOf(line));
     if (!object)
         return tl::unexpected(object.error());
-    JsonReadError readError;
-    const JsonReader reader(*object, readError);
+    files::JsonReadError readError;
+    const files::JsonReader reader(*object, readError);
     if (reader.text("format") != QLatin1String("servodesk-recording"))
         return tl::unexpected(QStringLiteral("no recording: \"format\" is not "
                                              "\"servodesk-recording\""));
@@ -84,7 +85,7 @@ JsonLinesReader::parseHeader(std::string_view line)
     m_head.port = reader.text("port");
     m_head.baud = reader.smallInteger("baud");
     m_head.simulated = reader.flag("simulated");
-    for (const JsonReader& channel : reader.objects("channels"))
+    for (const files::JsonReader& channel : reader.objects("channels"))
         addChannel({channel.smallInteger("servo"), channel.smallInteger("id"), channel.text("name"),
                     channel.text("protocol"), channel.nonEmptyText("key"), channel.text("unit")});
     if (readError.isSet())
@@ -120,7 +121,7 @@ bool JsonLinesReader::parseOwnLine(std::string_view line, RecordingLine& out) co
     return true;
 }
 
-bool JsonLinesReader::parseRow(const JsonReader& reader, const QJsonArray& values,
+bool JsonLinesReader::parseRow(const files::JsonReader& reader, const QJsonArray& values,
                                RecordingLine& out) const
 {
     const auto servo = servoOf(reader.smallInteger("s"));
@@ -144,11 +145,11 @@ RecordingReader::LineKind JsonLinesReader::take(std::string_view line, Recording
         return LineKind::Blank;
     if (parseOwnLine(line, out))
         return isValidTime(out.at) ? LineKind::Content : LineKind::Invalid;
-    const auto object = parseJson(bytesOf(line));
+    const auto object = files::parseJson(bytesOf(line));
     if (!object)
         return LineKind::Invalid;
-    JsonReadError readError;
-    const JsonReader reader(*object, readError);
+    files::JsonReadError readError;
+    const files::JsonReader reader(*object, readError);
     out.at = base::Duration(reader.integer("t"));
     if (reader.contains("mark")) {
         const auto kind = markFromName(reader.text("mark"));
@@ -166,4 +167,4 @@ std::unique_ptr<RecordingReader> makeJsonLinesReader()
 {
     return std::make_unique<JsonLinesReader>();
 }
-} // namespace record
+} // namespace recording

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace record {
+namespace recording {
 namespace {
 constexpr base::Duration maxTextTime = std::chrono::hours(24 * 366 * 10);
 
@@ -24,7 +24,7 @@ void appendNumber(std::string& out, Number number)
     out.append(digits.data(), end);
 }
 
-/// A '#' line is one line, whatever a port is called.
+/// A '#' line is one line, even if the name of a port contains line breaks.
 std::string simplifiedText(const QString& text)
 {
     return text.simplified().toStdString();
@@ -241,4 +241,4 @@ bool isValidTime(base::Duration at)
 {
     return at >= -maxTextTime && at <= maxTextTime;
 }
-} // namespace record
+} // namespace recording

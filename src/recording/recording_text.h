@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording as text, line by line: what its writer and its readers agree on. Numbers are the
-// shortest that read back the same, whatever the locale. Plain values; one thread.
+// shortest that read back the same, in every locale. Plain values; one thread.
 #pragma once
 
 #include "recording/recording.h"
@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace record {
+namespace recording {
 constexpr int recordingVersion = 1;
 
 /// Makes lines with their line feed and appends them to `out`. Times count from the start of the
@@ -84,4 +84,4 @@ std::optional<double> parseNumber(std::string_view text);
 /// Further away is no time of a recording, but a slip of the hand.
 bool isValidTime(base::Duration at);
 std::optional<base::Duration> parseInstant(std::string_view text);
-} // namespace record
+} // namespace recording

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace record {
+namespace recording {
 template <typename Function>
 void SampleChannel::forEachChunk(Position from, Position to, const Function& function) const
 {
@@ -165,4 +165,4 @@ std::size_t SampleChannel::bytes() const
         sum += chunk.bytes();
     return sum;
 }
-} // namespace record
+} // namespace recording

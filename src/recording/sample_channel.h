@@ -7,7 +7,7 @@
 
 #include <deque>
 
-namespace record {
+namespace recording {
 class SampleChannel {
 public:
     /// A sample, or the end. Never the end of a chunk.
@@ -42,7 +42,7 @@ public:
     std::optional<Extremes> extremes(Position from, Position to) const;
     /// Time counts from `origin`.
     Moments moments(Position from, Position to, base::Duration origin) const;
-    /// Says the truth about the samples in between, each of them.
+    /// Exact for all samples in between.
     bool exact(Position from, Position to) const;
 
     /// End of the oldest chunk that can be thinned, or dropped; none: there is none.
@@ -60,8 +60,8 @@ private:
     void forEachChunk(Position from, Position to, const Function& function) const;
 
     std::deque<SampleChunk> m_chunks; ///< none is empty; all but the last are closed
-    std::size_t m_decimated = 0;      ///< so many of the first
+    std::size_t m_decimated = 0;      ///< number of the oldest samples that are decimated
     std::optional<base::Duration> m_droppedUntil;
     bool m_gap = false; ///< before the next sample
 };
-} // namespace record
+} // namespace recording

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-namespace record {
+namespace recording {
 namespace {
 constexpr std::size_t smallBlock = 8;
 constexpr std::size_t largeBlock = 64;
@@ -152,8 +152,8 @@ std::size_t SampleChunk::lowerBound(base::Duration at, std::size_t start) const
     if (offset > std::int64_t(m_offsets.back()))
         return size();
     const auto wanted = std::uint32_t(offset);
-    // Samples mostly come at a steady rate: guess, and look around the guess. From here on low is
-    // before the place and high is not.
+    // Samples usually come at a steady rate: search around an estimate. From here on low is before
+    // the wanted index and high is not.
     std::size_t low = start;
     std::size_t high = size() - 1;
     const double share = double(wanted - m_offsets[low]) / double(m_offsets[high] - m_offsets[low]);
@@ -235,4 +235,4 @@ std::size_t SampleChunk::bytes() const
            (m_small.capacity() + m_large.capacity()) * sizeof(Extremes) +
            m_gaps.capacity() * sizeof(m_gaps[0]);
 }
-} // namespace record
+} // namespace recording

@@ -6,7 +6,7 @@
 
 #include "recording/sample_store.h"
 
-namespace record {
+namespace recording {
 struct Extremes {
     double min = 0;
     double max = 0;
@@ -78,4 +78,4 @@ private:
     bool m_closed = false;
     bool m_decimated = false;
 };
-} // namespace record
+} // namespace recording

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace record {
+namespace recording {
 namespace {
 using base::Duration;
 using Position = SampleChannel::Position;
@@ -33,7 +33,7 @@ public:
         }
         // One less than there are pixels, because both ends cut a column.
         m_width = (length + pixels - 2) / (pixels - 1);
-        // In steps of less than 1 %, so that a span that is a microsecond longer gives the same.
+        // In steps of less than 1 %, so that a span longer by a microsecond gives the same width.
         std::int64_t step = 1;
         while (m_width / step >= 256)
             step *= 2;
@@ -67,7 +67,7 @@ struct SampleStore::Data {
         return id >= 0 && std::size_t(id) < channels.size() ? channels[std::size_t(id)].get()
                                                             : nullptr;
     }
-    /// None if it is closed, or nothing is in it.
+    /// None if it is closed or empty.
     const SampleChannel* findNonEmpty(ChannelId id)
     {
         const SampleChannel* channel = find(id);
@@ -304,4 +304,4 @@ bool SampleStore::decimated() const
     return std::any_of(m_data->channels.begin(), m_data->channels.end(),
                        [](const auto& channel) { return channel && channel->decimated(); });
 }
-} // namespace record
+} // namespace recording

@@ -4,7 +4,7 @@
 // window the main thread). Times are bus-clock instants; values are physical, in the channel's
 // unit; one that is no number is a gap. Within a channel times never go back: a sample that would
 // is dropped and counted. When the budget is used up, the oldest chunks are thinned to their
-// extremes (statistics say so), and after that dropped.
+// extremes (statistics show it), and after that dropped.
 #pragma once
 
 #include "base/clock.h"
@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-namespace record {
+namespace recording {
 using ChannelId = int; ///< stable as long as the store lives
 
 struct SamplePoint {
@@ -103,4 +103,4 @@ private:
     struct Data;
     std::unique_ptr<Data> m_data;
 };
-} // namespace record
+} // namespace recording

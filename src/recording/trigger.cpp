@@ -1,44 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/trigger.h"
 
-#include <array>
+#include "base/enum_names.h"
+
 #include <cmath>
 
-namespace record {
+namespace recording {
 namespace {
-struct Name {
-    MarkKind kind;
-    const char* name;
-};
-
-constexpr std::array names{
-    Name{MarkKind::Write, "write"},
-    Name{MarkKind::Fault, "fault"},
-    Name{MarkKind::FaultCleared, "fault-over"},
-    Name{MarkKind::LinkError, "link-error"},
-    Name{MarkKind::LinkRestored, "link-back"},
-    Name{MarkKind::Move, "move"},
-    Name{MarkKind::Stop, "stop"},
-    Name{MarkKind::Note, "note"},
+constexpr base::EnumName<MarkKind> markNames[]{
+    {MarkKind::Write, "write"},
+    {MarkKind::Fault, "fault"},
+    {MarkKind::FaultCleared, "fault-over"},
+    {MarkKind::LinkError, "link-error"},
+    {MarkKind::LinkRestored, "link-back"},
+    {MarkKind::Move, "move"},
+    {MarkKind::Stop, "stop"},
+    {MarkKind::Note, "note"},
 };
 } // namespace
 
 QString markName(MarkKind kind)
 {
-    for (const Name& name : names) {
-        if (name.kind == kind)
-            return QString::fromLatin1(name.name);
-    }
-    return {};
+    return base::nameOf(markNames, kind);
 }
 
-std::optional<MarkKind> markFromName(const QString& text)
+std::optional<MarkKind> markFromName(const QString& name)
 {
-    for (const Name& name : names) {
-        if (text == QLatin1String(name.name))
-            return name.kind;
-    }
-    return std::nullopt;
+    return base::valueOf(markNames, name);
 }
 
 void Trigger::arm(const TriggerSpec& spec)
@@ -131,4 +119,4 @@ std::optional<TimeSpan> Trigger::window() const
         return std::nullopt;
     return TimeSpan{*m_firedAt - m_spec.pre, *m_firedAt + m_spec.post};
 }
-} // namespace record
+} // namespace recording

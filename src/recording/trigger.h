@@ -5,7 +5,7 @@
 
 #include "recording/sample_store.h"
 
-namespace record {
+namespace recording {
 enum class MarkKind : std::uint8_t {
     Write,
     Fault,
@@ -56,7 +56,7 @@ public:
     void sample(ChannelId channel, base::Duration at, double value);
     void gap(ChannelId channel);
     void mark(const Mark& mark);
-    /// Time goes on without samples too; completes a trigger that has fired.
+    /// Called as time passes without samples; completes a trigger that has fired.
     void advanceTo(base::Duration now);
 
     State state() const { return m_state; }
@@ -73,4 +73,4 @@ private:
     std::optional<base::Duration> m_firedAt;
     bool m_isPrimed = false; ///< the other side of the level has been seen
 };
-} // namespace record
+} // namespace recording

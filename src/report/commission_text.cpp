@@ -2,80 +2,93 @@
 #include "report/commission_text.h"
 
 #include "report/bilingual.h"
+#include "text/text_table.h"
 
 #include <array>
 
 namespace report {
 namespace {
-using record::CommissionIssue;
-using record::CommissionVerdict;
+using results::CommissionIssue;
+using results::CommissionVerdict;
+using text::NamedText;
 
-struct IssueText {
-    const char* word;
-    const char* english; ///< %1: the detail
-    const char* chinese;
-};
+/// %1: the detail
 constexpr std::array issueTexts{
-    IssueText{"not-writable", "what %1 is, is not known: nothing is written",
-              "%1 的参数表未知，不写入"},
-    IssueText{"no-such-rate", "it cannot run %1 baud", "不支持波特率 %1"},
-    IssueText{"no-such-id", "it cannot have ID %1", "不支持 ID %1"},
-    IssueText{"no-centring", "%1 servos have no centring command", "%1 系列无校中指令"},
-    IssueText{"other-model", "the template is of another model: %1", "模板来自其他型号：%1"},
-    IssueText{"rows-left", "rows of the template left alone: %1", "模板中未写入的项：%1"},
-    IssueText{"other-id", "it does not have the factory's ID, but %1", "不是出厂 ID，而是 %1"},
-    IssueText{"no-id-left", "no ID is left for it", "ID 已用完"},
-    IssueText{"already-done", "it is done already", "此舵机已设置完成"},
-    IssueText{"by-hand", "set aside by hand", "手动剔除"},
-    IssueText{"label-not-kept", "its label could not be kept in the history (%1)",
-              "标签未能写入历史记录（%1）"},
-    IssueText{"rate-after-restart", "%1 baud acts after a restart only", "波特率 %1 重启后生效"},
-    IssueText{"rate-differs", "its register says %1 baud", "寄存器中的波特率为 %1"},
-    IssueText{"torque-was-on", "torque was on; it has been switched off", "扭矩输出曾打开，已关闭"},
-    IssueText{"row-mismatch", "%1 reads back differently", "%1 回读不一致"},
-    IssueText{"row-refused", "%1 was refused", "%1 写入被拒绝"},
-    IssueText{"row-not-sent", "%1 was not sent", "%1 未发送"},
-    IssueText{"row-no-answer", "no answer while %1 was written", "写入 %1 时通信超时"},
-    IssueText{"row-unknown", "what became of %1 is not known", "%1 的写入结果未知"},
-    IssueText{"no-answer", "it did not answer", "通信超时"},
-    IssueText{"garbled", "its answers were broken", "应答数据错误"},
-    IssueText{"id-in-use", "the ID is in use: two servos are on the wire",
-              "ID 被占用：总线上有两个舵机"},
-    IssueText{"several-servos", "two servos answer under this ID", "此 ID 下有两个舵机应答"},
-    IssueText{"family-unclear", "its family is unclear: nothing is written", "系列不明确，不写入"},
-    IssueText{"unknown-model", "its firmware is not known: nothing is written", "固件未知，不写入"},
-    IssueText{"mismatch", "%1 does not hold the value of the template", "%1 与模板的数值不一致"},
-    IssueText{"wrong-answer", "its answers did not fit the questions", "应答与请求不符"},
-    IssueText{"line-busy", "the line never fell silent", "总线上数据不断"},
-    IssueText{"refused", "it did not take what was written", "写入未生效"},
-    IssueText{"lock-open", "its EPROM lock could not be proven closed", "无法确认 EPROM 已上锁"},
-    IssueText{"identity-differs", "another servo answers now: %1", "应答的是其他舵机：%1"},
-    IssueText{"out-of-range", "the value is out of its range: %1", "数值超出范围：%1"},
-    IssueText{"not-supported", "not supported: %1", "不支持：%1"},
-    IssueText{"unfinished-id", "the unfinished servo has ID %1", "未完成的舵机 ID 为 %1"},
-    IssueText{"unfinished-ids", "the unfinished servo may have any of these IDs: %1",
-              "未完成的舵机可能使用以下任一 ID：%1"},
-    IssueText{"unfinished-lock", "its EPROM lock was opened and has not been proven closed",
-              "其 EPROM 已解锁，无法确认已重新上锁"},
-    IssueText{"uncertain", "what became of a write is not known", "写入结果未知"},
+    NamedText{"not-writable",
+              QT_TRANSLATE_NOOP("CommissionText", "no register map fits %1: nothing is written")},
+    NamedText{"no-such-rate",
+              QT_TRANSLATE_NOOP("CommissionText", "the servo does not support %1 baud")},
+    NamedText{"no-such-id",
+              QT_TRANSLATE_NOOP("CommissionText", "the servo does not support ID %1")},
+    NamedText{"no-centring",
+              QT_TRANSLATE_NOOP("CommissionText", "%1 servos have no command to set the midpoint")},
+    NamedText{"other-model",
+              QT_TRANSLATE_NOOP("CommissionText", "the template is from another model: %1")},
+    NamedText{"rows-left", QT_TRANSLATE_NOOP("CommissionText", "template rows not written: %1")},
+    NamedText{"other-id",
+              QT_TRANSLATE_NOOP("CommissionText", "its ID is %1, not the factory default")},
+    NamedText{"no-id-left", QT_TRANSLATE_NOOP("CommissionText", "no ID is left for it")},
+    NamedText{"already-done", QT_TRANSLATE_NOOP("CommissionText", "it is already set up")},
+    NamedText{"by-hand", QT_TRANSLATE_NOOP("CommissionText", "set aside manually")},
+    NamedText{
+        "label-not-kept",
+        QT_TRANSLATE_NOOP("CommissionText", "its label could not be saved to the history (%1)")},
+    NamedText{"rate-after-restart",
+              QT_TRANSLATE_NOOP("CommissionText", "%1 baud takes effect only after a reboot")},
+    NamedText{"rate-differs",
+              QT_TRANSLATE_NOOP("CommissionText", "its baud rate register is set to %1")},
+    NamedText{"torque-was-on",
+              QT_TRANSLATE_NOOP("CommissionText", "torque was on; it has been turned off")},
+    NamedText{"row-mismatch", QT_TRANSLATE_NOOP("CommissionText", "%1 differs when read back")},
+    NamedText{"row-refused", QT_TRANSLATE_NOOP("CommissionText", "%1 was refused")},
+    NamedText{"row-not-sent", QT_TRANSLATE_NOOP("CommissionText", "%1 was not sent")},
+    NamedText{"row-no-answer", QT_TRANSLATE_NOOP("CommissionText", "no reply while writing %1")},
+    NamedText{"row-unknown",
+              QT_TRANSLATE_NOOP("CommissionText", "the result of writing %1 is unknown")},
+    NamedText{"no-answer", QT_TRANSLATE_NOOP("CommissionText", "the servo did not reply")},
+    NamedText{"garbled", QT_TRANSLATE_NOOP("CommissionText", "its replies could not be decoded")},
+    NamedText{"id-in-use",
+              QT_TRANSLATE_NOOP("CommissionText",
+                                "the ID is already in use by another servo on the bus")},
+    NamedText{"several-servos",
+              QT_TRANSLATE_NOOP("CommissionText", "two servos reply with this ID")},
+    NamedText{"family-unclear",
+              QT_TRANSLATE_NOOP("CommissionText", "its family is unclear: nothing is written")},
+    NamedText{"unknown-model",
+              QT_TRANSLATE_NOOP("CommissionText", "its firmware is unknown: nothing is written")},
+    NamedText{"mismatch", QT_TRANSLATE_NOOP("CommissionText", "%1 does not match the template")},
+    NamedText{"wrong-answer",
+              QT_TRANSLATE_NOOP("CommissionText", "its replies did not match the requests")},
+    NamedText{"line-busy", QT_TRANSLATE_NOOP("CommissionText", "the line was never idle")},
+    NamedText{"refused", QT_TRANSLATE_NOOP("CommissionText", "it did not accept the write")},
+    NamedText{"lock-open",
+              QT_TRANSLATE_NOOP("CommissionText", "the EPROM lock could not be confirmed")},
+    NamedText{"identity-differs",
+              QT_TRANSLATE_NOOP("CommissionText", "another servo replies now: %1")},
+    NamedText{"out-of-range", QT_TRANSLATE_NOOP("CommissionText", "the value is out of range: %1")},
+    NamedText{"not-supported", QT_TRANSLATE_NOOP("CommissionText", "not supported: %1")},
+    NamedText{"unfinished-id",
+              QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo has ID %1")},
+    NamedText{
+        "unfinished-ids",
+        QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo may have any of these IDs: %1")},
+    NamedText{
+        "unfinished-lock",
+        QT_TRANSLATE_NOOP("CommissionText",
+                          "its EPROM was unlocked, and the EPROM lock could not be confirmed")},
+    NamedText{"uncertain", QT_TRANSLATE_NOOP("CommissionText", "the result of a write is unknown")},
 };
 
-struct AlarmText {
-    const char* key;
-    const char* english;
-    const char* chinese;
-};
 constexpr std::array alarmTexts{
-    AlarmText{"voltage", "voltage alarm", "过压欠压"},
-    AlarmText{"temperature", "temperature alarm", "过温"},
-    AlarmText{"overload", "overload alarm", "过载"},
-    AlarmText{"current", "overcurrent alarm", "过流"},
-    AlarmText{"sensor", "sensor alarm", "传感器故障"},
+    NamedText{"voltage", QT_TRANSLATE_NOOP("CommissionText", "voltage alarm")},
+    NamedText{"temperature", QT_TRANSLATE_NOOP("CommissionText", "temperature alarm")},
+    NamedText{"overload", QT_TRANSLATE_NOOP("CommissionText", "overload alarm")},
+    NamedText{"current", QT_TRANSLATE_NOOP("CommissionText", "overcurrent alarm")},
+    NamedText{"sensor", QT_TRANSLATE_NOOP("CommissionText", "sensor alarm")},
 };
 
-Text filled(const char* english, const char* chinese, const QString& detail)
+Text withDetail(Text text, const QString& detail)
 {
-    Text text = both(english, chinese);
     for (QString* half : {&text.en, &text.zh}) {
         if (half->contains(QLatin1String("%1")))
             *half = half->arg(detail);
@@ -84,45 +97,39 @@ Text filled(const char* english, const char* chinese, const QString& detail)
 }
 
 struct VerdictText {
-    CommissionVerdict verdict;
-    const char* english;
-    const char* chinese;
+    CommissionVerdict key;
+    const char* text;
     const char* sign;
 };
 constexpr std::array verdictTexts{
-    VerdictText{CommissionVerdict::Good, "Good", "合格", "✔"},
-    VerdictText{CommissionVerdict::Remark, "Done, see remarks", "完成，有备注", "▲"},
-    VerdictText{CommissionVerdict::Failed, "Failed", "失败", "✖"},
-    VerdictText{CommissionVerdict::Skipped, "Set aside", "未设置", "–"},
+    VerdictText{CommissionVerdict::Good, QT_TRANSLATE_NOOP("CommissionText", "Good"), "✔"},
+    VerdictText{CommissionVerdict::Remark, QT_TRANSLATE_NOOP("CommissionText", "Done, see remarks"),
+                "▲"},
+    VerdictText{CommissionVerdict::Failed, QT_TRANSLATE_NOOP("CommissionText", "Failed"), "✖"},
+    VerdictText{CommissionVerdict::Skipped, QT_TRANSLATE_NOOP("CommissionText", "Set aside"), "–"},
 };
 
-const VerdictText& wordsOf(CommissionVerdict verdict)
+const VerdictText& entryOf(CommissionVerdict verdict)
 {
-    for (const VerdictText& known : verdictTexts) {
-        if (known.verdict == verdict)
-            return known;
-    }
-    return verdictTexts.front();
+    const VerdictText* entry = text::entryFor(verdictTexts, verdict);
+    return entry != nullptr ? *entry : verdictTexts.front();
 }
 } // namespace
 
 Text commissionIssueText(const CommissionIssue& issue)
 {
     if (issue.word == QLatin1String("alarm")) {
-        for (const AlarmText& known : alarmTexts) {
-            if (issue.detail == QLatin1String(known.key))
-                return both(known.english, known.chinese);
-        }
-        return filled("alarm: %1", "报警：%1", issue.detail);
+        const NamedText* alarm = text::entryFor(alarmTexts, issue.detail);
+        return alarm != nullptr
+                   ? translate("CommissionText", alarm->text)
+                   : withDetail(translate("CommissionText", "alarm: %1"), issue.detail);
     }
-    for (const IssueText& known : issueTexts) {
-        if (issue.word == QLatin1String(known.word))
-            return filled(known.english, known.chinese, issue.detail);
-    }
+    if (const NamedText* entry = text::entryFor(issueTexts, issue.word))
+        return withDetail(translate("CommissionText", entry->text), issue.detail);
     const QString plain = issue.detail.isEmpty()
                               ? issue.word
                               : QStringLiteral("%1 (%2)").arg(issue.word, issue.detail);
-    return {plain, plain};
+    return inBoth(plain);
 }
 
 Text commissionIssuesText(const std::vector<CommissionIssue>& issues)
@@ -139,12 +146,11 @@ Text commissionIssuesText(const std::vector<CommissionIssue>& issues)
 
 Text commissionVerdictText(CommissionVerdict verdict)
 {
-    const VerdictText& words = wordsOf(verdict);
-    return both(words.english, words.chinese);
+    return translate("CommissionText", entryOf(verdict).text);
 }
 
 QString commissionVerdictSign(CommissionVerdict verdict)
 {
-    return QString::fromUtf8(wordsOf(verdict).sign);
+    return QString::fromUtf8(entryOf(verdict).sign);
 }
 } // namespace report

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of a commissioning line in both languages at once: what it waits for, what speaks
-// against a servo, how one ended. The command line and the window say the same. Constant; any
-// thread.
+// The texts of a commissioning batch in both languages: problems of a servo, and how its
+// commissioning ended. Command line and window show the same. Constant; any thread.
 #pragma once
 
 #include "catalog/register.h"
@@ -10,9 +9,10 @@
 namespace report {
 using catalog::Text;
 
-/// "voltage alarm", "belongs to another model: STS3215"; an error's name comes back as it is.
-Text commissionIssueText(const record::CommissionIssue& issue);
-Text commissionIssuesText(const std::vector<record::CommissionIssue>& issues); ///< joined
-Text commissionVerdictText(record::CommissionVerdict verdict);                 ///< "Good"
-QString commissionVerdictSign(record::CommissionVerdict verdict);              ///< "✔"
+/// "voltage alarm", "another servo replies now: STS3215"; a name without a text comes back as it
+/// is.
+Text commissionIssueText(const results::CommissionIssue& issue);
+Text commissionIssuesText(const std::vector<results::CommissionIssue>& issues); ///< joined
+Text commissionVerdictText(results::CommissionVerdict verdict);                 ///< "Good"
+QString commissionVerdictSign(results::CommissionVerdict verdict);              ///< "✔"
 } // namespace report

@@ -13,7 +13,7 @@ static void initFontsResource()
 
 namespace report {
 namespace {
-/// Order matters: without a language fontconfig proposes the Japanese shapes first.
+/// The order matters: without a language, fontconfig proposes the Japanese shapes first.
 QStringList chineseFamilies()
 {
     return {QStringLiteral("Noto Sans CJK SC"),   QStringLiteral("Noto Sans SC"),

@@ -7,14 +7,14 @@
 #include <QStringList>
 
 namespace report {
-/// Noto Sans, its signs, then what this machine has for Simplified Chinese. Digits are of one
-/// width. Only families that are there; empty if there are none.
+/// Noto Sans, its signs, then the Simplified Chinese fonts of this machine. All digits have one
+/// width. Only installed families; empty if there are none.
 QStringList textFamilies();
 
-/// The same for code and hexadecimal numbers: all characters are of one width.
+/// The same for code and hexadecimal numbers: all characters have one width.
 QStringList codeFamilies();
 
-/// @font-face rules with the letters in them, for a page that needs no other file: the families
+/// @font-face rules that contain the fonts, for a self-contained page: the families
 /// "ServoDesk Text" and "ServoDesk Signs".
 QString embeddedFonts();
 } // namespace report

@@ -43,7 +43,7 @@ const char* const switchCss = R"(
 #lang-en:checked ~ main .zh, #lang-zh:checked ~ main .en { display: none; }
 )";
 
-// QTextDocument takes pixels for those of the printer, so paper is measured in points.
+// QTextDocument takes CSS pixels for pixels of the printer, so paper is measured in points.
 const char* const paperCss = R"(
 body { font-size: 8pt; color: #1f2328; }
 h1 { font-size: 16pt; }
@@ -58,7 +58,7 @@ th { background-color: #f3f5f7; }
 .user { white-space: pre-wrap; }
 )";
 
-/// Also where its unit is written in two languages.
+/// Also if a span of one language comes first.
 bool isNumber(const QString& cell)
 {
     static const QRegularExpression number(QStringLiteral("^(<[^>]*>)*-?\\d"));

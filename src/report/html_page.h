@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of a page that needs nothing but itself: no script, no other file, no network. Written so
-// that it is XML as well. With ReportLanguage::Both every text is there in both languages and two
-// radio buttons choose by CSS; with one language there are no buttons, for paper. Markup is
-// QString; whatever comes from a user goes through escaped(). Values; one thread.
+// The elements of a self-contained HTML page: no script, no other file, no network; well-formed XML
+// as well. With ReportLanguage::Both the page contains every text in both languages, and two radio
+// buttons switch by CSS; with one language, for paper, it has no buttons. Markup is QString; every
+// text from a user goes through escaped(). Pure; any thread.
 #pragma once
 
 #include "catalog/register.h"
@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace report {
-/// Safe as text and in attributes; characters that no XML may contain are left out.
+/// Safe as text and in attributes; characters that XML does not allow are left out.
 QString escaped(const QString& text);
 /// Text that a person entered, escaped and marked.
 QString userText(const QString& text);
@@ -43,8 +43,8 @@ private:
     ReportLanguage m_language;
 };
 
-/// Rows of cells of markup. A cell that begins with a digit or a sign before one stands right.
-/// `many`: columns, so that paper takes smaller letters.
+/// Rows of cells of markup. Cells that begin with a number are aligned right. `isWide`: many
+/// columns, so paper uses smaller letters.
 QString table(const QStringList& headings, const std::vector<QStringList>& rows,
               bool isWide = false);
 /// Two columns, names and values.

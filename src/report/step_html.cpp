@@ -8,13 +8,13 @@
 
 namespace report {
 using catalog::Text;
-using record::StepRun;
+using results::StepRun;
 
 namespace {
 QString head(const HtmlWriter& htmlWriter, const StepRun& run)
 {
     const SweepTexts& words = sweepTexts();
-    const record::SnapshotServo& servo = run.parameters.servo;
+    const snapshot::SnapshotServo& servo = run.parameters.servo;
     std::vector<QStringList> rows{
         {htmlWriter.htmlText(words.model), escaped(servo.model)},
         {htmlWriter.htmlText(words.id), QString::number(servo.id)},
@@ -36,15 +36,15 @@ QString head(const HtmlWriter& htmlWriter, const StepRun& run)
 
 QString gains(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
 {
-    QStringList headings{htmlWriter.htmlText(both("Register", "寄存器"))};
+    QStringList headings{htmlWriter.htmlText(translate("StepText", "Register"))};
     for (std::size_t i = 0; i < runs.size(); ++i)
         headings << QString::number(i + 1);
     std::vector<QStringList> rows;
-    for (const record::StepGain& gain : runs.front().gains) {
+    for (const results::StepGain& gain : runs.front().gains) {
         QStringList row{escaped(gain.key)};
         for (const StepRun& run : runs) {
             QString raw = QStringLiteral("–");
-            for (const record::StepGain& one : run.gains) {
+            for (const results::StepGain& one : run.gains) {
                 if (one.key == gain.key)
                     raw = QString::number(one.raw);
             }
@@ -55,7 +55,7 @@ QString gains(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
     return table(headings, rows);
 }
 
-QString unit(const HtmlWriter& htmlWriter, const record::StepFigure& figure)
+QString unit(const HtmlWriter& htmlWriter, const results::StepFigure& figure)
 {
     return htmlWriter.htmlText(unitText(QString::fromUtf8(figure.unit)));
 }
@@ -64,7 +64,7 @@ QString single(const HtmlWriter& htmlWriter, const StepRun& run)
 {
     const SweepTexts& words = sweepTexts();
     std::vector<QStringList> rows;
-    for (const record::StepFigure& one : record::stepFigures) {
+    for (const results::StepFigure& one : results::stepFigures) {
         rows.push_back({htmlWriter.htmlText(stepFigureText(QString::fromLatin1(one.key))),
                         htmlWriter.optional(run.mean.*one.member, words.notMeasured),
                         unit(htmlWriter, one)});
@@ -78,7 +78,7 @@ QString compared(const HtmlWriter& htmlWriter, const StepRun& before, const Step
 {
     const SweepTexts& words = sweepTexts();
     std::vector<QStringList> rows;
-    for (const record::StepDifference& row : record::compareSteps(before, after)) {
+    for (const results::StepDifference& row : results::compareSteps(before, after)) {
         rows.push_back({htmlWriter.htmlText(stepFigureText(QString::fromLatin1(row.figure.key))),
                         htmlWriter.optional(row.before, words.notMeasured),
                         htmlWriter.optional(row.after, words.notMeasured),
@@ -86,43 +86,43 @@ QString compared(const HtmlWriter& htmlWriter, const StepRun& before, const Step
                         unit(htmlWriter, row.figure),
                         htmlWriter.htmlText(stepChangeText(row.change))});
     }
-    return table({htmlWriter.htmlText(words.figure), htmlWriter.htmlText(both("Before", "之前")),
-                  htmlWriter.htmlText(both("After", "之后")),
-                  htmlWriter.htmlText(both("Difference", "差值")), htmlWriter.htmlText(words.unit),
-                  htmlWriter.htmlText(both("Change", "变化"))},
-                 rows);
+    return table(
+        {htmlWriter.htmlText(words.figure), htmlWriter.htmlText(translate("StepText", "Before")),
+         htmlWriter.htmlText(translate("StepText", "After")),
+         htmlWriter.htmlText(translate("StepText", "Difference")), htmlWriter.htmlText(words.unit),
+         htmlWriter.htmlText(translate("StepText", "Change"))},
+        rows);
 }
 
 QString ends(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
 {
     QString text;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (runs[i].end != record::SweepEnd::Finished) {
-            const Text words = endText(runs[i].end);
-            const QString number = QString::number(i + 1) + QStringLiteral(": ");
-            text += htmlWriter.paragraph({number + words.en, number + words.zh});
+        if (runs[i].end != results::SweepEnd::Finished) {
+            const QString form = QString::number(i + 1) + QStringLiteral(": %1");
+            text += htmlWriter.paragraph(filled(inBoth(form), endText(runs[i].end)));
         }
     }
     return text;
 }
 } // namespace
 
-QByteArray stepHtml(const std::vector<StepRun>& runs, const std::vector<record::StepAdvice>& advice,
-                    bool chinese)
+QByteArray stepHtml(const std::vector<StepRun>& runs,
+                    const std::vector<results::StepAdvice>& advice, bool chinese)
 {
     const HtmlWriter htmlWriter(ReportLanguage::Both);
-    const Text title = both("Step response", "阶跃响应");
-    QString body = htmlWriter.heading(1, title) + head(htmlWriter, runs.front()) +
-                   ends(htmlWriter, runs) + stepChart(htmlWriter, runs) +
-                   htmlWriter.heading(2, both("Gains", "增益参数")) + gains(htmlWriter, runs) +
-                   htmlWriter.heading(2, both("Figures", "指标")) +
-                   htmlWriter.paragraph(both("Means of all responses, there and back; errors that "
-                                             "remain by their size.",
-                                             "所有往返响应的平均值；静差取绝对值。"));
+    const Text title = translate("StepText", "Step response");
+    QString body =
+        htmlWriter.heading(1, title) + head(htmlWriter, runs.front()) + ends(htmlWriter, runs) +
+        stepChart(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Gains")) +
+        gains(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Metrics")) +
+        htmlWriter.paragraph(translate(
+            "StepText",
+            "Mean of all responses, out and back; steady-state errors are absolute values."));
     body += runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
                             : single(htmlWriter, runs.front());
     if (!advice.empty()) {
-        body += htmlWriter.heading(2, both("What to try next", "下一步建议"));
+        body += htmlWriter.heading(2, translate("StepText", "What to try next"));
         for (std::size_t i = 0; i < advice.size(); ++i) {
             if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
                 body += htmlWriter.heading(3, stepSymptomText(advice[i].symptom));
@@ -133,10 +133,10 @@ QByteArray stepHtml(const std::vector<StepRun>& runs, const std::vector<record::
 }
 
 base::Result<void> saveStepHtml(const std::vector<StepRun>& runs,
-                                const std::vector<record::StepAdvice>& advice, bool chinese,
+                                const std::vector<results::StepAdvice>& advice, bool chinese,
                                 const QString& path)
 {
-    return record::saveTextFile(QStringLiteral("save-report"), stepHtml(runs, advice, chinese),
-                                path);
+    return files::saveTextFile(QStringLiteral("save-report"), stepHtml(runs, advice, chinese),
+                               path);
 }
 } // namespace report

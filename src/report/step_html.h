@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Step-response runs as one HTML page that needs nothing else: the responses of all runs over each
-// other as SVG, figures before and after, gains, advice; English and Chinese in one file, no
-// script. It is well-formed XML as well. Pure; any thread. Saving fails with FileUnwritable or
-// DiskFull; the old file stays then.
+// Step-response runs as one self-contained HTML page: the responses of all runs in one SVG chart,
+// figures before and after, gains, advice; English and Chinese in one file, no script. It is
+// well-formed XML as well. Pure; any thread. Saving fails with FileUnwritable or DiskFull, and the
+// old file stays.
 #pragma once
 
 #include "report/html_page.h"
@@ -10,12 +10,12 @@
 
 namespace report {
 /// `chinese`: the language it opens in. At least one run; the first and the last are compared.
-QByteArray stepHtml(const std::vector<record::StepRun>& runs,
-                    const std::vector<record::StepAdvice>& advice, bool chinese);
-base::Result<void> saveStepHtml(const std::vector<record::StepRun>& runs,
-                                const std::vector<record::StepAdvice>& advice, bool chinese,
+QByteArray stepHtml(const std::vector<results::StepRun>& runs,
+                    const std::vector<results::StepAdvice>& advice, bool chinese);
+base::Result<void> saveStepHtml(const std::vector<results::StepRun>& runs,
+                                const std::vector<results::StepAdvice>& advice, bool chinese,
                                 const QString& path);
 
-/// All responses over each other, in steps towards their target, ms from the goal on. SVG.
-QString stepChart(const HtmlWriter& htmlWriter, const std::vector<record::StepRun>& runs);
+/// All responses in one chart: steps towards the target over milliseconds since the goal. SVG.
+QString stepChart(const HtmlWriter& htmlWriter, const std::vector<results::StepRun>& runs);
 } // namespace report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts of a report as SVG that stands in an HTML page, or alone for QSvgRenderer. Lines are
-// thinned to what the width can show, extremes are kept. Pure; any thread.
+// Charts of a report as SVG, for an HTML page or for QSvgRenderer. Lines are decimated to what the
+// width can show; extremes are kept. Pure; any thread.
 #pragma once
 
 #include "report/html_page.h"
@@ -15,7 +15,7 @@ struct ChartSample {
     double goal = 0;
 };
 
-/// At most `most` of them, the lowest and highest of each stretch in their order.
+/// At most `maxCount`: the lowest and the highest sample of each section, in their order.
 std::vector<ChartSample> decimated(const std::vector<ChartSample>& samples, std::size_t maxCount);
 
 constexpr int chartWidth = 760;

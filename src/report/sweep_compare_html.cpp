@@ -2,19 +2,19 @@
 #include "report/sweep_compare_html.h"
 
 #include "files/text_file.h"
+#include "report/bilingual.h"
 #include "report/sweep_compare_text.h"
 #include "report/sweep_parts.h"
 #include "report/sweep_text.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace report {
 namespace {
-using record::SweepSide;
+using results::SweepSide;
 using Rows = std::vector<QStringList>;
 
-const Text dash{QStringLiteral("–"), QStringLiteral("–")};
+const Text dash = inBoth(QStringLiteral("–"));
 
 QString sidesPart(const HtmlWriter& htmlWriter, const SweepSide& a, const SweepSide& b)
 {
@@ -50,29 +50,29 @@ QString sidesPart(const HtmlWriter& htmlWriter, const SweepSide& a, const SweepS
     return text + table({QString(), htmlWriter.htmlText(own.a), htmlWriter.htmlText(own.b)}, rows);
 }
 
-QString warningsPart(const HtmlWriter& htmlWriter, const record::SweepComparison& found)
+QString warningsPart(const HtmlWriter& htmlWriter, const results::SweepComparison& found)
 {
     const CompareTexts& own = compareTexts();
     QString text = htmlWriter.heading(2, own.warnings);
     if (found.tests.empty())
         return text + htmlWriter.paragraph(own.sameTest);
-    const auto has = [&](record::DifferenceImpact weight) {
+    const auto has = [&](results::DifferenceImpact weight) {
         return std::any_of(found.tests.begin(), found.tests.end(),
                            [&](const auto& one) { return one.weight == weight; });
     };
     const auto warn = [&](const Text& words) {
         text += QStringLiteral("<p class=\"verdict\" style=\"color: %1\">⚠ ")
-                    .arg(gradeColor(record::Grade::Warn)) +
+                    .arg(gradeColor(results::Grade::Warn)) +
                 htmlWriter.htmlText(words) + QStringLiteral("</p>\n");
     };
     if (!found.comparable())
         warn(own.notComparable);
-    if (has(record::DifferenceImpact::Figure))
+    if (has(results::DifferenceImpact::Figure))
         warn(own.someDiffer);
-    if (has(record::DifferenceImpact::Grade))
+    if (has(results::DifferenceImpact::Grade))
         warn(own.gradesDiffer);
     Rows rows;
-    for (const record::TestDifference& one : found.tests)
+    for (const results::TestDifference& one : found.tests)
         rows.push_back({htmlWriter.htmlText(testItemText(one.item)),
                         htmlWriter.htmlText(testValueText(one.item, one.a)),
                         htmlWriter.htmlText(testValueText(one.item, one.b))});
@@ -81,18 +81,18 @@ QString warningsPart(const HtmlWriter& htmlWriter, const record::SweepComparison
                         rows);
 }
 
-QString gradeCell(const HtmlWriter& htmlWriter, const std::optional<record::Grade>& grade)
+QString gradeCell(const HtmlWriter& htmlWriter, const std::optional<results::Grade>& grade)
 {
     return grade ? lineBadge(htmlWriter, *grade) : QString();
 }
 
-QString figuresPart(const HtmlWriter& htmlWriter, const record::SweepComparison& found)
+QString figuresPart(const HtmlWriter& htmlWriter, const results::SweepComparison& found)
 {
     const SweepTexts& words = sweepTexts();
     const CompareTexts& own = compareTexts();
     Rows rows;
-    for (const record::FigureDifference& one : found.figures) {
-        const bool hasDirection = one.better != record::Better::Neither;
+    for (const results::FigureDifference& one : found.figures) {
+        const bool hasDirection = one.better != results::Better::Neither;
         rows.push_back(
             {htmlWriter.htmlText(metricLabel(one.key)),
              htmlWriter.optional(one.a, words.notMeasured),
@@ -110,26 +110,13 @@ QString figuresPart(const HtmlWriter& htmlWriter, const record::SweepComparison&
            htmlWriter.paragraph(words.gradingNote) + htmlWriter.paragraph(words.hysteresisNote);
 }
 
-QString chartOf(const HtmlWriter& htmlWriter, const Text& side, const SweepSide& of)
+QString chartOf(const HtmlWriter& htmlWriter, const Text& letter, const SweepSide& side)
 {
-    std::vector<double> errors;
-    for (const record::SweepLeg& leg : of.servo.legs) {
-        if (leg.steadyError && std::isfinite(*leg.steadyError))
-            errors.push_back(*leg.steadyError);
-    }
-    QString text = QStringLiteral("<p><b>") + htmlWriter.htmlText(side) + QStringLiteral("</b> ") +
-                   escaped(of.name) + QStringLiteral("</p>\n");
-    if (errors.empty())
-        return text + htmlWriter.paragraph(sweepTexts().noErrors);
-    record::SweepLimit limit;
-    for (const record::SweepLimit& line : of.servo.limits.lines) {
-        if (line.metric == QStringLiteral("steady_error"))
-            limit = line;
-    }
-    return text + errorHistogram(htmlWriter, errors, limit.warn, limit.fail);
+    return QStringLiteral("<p><b>") + htmlWriter.htmlText(letter) + QStringLiteral("</b> ") +
+           escaped(side.name) + QStringLiteral("</p>\n") + errorsChart(htmlWriter, side.servo);
 }
 
-QString settingsPart(const HtmlWriter& htmlWriter, const record::SweepComparison& found)
+QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepComparison& found)
 {
     const CompareTexts& own = compareTexts();
     QString text = htmlWriter.heading(2, own.settings);
@@ -139,7 +126,7 @@ QString settingsPart(const HtmlWriter& htmlWriter, const record::SweepComparison
         return value ? QString::number(qint64(*value)) : QStringLiteral("–");
     };
     Rows rows;
-    for (const record::SettingDifference& one : found.settings)
+    for (const results::SettingDifference& one : found.settings)
         rows.push_back({escaped(one.key), htmlWriter.optional(one.a, dash),
                         htmlWriter.optional(one.b, dash), escaped(one.unit), raw(one.rawA),
                         raw(one.rawB)});
@@ -154,7 +141,7 @@ QString settingsPart(const HtmlWriter& htmlWriter, const record::SweepComparison
 QByteArray sweepCompareHtml(const SweepSide& a, const SweepSide& b, bool chinese)
 {
     const HtmlWriter htmlWriter(ReportLanguage::Both);
-    const record::SweepComparison found = record::compareSweeps(a, b);
+    const results::SweepComparison found = results::compareSweeps(a, b);
     const CompareTexts& own = compareTexts();
     const QString body = sidesPart(htmlWriter, a, b) + warningsPart(htmlWriter, found) +
                          figuresPart(htmlWriter, found) + htmlWriter.heading(2, own.steadyErrors) +
@@ -166,7 +153,7 @@ QByteArray sweepCompareHtml(const SweepSide& a, const SweepSide& b, bool chinese
 base::Result<void> saveSweepCompareHtml(const SweepSide& a, const SweepSide& b, bool chinese,
                                         const QString& path)
 {
-    return record::saveTextFile(QStringLiteral("save-report"), sweepCompareHtml(a, b, chinese),
-                                path);
+    return files::saveTextFile(QStringLiteral("save-report"), sweepCompareHtml(a, b, chinese),
+                               path);
 }
 } // namespace report

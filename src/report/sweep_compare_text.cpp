@@ -4,142 +4,136 @@
 #include "report/bilingual.h"
 #include "report/html_page.h"
 #include "report/sweep_text.h"
+#include "text/text_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace report {
 namespace {
 constexpr double noticeable = 0.1; ///< of the larger one
 
-Text same(const QString& text)
-{
-    return {text, text};
-}
-
 Text yesNo(const QString& value)
 {
-    return value == QStringLiteral("true") ? both("yes", "是") : both("no", "否");
+    return value == QStringLiteral("true") ? translate("SweepCompareText", "yes")
+                                           : translate("SweepCompareText", "no");
 }
 
-double share(const record::FigureDifference& figure)
+double share(const results::FigureDifference& figure)
 {
     const double larger = std::max(std::abs(*figure.a), std::abs(*figure.b));
     return larger > 0 ? std::abs(*figure.difference) / larger : 0;
 }
+
+/// Items with the names that they have in the report.
+struct ReportItem {
+    results::TestItem key;
+    Text SweepTexts::*text;
+};
+
+constexpr std::array reportItems{
+    ReportItem{results::TestItem::Model, &SweepTexts::model},
+    ReportItem{results::TestItem::Firmware, &SweepTexts::firmware},
+    ReportItem{results::TestItem::Shape, &SweepTexts::shape},
+    ReportItem{results::TestItem::Points, &SweepTexts::points},
+    ReportItem{results::TestItem::Seed, &SweepTexts::seed},
+    ReportItem{results::TestItem::Pace, &SweepTexts::pace},
+    ReportItem{results::TestItem::MoveTime, &SweepTexts::moveTime},
+    ReportItem{results::TestItem::Tolerance, &SweepTexts::tolerance},
+    ReportItem{results::TestItem::Cycles, &SweepTexts::cycles},
+    ReportItem{results::TestItem::SampleRate, &SweepTexts::sampling},
+    ReportItem{results::TestItem::Limits, &SweepTexts::limits},
+    ReportItem{results::TestItem::End, &SweepTexts::end},
+};
+
+struct OwnItem {
+    results::TestItem key;
+    const char* text;
+};
+
+constexpr std::array ownItems{
+    OwnItem{results::TestItem::Resolution, QT_TRANSLATE_NOOP("SweepCompareText", "Steps per turn")},
+    OwnItem{results::TestItem::Simulated, QT_TRANSLATE_NOOP("SweepCompareText", "Simulated")},
+    OwnItem{results::TestItem::Range, QT_TRANSLATE_NOOP("SweepCompareText", "Range, steps")},
+    OwnItem{results::TestItem::Step, QT_TRANSLATE_NOOP("SweepCompareText", "Step size, steps")},
+    OwnItem{results::TestItem::Period, QT_TRANSLATE_NOOP("SweepCompareText", "Period, ms")},
+    OwnItem{results::TestItem::Pause, QT_TRANSLATE_NOOP("SweepCompareText", "Time, ms")},
+    OwnItem{results::TestItem::Speed, QT_TRANSLATE_NOOP("SweepCompareText", "Speed, step/s")},
+    OwnItem{results::TestItem::Acceleration,
+            QT_TRANSLATE_NOOP("SweepCompareText", "Acceleration, step/s²")},
+    OwnItem{results::TestItem::WarmUp, QT_TRANSLATE_NOOP("SweepCompareText", "Warm-up, ms")},
+};
 } // namespace
 
 const CompareTexts& compareTexts()
 {
     static const CompareTexts words{
-        both("Two sweep tests compared", "两次扫描测试对比"),
-        both("A", "A"),
-        both("B", "B"),
-        both("Test run", "测试记录"),
-        both("B − A", "B − A"),
-        both("Better", "更优"),
-        both("Grade A", "A 结论"),
-        both("Grade B", "B 结论"),
-        both("What differs in the tests", "测试之间的差异"),
-        both("The servos were told to do different things: the figures cannot be compared.",
-             "两次测试的运动不同：指标不可比较。"),
-        both("Some figures depend on what is different below.", "部分指标受下列差异影响。"),
-        both("The limits differ: figures can be compared, grades cannot.",
-             "限值不同：指标可以比较，结论不可比较。"),
-        both("Both did the same test.", "两次测试内容相同。"),
-        both("Part", "项目"),
-        both("Settings that differ", "不同的参数"),
-        both("No setting differs.", "参数全部相同。"),
-        both("Setting", "参数"),
-        both("Steady errors of the legs", "各程静差分布"),
+        translate("SweepCompareText", "Comparison of two sweep tests"),
+        inBoth(QStringLiteral("A")),
+        inBoth(QStringLiteral("B")),
+        translate("SweepCompareText", "Test run"),
+        inBoth(QStringLiteral("B − A")),
+        translate("SweepCompareText", "Better"),
+        translate("SweepCompareText", "Grade A"),
+        translate("SweepCompareText", "Grade B"),
+        translate("SweepCompareText", "Differences between the tests"),
+        translate("SweepCompareText",
+                  "The tests used different movements: their metrics cannot be compared."),
+        translate("SweepCompareText", "Some metrics depend on the differences below."),
+        translate("SweepCompareText",
+                  "The limits differ: the metrics can be compared, but the grades cannot."),
+        translate("SweepCompareText", "Both tests used the same settings."),
+        translate("SweepCompareText", "Item"),
+        translate("SweepCompareText", "Different settings"),
+        translate("SweepCompareText", "No setting differs."),
+        translate("SweepCompareText", "Setting"),
+        translate("SweepCompareText", "Steady-state error by leg"),
     };
     return words;
 }
 
-Text testItemText(record::TestItem item)
+Text testItemText(results::TestItem item)
 {
-    using record::TestItem;
-    const SweepTexts& words = sweepTexts();
-    switch (item) {
-    case TestItem::Model:
-        return words.model;
-    case TestItem::Firmware:
-        return words.firmware;
-    case TestItem::Resolution:
-        return both("Steps per turn", "每圈步数");
-    case TestItem::Simulated:
-        return both("Simulated", "模拟");
-    case TestItem::Shape:
-        return words.shape;
-    case TestItem::Range:
-        return both("Range, step", "范围，步");
-    case TestItem::Step:
-        return both("Step, step", "步长，步");
-    case TestItem::Points:
-        return words.points;
-    case TestItem::Seed:
-        return words.seed;
-    case TestItem::Period:
-        return both("Period, ms", "周期，ms");
-    case TestItem::Pace:
-        return words.pace;
-    case TestItem::Pause:
-        return both("Time, ms", "时间，ms");
-    case TestItem::Speed:
-        return both("Speed, step/s", "速度，步/s");
-    case TestItem::Acceleration:
-        return both("Acceleration, step/s²", "加速度，步/s²");
-    case TestItem::MoveTime:
-        return words.moveTime;
-    case TestItem::WarmUp:
-        return both("Warm-up, ms", "预热，ms");
-    case TestItem::Tolerance:
-        return words.tolerance;
-    case TestItem::Cycles:
-        return words.cycles;
-    case TestItem::SampleRate:
-        return words.sampling;
-    case TestItem::Limits:
-        return words.limits;
-    case TestItem::End:
-        break;
-    }
-    return words.end;
+    if (const ReportItem* entry = text::entryFor(reportItems, item))
+        return sweepTexts().*entry->text;
+    const OwnItem* entry = text::entryFor(ownItems, item);
+    return entry != nullptr ? translate("SweepCompareText", entry->text) : Text();
 }
 
-Text testValueText(record::TestItem item, const QString& value)
+Text testValueText(results::TestItem item, const QString& value)
 {
-    using record::TestItem;
+    using results::TestItem;
     if (item == TestItem::Simulated)
         return yesNo(value);
     if (value.isEmpty())
         return item == TestItem::Speed || item == TestItem::Acceleration ||
                        item == TestItem::MoveTime
                    ? sweepTexts().asTheServoHasIt
-                   : same(QStringLiteral("–"));
+                   : inBoth(QStringLiteral("–"));
     if (item == TestItem::Shape)
-        return shapeText(record::sweepShapeFromName(value).value_or(record::SweepShape::Points));
+        return shapeText(results::sweepShapeFromName(value).value_or(results::SweepShape::Points));
     if (item == TestItem::Pace)
-        return paceText(record::sweepPaceFromName(value).value_or(record::SweepPace::Delay));
+        return paceText(results::sweepPaceFromName(value).value_or(results::SweepPace::Delay));
     if (item == TestItem::End)
-        return endText(record::sweepEndFromName(value).value_or(record::SweepEnd::LinkLost));
-    return same(value);
+        return endText(results::sweepEndFromName(value).value_or(results::SweepEnd::LinkLost));
+    return inBoth(value);
 }
 
-QString betterSign(const record::FigureDifference& figure)
+QString betterSign(const results::FigureDifference& figure)
 {
     switch (figure.better) {
-    case record::Better::A:
+    case results::Better::A:
         return QStringLiteral("A");
-    case record::Better::B:
+    case results::Better::B:
         return QStringLiteral("B");
-    case record::Better::Neither:
+    case results::Better::Neither:
         break;
     }
     return figure.difference ? QStringLiteral("=") : QStringLiteral("–");
 }
 
-QString differenceText(const record::FigureDifference& difference)
+QString differenceText(const results::FigureDifference& difference)
 {
     if (!difference.difference)
         return QStringLiteral("–");
@@ -149,10 +143,10 @@ QString differenceText(const record::FigureDifference& difference)
     return text == QStringLiteral("0") ? text : u'+' + text;
 }
 
-std::vector<Text> referenceLines(const record::SweepComparison& comparison, std::size_t maxCount)
+std::vector<Text> referenceLines(const results::SweepComparison& comparison, std::size_t maxCount)
 {
-    std::vector<const record::FigureDifference*> chosen;
-    for (const record::FigureDifference& one : comparison.figures) {
+    std::vector<const results::FigureDifference*> chosen;
+    for (const results::FigureDifference& one : comparison.figures) {
         if (one.difference && share(one) >= noticeable)
             chosen.push_back(&one);
     }
@@ -160,19 +154,19 @@ std::vector<Text> referenceLines(const record::SweepComparison& comparison, std:
                      [](const auto* a, const auto* b) { return share(*a) > share(*b); });
     chosen.resize(std::min(chosen.size(), maxCount));
     std::vector<Text> lines;
-    for (const record::FigureDifference* one : chosen) {
+    for (const results::FigureDifference* one : chosen) {
         const Text name = metricLabel(one->key);
         const Text unit = unitText(one->unit);
-        const QString number = differenceText(*one);
-        const bool better = one->better == record::Better::B;
-        lines.push_back({QStringLiteral("%1 %2 %3 (%4)")
-                             .arg(name.en, number, unit.en,
-                                  better ? QStringLiteral("better") : QStringLiteral("worse"))
-                             .replace(QStringLiteral("  "), QStringLiteral(" ")),
-                         QStringLiteral("%1 %2 %3（%4）")
-                             .arg(name.zh, number, unit.zh,
-                                  better ? QStringLiteral("更优") : QStringLiteral("更差"))
-                             .replace(QStringLiteral(" （"), QStringLiteral("（"))});
+        const Text number = inBoth(differenceText(*one));
+        const bool better = one->better == results::Better::B;
+        Text line = filled(translate("SweepCompareText", "%1 %2 %3 (%4)", "figure, number, unit"),
+                           name, number, unit,
+                           better ? translate("SweepCompareText", "better")
+                                  : translate("SweepCompareText", "worse"));
+        // A figure without a unit leaves two spaces.
+        line.en.replace(QStringLiteral("  "), QStringLiteral(" "));
+        line.zh.replace(QStringLiteral(" （"), QStringLiteral("（"));
+        lines.push_back(line);
     }
     return lines;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of the comparison of two sweep tests, in both languages at once; see sweep_words.h.
-// Constant; any thread.
+// The texts of the comparison of two sweep tests, in both languages; see sweep_text.h. Constant;
+// any thread.
 #pragma once
 
 #include "catalog/register.h"
@@ -15,16 +15,16 @@ struct CompareTexts {
 };
 const CompareTexts& compareTexts();
 
-Text testItemText(record::TestItem item);
-/// The value of one side, in words where it is a technical name.
-Text testValueText(record::TestItem item, const QString& value);
-/// "A" or "B"; "=" where they are the same; "–" where one was not measured.
-QString betterSign(const record::FigureDifference& figure);
+Text testItemText(results::TestItem item);
+/// The value of one side; a technical name becomes a text.
+Text testValueText(results::TestItem item, const QString& value);
+/// "A" or "B"; "=" where neither is better, "–" where one was not measured.
+QString betterSign(const results::FigureDifference& figure);
 /// "+2.5", "−8", "–".
-QString differenceText(const record::FigureDifference& figure);
+QString differenceText(const results::FigureDifference& figure);
 
-/// "Hysteresis +5 step (worse)", figures that differ by a tenth or more, the largest first, at most
-/// `most`; how one servo compares with its reference.
-std::vector<Text> referenceLines(const record::SweepComparison& comparison,
+/// How a servo compares with its reference: "Hysteresis +5 step (worse)" for each figure that
+/// differs by a tenth or more, the largest difference first, at most `maxCount`.
+std::vector<Text> referenceLines(const results::SweepComparison& comparison,
                                  std::size_t maxCount = 5);
 } // namespace report

@@ -5,7 +5,7 @@
 #include "report/sweep_text.h"
 
 namespace report {
-QByteArray sweepHtml(const record::SweepRun& run, const std::vector<SweepSeries>& series,
+QByteArray sweepHtml(const results::SweepRun& run, const std::vector<SweepSeries>& series,
                      bool chinese)
 {
     const HtmlWriter htmlWriter(ReportLanguage::Both);
@@ -13,11 +13,11 @@ QByteArray sweepHtml(const record::SweepRun& run, const std::vector<SweepSeries>
     return page(htmlWriter, sweepTexts().title, body, chinese).toUtf8();
 }
 
-base::Result<void> saveSweepHtml(const record::SweepRun& run,
+base::Result<void> saveSweepHtml(const results::SweepRun& run,
                                  const std::vector<SweepSeries>& series, bool chinese,
                                  const QString& path)
 {
-    return record::saveTextFile(QStringLiteral("save-report"), sweepHtml(run, series, chinese),
-                                path);
+    return files::saveTextFile(QStringLiteral("save-report"), sweepHtml(run, series, chinese),
+                               path);
 }
 } // namespace report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_parts.h"
 
+#include "report/bilingual.h"
 #include "report/sweep_text.h"
 
 namespace report {
@@ -9,18 +10,17 @@ using Rows = std::vector<QStringList>;
 
 Text seconds(base::Duration span)
 {
-    const QString text = inSeconds(span) + QStringLiteral(" s");
-    return {text, text};
+    return inBoth(inSeconds(span) + QStringLiteral(" s"));
 }
 
-/// A row only where there is something to say.
+/// No row for an empty text.
 void addUserRow(const HtmlWriter& htmlWriter, Rows& rows, const Text& name, const QString& text)
 {
     if (!text.isEmpty())
         rows.push_back({htmlWriter.htmlText(name), userText(text)});
 }
 
-QString verdictPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
+QString verdictPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
 {
     const SweepTexts& words = sweepTexts();
     QString text = htmlWriter.heading(1, words.title);
@@ -35,7 +35,7 @@ QString verdictPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
     return text + QStringLiteral("</p>\n");
 }
 
-QString benchPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
+QString benchPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
 {
     const SweepTexts& words = sweepTexts();
     Rows rows;
@@ -54,12 +54,12 @@ QString benchPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
     return htmlWriter.heading(2, words.bench) + keyValueTable(rows);
 }
 
-QString servosPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
+QString servosPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
 {
     const SweepTexts& words = sweepTexts();
     Rows rows;
-    for (const record::SweepServo& servo : run.servos) {
-        const record::SnapshotServo& identity = servo.parameters.servo;
+    for (const results::SweepServo& servo : run.servos) {
+        const snapshot::SnapshotServo& identity = servo.parameters.servo;
         rows.push_back({QString::number(identity.id), escaped(identity.model),
                         escaped(identity.firmware), escaped(identity.protocol),
                         userText(servo.parameters.label), badge(htmlWriter, servo.verdict)});
@@ -71,25 +71,25 @@ QString servosPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
     return htmlWriter.heading(2, words.servos) + table(headings, rows);
 }
 
-QString rangeOf(const record::SweepRange& range)
+QString rangeOf(const results::SweepRange& range)
 {
     return escaped(range.from) + QStringLiteral(" … ") + escaped(range.to);
 }
 
-QString pointsOf(const record::SweepSpec& spec)
+QString pointsOf(const results::SweepSpec& spec)
 {
     QStringList points;
-    for (const record::SweepPoint& point : spec.points)
+    for (const results::SweepPoint& point : spec.points)
         points.append(
             escaped(point.target) +
             (point.pause ? QStringLiteral(" (%1 s)").arg(inSeconds(*point.pause)) : QString()));
     return points.join(QStringLiteral("; "));
 }
 
-/// What only some shapes have.
-void addShapeRows(const HtmlWriter& htmlWriter, const record::SweepSpec& spec, Rows& rows)
+/// Rows that only some shapes have.
+void addShapeRows(const HtmlWriter& htmlWriter, const results::SweepSpec& spec, Rows& rows)
 {
-    using record::SweepShape;
+    using results::SweepShape;
     const SweepTexts& words = sweepTexts();
     if (spec.shape == SweepShape::Points) {
         rows.push_back({htmlWriter.htmlText(words.points), pointsOf(spec)});
@@ -109,7 +109,7 @@ void addShapeRows(const HtmlWriter& htmlWriter, const record::SweepSpec& spec, R
         rows.push_back({htmlWriter.htmlText(words.seed), QString::number(spec.seed)});
 }
 
-void addMotionRows(const HtmlWriter& htmlWriter, const record::SweepSpec& spec, Rows& rows)
+void addMotionRows(const HtmlWriter& htmlWriter, const results::SweepSpec& spec, Rows& rows)
 {
     const SweepTexts& words = sweepTexts();
     const auto asked = [&](const QString& text) {
@@ -121,7 +121,7 @@ void addMotionRows(const HtmlWriter& htmlWriter, const record::SweepSpec& spec, 
         rows.push_back({htmlWriter.htmlText(words.moveTime), escaped(spec.time)});
 }
 
-QString stopsOf(const HtmlWriter& htmlWriter, const record::SweepSpec& spec)
+QString stopsOf(const HtmlWriter& htmlWriter, const results::SweepSpec& spec)
 {
     const SweepTexts& words = sweepTexts();
     QStringList stops;
@@ -135,10 +135,10 @@ QString stopsOf(const HtmlWriter& htmlWriter, const record::SweepSpec& spec)
                            : stops.join(QStringLiteral(", "));
 }
 
-QString testPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
+QString testPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
 {
     const SweepTexts& words = sweepTexts();
-    const record::SweepSpec& spec = run.spec;
+    const results::SweepSpec& spec = run.spec;
     Rows rows;
     rows.push_back({htmlWriter.htmlText(words.shape), htmlWriter.htmlText(shapeText(spec.shape))});
     addShapeRows(htmlWriter, spec, rows);
@@ -160,13 +160,13 @@ QString testPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
     return htmlWriter.heading(2, words.test) + keyValueTable(rows);
 }
 
-QString busPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
+QString busPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
 {
     const SweepTexts& words = sweepTexts();
     const auto count = [](std::uint64_t number) { return QString::number(number); };
     Rows rows;
-    for (const record::SweepServo& servo : run.servos) {
-        const record::SweepErrors& errors = servo.errors;
+    for (const results::SweepServo& servo : run.servos) {
+        const results::SweepErrors& errors = servo.errors;
         rows.push_back({QString::number(servo.parameters.servo.id), count(errors.asked),
                         count(errors.timeouts), count(errors.badChecksums), count(errors.foreign),
                         count(errors.late)});
@@ -181,19 +181,19 @@ QString busPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
     if (run.gaps.empty())
         return text + htmlWriter.paragraph(words.noGaps);
     Rows gaps;
-    for (const record::SweepGap& gap : run.gaps)
+    for (const results::SweepGap& gap : run.gaps)
         gaps.push_back({inSeconds(gap.at), inSeconds(gap.span)});
     return text +
            table({htmlWriter.htmlText(words.gapAt), htmlWriter.htmlText(words.gapSpan)}, gaps);
 }
 } // namespace
 
-QString sweepBody(const HtmlWriter& htmlWriter, const record::SweepRun& run,
+QString sweepBody(const HtmlWriter& htmlWriter, const results::SweepRun& run,
                   const std::vector<SweepSeries>& series, const EmbedChart& place)
 {
     QString text = verdictPart(htmlWriter, run) + servosPart(htmlWriter, run) +
                    benchPart(htmlWriter, run) + testPart(htmlWriter, run);
-    for (const record::SweepServo& servo : run.servos)
+    for (const results::SweepServo& servo : run.servos)
         text += servoPart(htmlWriter, run, servo, series, place);
     return text + busPart(htmlWriter, run);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of a sweep test's report as markup, the same for page and paper; only how a chart gets
-// into it differs. Pure; any thread.
+// The parts of a sweep test's report as markup, the same for HTML and PDF, which only embed charts
+// differently. Pure; any thread.
 #pragma once
 
 #include "report/svg_chart.h"
@@ -9,7 +9,7 @@
 #include <functional>
 
 namespace report {
-/// What was kept of one servo's readings for its chart; some thousands are enough.
+/// The readings of one servo for its chart; a few thousand are enough.
 struct SweepSeries {
     int servo = -1;
     std::vector<ChartSample> samples{};
@@ -18,19 +18,21 @@ struct SweepSeries {
 /// Markup that shows this SVG.
 using EmbedChart = std::function<QString(const QString& svg)>;
 
-QString sweepBody(const HtmlWriter& htmlWriter, const record::SweepRun& run,
+QString sweepBody(const HtmlWriter& htmlWriter, const results::SweepRun& run,
                   const std::vector<SweepSeries>& series, const EmbedChart& place);
 
-/// All up to `all`; else the first and last 50 and the 20 worst of the others (missed, alarms, then
-/// the largest steady error), in their order.
-std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepLeg>& legs,
-                                                std::size_t all = 200);
+/// The legs that the report lists, in their order. Of more than `all`: the first and the last 50,
+/// and the 20 worst of the others (missed, then alarms, then the largest steady-state error).
+std::vector<const results::SweepLeg*> legsToShow(const std::vector<results::SweepLeg>& legs,
+                                                 std::size_t all = 200);
 
-// of sweep_parts_servo.cpp
-QString servoPart(const HtmlWriter& htmlWriter, const record::SweepRun& run,
-                  const record::SweepServo& servo, const std::vector<SweepSeries>& series,
+// in sweep_parts_servo.cpp
+QString servoPart(const HtmlWriter& htmlWriter, const results::SweepRun& run,
+                  const results::SweepServo& servo, const std::vector<SweepSeries>& series,
                   const EmbedChart& place);
-QString badge(const HtmlWriter& htmlWriter, record::Grade grade);
-QString lineBadge(const HtmlWriter& htmlWriter, record::Grade grade); ///< of one figure
-QString inSeconds(base::Duration span);                               ///< "1.5"
+/// The histogram of the steady-state errors as SVG; a paragraph where none was measured.
+QString errorsChart(const HtmlWriter& htmlWriter, const results::SweepServo& servo);
+QString badge(const HtmlWriter& htmlWriter, results::Grade grade);
+QString lineBadge(const HtmlWriter& htmlWriter, results::Grade grade); ///< of one figure
+QString inSeconds(base::Duration span);                                ///< "1.5"
 } // namespace report

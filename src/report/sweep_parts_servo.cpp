@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the report says of one servo.
+// The part of the report about one servo.
+#include "report/bilingual.h"
 #include "report/sweep_parts.h"
 #include "report/sweep_text.h"
 
@@ -15,10 +16,8 @@ constexpr std::size_t shownWorst = 20;
 /// "9.75 step"
 Text withUnit(const QString& number, const QString& unit)
 {
-    if (unit.isEmpty())
-        return {number, number};
-    const Text words = unitText(unit);
-    return {number + u' ' + words.en, number + u' ' + words.zh};
+    return unit.isEmpty() ? inBoth(number)
+                          : filled(inBoth(QStringLiteral("%1 %2")), inBoth(number), unitText(unit));
 }
 
 Text withUnit(double number, const QString& unit)
@@ -26,13 +25,13 @@ Text withUnit(double number, const QString& unit)
     return withUnit(figure(number), unit);
 }
 
-QString colored(record::Grade grade, const QString& words)
+QString colored(results::Grade grade, const QString& words)
 {
     return QStringLiteral("<span class=\"verdict\" style=\"color: %1\">").arg(gradeColor(grade)) +
            gradeSign(grade) + u' ' + words + QStringLiteral("</span>");
 }
 
-QString limitCell(const HtmlWriter& htmlWriter, const record::SweepLimit& limit,
+QString limitCell(const HtmlWriter& htmlWriter, const results::SweepLimit& limit,
                   const std::optional<double>& bound)
 {
     if (!bound)
@@ -41,25 +40,25 @@ QString limitCell(const HtmlWriter& htmlWriter, const record::SweepLimit& limit,
     return sign + htmlWriter.htmlText(withUnit(*bound, limit.unit));
 }
 
-Text reasonOf(const record::VerdictLine& line)
+Text reasonOf(const results::VerdictLine& line)
 {
     const SweepTexts& words = sweepTexts();
-    if (line.grade == record::Grade::NotMeasured)
+    if (line.grade == results::Grade::NotMeasured)
         return words.noFeedback;
-    if (line.grade == record::Grade::Pass)
+    if (line.grade == results::Grade::Pass)
         return words.within;
-    const auto bound = line.grade == record::Grade::Fail ? line.limit.fail : line.limit.warn;
+    const auto bound = line.grade == results::Grade::Fail ? line.limit.fail : line.limit.warn;
     const Text& form = line.limit.atLeast ? words.under : words.over;
     const Text number = bound ? withUnit(*bound, line.limit.unit) : Text();
-    return {form.en.arg(number.en), form.zh.arg(number.zh)};
+    return filled(form, number);
 }
 
-QString verdictLines(const HtmlWriter& htmlWriter, const record::SweepServo& servo,
-                     record::NoVerdictReason reason)
+QString verdictLines(const HtmlWriter& htmlWriter, const results::SweepServo& servo,
+                     results::NoVerdictReason reason)
 {
     const SweepTexts& words = sweepTexts();
     Rows rows;
-    for (const record::VerdictLine& line : servo.lines) {
+    for (const results::VerdictLine& line : servo.lines) {
         const QString value = line.value && std::isfinite(*line.value)
                                   ? htmlWriter.htmlText(withUnit(*line.value, line.limit.unit))
                                   : htmlWriter.htmlText(words.notMeasured);
@@ -70,7 +69,7 @@ QString verdictLines(const HtmlWriter& htmlWriter, const record::SweepServo& ser
                         htmlWriter.htmlText(reasonOf(line))});
     }
     QString text = htmlWriter.heading(3, words.verdict);
-    if (reason != record::NoVerdictReason::None)
+    if (reason != results::NoVerdictReason::None)
         text += htmlWriter.paragraph(noVerdictReasonText(reason));
     text += QStringLiteral("<p>") + htmlWriter.htmlText(words.limits) + QStringLiteral(": ") +
             (servo.limits.name.isEmpty() ? htmlWriter.htmlText(words.none)
@@ -82,12 +81,12 @@ QString verdictLines(const HtmlWriter& htmlWriter, const record::SweepServo& ser
                         rows);
 }
 
-QString metricsTable(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
+QString metricsTable(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
-    const Text none{QStringLiteral("–"), QStringLiteral("–")};
+    const Text none = inBoth(QStringLiteral("–"));
     Rows rows;
-    for (const record::SweepMetric& metric : servo.metrics)
+    for (const results::SweepMetric& metric : servo.metrics)
         rows.push_back({htmlWriter.htmlText(metricLabel(metric.key)),
                         htmlWriter.optional(metric.value, words.notMeasured),
                         htmlWriter.htmlText(unitText(metric.unit)),
@@ -102,7 +101,7 @@ QString metricsTable(const HtmlWriter& htmlWriter, const record::SweepServo& ser
            htmlWriter.paragraph(words.gradingNote) + htmlWriter.paragraph(words.hysteresisNote);
 }
 
-QString charts(const HtmlWriter& htmlWriter, const record::SweepServo& servo,
+QString charts(const HtmlWriter& htmlWriter, const results::SweepServo& servo,
                const std::vector<SweepSeries>& series, const EmbedChart& place)
 {
     const SweepTexts& words = sweepTexts();
@@ -116,22 +115,10 @@ QString charts(const HtmlWriter& htmlWriter, const record::SweepServo& servo,
     text += own == series.end() ? htmlWriter.paragraph(words.noSeries)
                                 : drawn(positionChart(htmlWriter, own->samples));
     text += htmlWriter.heading(3, words.histogram);
-    std::vector<double> errors;
-    for (const record::SweepLeg& leg : servo.legs) {
-        if (leg.steadyError && std::isfinite(*leg.steadyError))
-            errors.push_back(*leg.steadyError);
-    }
-    if (errors.empty())
-        return text + htmlWriter.paragraph(words.noErrors);
-    record::SweepLimit limit;
-    for (const record::SweepLimit& line : servo.limits.lines) {
-        if (line.metric == QStringLiteral("steady_error"))
-            limit = line;
-    }
-    return text + drawn(errorHistogram(htmlWriter, errors, limit.warn, limit.fail));
+    return text + drawn(errorsChart(htmlWriter, servo));
 }
 
-QString remarksOf(const HtmlWriter& htmlWriter, const record::SweepLeg& leg)
+QString remarksOf(const HtmlWriter& htmlWriter, const results::SweepLeg& leg)
 {
     const SweepTexts& words = sweepTexts();
     QStringList remarks;
@@ -144,9 +131,9 @@ QString remarksOf(const HtmlWriter& htmlWriter, const record::SweepLeg& leg)
     return remarks.join(QStringLiteral(", "));
 }
 
-QStringList legRow(const HtmlWriter& htmlWriter, const record::SweepLeg& leg)
+QStringList legRow(const HtmlWriter& htmlWriter, const results::SweepLeg& leg)
 {
-    const Text none{QStringLiteral("–"), QStringLiteral("–")};
+    const Text none = inBoth(QStringLiteral("–"));
     const auto ms = [](std::optional<base::Duration> span) {
         return span ? std::optional<double>(double(span->count()) / 1000) : std::nullopt;
     };
@@ -159,17 +146,17 @@ QStringList legRow(const HtmlWriter& htmlWriter, const record::SweepLeg& leg)
             cell(leg.temperatureMax),    QString::number(leg.lost),  remarksOf(htmlWriter, leg)};
 }
 
-QString legsTable(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
+QString legsTable(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
     const auto shown = legsToShow(servo.legs);
     Rows rows;
-    for (const record::SweepLeg* leg : shown)
+    for (const results::SweepLeg* leg : shown)
         rows.push_back(legRow(htmlWriter, *leg));
     QString text = htmlWriter.heading(3, words.legs);
     if (shown.size() < servo.legs.size()) {
-        const QString all = QString::number(servo.legs.size());
-        text += htmlWriter.paragraph({words.legsShown.en.arg(all), words.legsShown.zh.arg(all)});
+        const Text all = inBoth(QString::number(servo.legs.size()));
+        text += htmlWriter.paragraph(filled(words.legsShown, all));
     }
     QStringList headings;
     for (const Text& heading :
@@ -181,11 +168,11 @@ QString legsTable(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
     return text + table(headings, rows, true);
 }
 
-QString axisRows(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
+QString axisRows(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
     const QString step = QStringLiteral("step");
-    const record::SweepAxis& axis = servo.axis;
+    const results::SweepAxis& axis = servo.axis;
     const QString range = figure(axis.from) + QStringLiteral(" … ") + figure(axis.to);
     Rows rows{{htmlWriter.htmlText(words.inSteps), htmlWriter.htmlText(withUnit(range, step))},
               {htmlWriter.htmlText(words.tolerance),
@@ -199,17 +186,17 @@ QString axisRows(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
     return keyValueTable(rows);
 }
 
-QString parametersPart(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
+QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
-    const record::Snapshot& kept = servo.parameters;
+    const snapshot::Snapshot& kept = servo.parameters;
     Rows rows;
-    for (const record::SnapshotRegister& reg : kept.registers)
+    for (const snapshot::SnapshotRegister& reg : kept.registers)
         rows.push_back(
             {QString::number(reg.address), escaped(reg.key),
              reg.raw ? QString::number(qint64(*reg.raw)) : htmlWriter.htmlText(words.notMeasured),
-             htmlWriter.optional(reg.value, {QStringLiteral("–"), QStringLiteral("–")}),
-             escaped(reg.unit), escaped(catalog::areaName(reg.area))});
+             htmlWriter.optional(reg.value, inBoth(QStringLiteral("–"))), escaped(reg.unit),
+             escaped(catalog::areaName(reg.area))});
     return QStringLiteral("<details><summary>") + htmlWriter.htmlText(words.parameters) +
            QStringLiteral("</summary>\n<p>") + htmlWriter.htmlText(words.readAt) +
            QStringLiteral(": ") + kept.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
@@ -221,8 +208,8 @@ QString parametersPart(const HtmlWriter& htmlWriter, const record::SweepServo& s
            QStringLiteral("</details>\n");
 }
 
-/// Missed before alarms before errors.
-double severity(const record::SweepLeg& leg)
+/// Missed legs are worse than alarms, alarms worse than errors.
+double severity(const results::SweepLeg& leg)
 {
     constexpr double beyondAnyError = 1e9;
     const double error = std::abs(leg.steadyError.value_or(0));
@@ -231,16 +218,16 @@ double severity(const record::SweepLeg& leg)
 }
 } // namespace
 
-std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepLeg>& legs,
-                                                std::size_t all)
+std::vector<const results::SweepLeg*> legsToShow(const std::vector<results::SweepLeg>& legs,
+                                                 std::size_t all)
 {
-    std::vector<const record::SweepLeg*> shown;
+    std::vector<const results::SweepLeg*> shown;
     if (legs.size() <= std::max(all, 2 * shownAtEnds + shownWorst)) {
-        for (const record::SweepLeg& leg : legs)
+        for (const results::SweepLeg& leg : legs)
             shown.push_back(&leg);
         return shown;
     }
-    std::vector<const record::SweepLeg*> middle;
+    std::vector<const results::SweepLeg*> middle;
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const bool atEnds = i < shownAtEnds || i + shownAtEnds >= legs.size();
         (atEnds ? shown : middle).push_back(&legs[i]);
@@ -248,17 +235,17 @@ std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepL
     std::partial_sort(middle.begin(), middle.begin() + std::ptrdiff_t(shownWorst), middle.end(),
                       [](const auto* a, const auto* b) { return severity(*a) > severity(*b); });
     shown.insert(shown.end(), middle.begin(), middle.begin() + std::ptrdiff_t(shownWorst));
-    // All of one list: by place is by time.
+    // The pointers are into one list, so their order is that of time.
     std::sort(shown.begin(), shown.end());
     return shown;
 }
 
-QString badge(const HtmlWriter& htmlWriter, record::Grade grade)
+QString badge(const HtmlWriter& htmlWriter, results::Grade grade)
 {
     return colored(grade, htmlWriter.htmlText(gradeLabel(grade)));
 }
 
-QString lineBadge(const HtmlWriter& htmlWriter, record::Grade grade)
+QString lineBadge(const HtmlWriter& htmlWriter, results::Grade grade)
 {
     return colored(grade, htmlWriter.htmlText(lineGradeLabel(grade)));
 }
@@ -268,14 +255,31 @@ QString inSeconds(base::Duration span)
     return figure(double(span.count()) / 1e6);
 }
 
-QString servoPart(const HtmlWriter& htmlWriter, const record::SweepRun& run,
-                  const record::SweepServo& servo, const std::vector<SweepSeries>& series,
+QString errorsChart(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
+{
+    std::vector<double> errors;
+    for (const results::SweepLeg& leg : servo.legs) {
+        if (leg.steadyError && std::isfinite(*leg.steadyError))
+            errors.push_back(*leg.steadyError);
+    }
+    if (errors.empty())
+        return htmlWriter.paragraph(sweepTexts().noErrors);
+    results::SweepLimit limit;
+    for (const results::SweepLimit& line : servo.limits.lines) {
+        if (line.metric == QStringLiteral("steady_error"))
+            limit = line;
+    }
+    return errorHistogram(htmlWriter, errors, limit.warn, limit.fail);
+}
+
+QString servoPart(const HtmlWriter& htmlWriter, const results::SweepRun& run,
+                  const results::SweepServo& servo, const std::vector<SweepSeries>& series,
                   const EmbedChart& place)
 {
-    const record::NoVerdictReason reason = record::sweepVerdict(run, servo).reason;
-    const record::SnapshotServo& identity = servo.parameters.servo;
+    const results::NoVerdictReason reason = results::sweepVerdict(run, servo).reason;
+    const snapshot::SnapshotServo& identity = servo.parameters.servo;
     const QString name = QStringLiteral("ID %1 · ").arg(identity.id) + identity.model;
-    return htmlWriter.heading(2, {name, name}) + axisRows(htmlWriter, servo) +
+    return htmlWriter.heading(2, inBoth(name)) + axisRows(htmlWriter, servo) +
            verdictLines(htmlWriter, servo, reason) + metricsTable(htmlWriter, servo) +
            charts(htmlWriter, servo, series, place) + legsTable(htmlWriter, servo) +
            parametersPart(htmlWriter, servo);

@@ -28,7 +28,7 @@ QFont paperFont()
     return font;
 }
 
-/// A text document knows no SVG, so a chart becomes a picture, sharp enough for paper.
+/// A text document cannot show SVG, so a chart becomes an image, sharp enough for paper.
 QImage pictureOf(const QString& svg)
 {
     QSvgRenderer renderer(svg.toUtf8());
@@ -42,7 +42,7 @@ QImage pictureOf(const QString& svg)
 }
 } // namespace
 
-QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>& series,
+QByteArray sweepPdf(const results::SweepRun& run, const std::vector<SweepSeries>& series,
                     bool chinese)
 {
     const HtmlWriter htmlWriter(chinese ? ReportLanguage::Chinese : ReportLanguage::English);
@@ -60,7 +60,7 @@ QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>&
     buffer.open(QIODevice::WriteOnly);
     {
         QPdfWriter writer(&buffer);
-        // The table of legs needs the width.
+        // The table of legs is wide.
         writer.setPageLayout({QPageSize(QPageSize::A4), QPageLayout::Landscape, {}});
         writer.setTitle(sweepTexts().title.in(chinese));
         writer.setCreator(run.program);
@@ -69,10 +69,10 @@ QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>&
     return buffer.data();
 }
 
-base::Result<void> saveSweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>& series,
-                                bool chinese, const QString& path)
+base::Result<void> saveSweepPdf(const results::SweepRun& run,
+                                const std::vector<SweepSeries>& series, bool chinese,
+                                const QString& path)
 {
-    return record::saveTextFile(QStringLiteral("save-report"), sweepPdf(run, series, chinese),
-                                path);
+    return files::saveTextFile(QStringLiteral("save-report"), sweepPdf(run, series, chinese), path);
 }
 } // namespace report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every word of a sweep test's report, in both languages at once, because the page carries both and
-// switches without the program; so these are no tr() texts. Constant; any thread.
+// The texts of a sweep test's report, in both languages, because the page contains both and
+// switches between them without the program. Constant; any thread.
 #pragma once
 
 #include "catalog/register.h"
@@ -33,17 +33,17 @@ struct SweepTexts {
 };
 const SweepTexts& sweepTexts();
 
-Text gradeLabel(record::Grade grade);     ///< of a servo or a run: "Passed"
-Text lineGradeLabel(record::Grade grade); ///< of one figure, which is no verdict: "OK"
-QString gradeSign(record::Grade grade);   ///< "✔"
+Text gradeLabel(results::Grade grade);     ///< of a servo or a run: "Passed"
+Text lineGradeLabel(results::Grade grade); ///< of one figure, not a verdict: "OK"
+QString gradeSign(results::Grade grade);   ///< "✔"
 /// Dark enough for white paper: "#1a7f37".
-QString gradeColor(record::Grade grade);
-Text endText(record::SweepEnd end); ///< a sentence
+QString gradeColor(results::Grade grade);
+Text endText(results::SweepEnd end); ///< a sentence
 Text noVerdictReasonText(
-    record::NoVerdictReason reason); ///< sentences: why, and what to do; None: empty
-Text shapeText(record::SweepShape shape);
-Text paceText(record::SweepPace pace);
-Text metricLabel(const QString& key);    ///< an unknown key comes back as it is
+    results::NoVerdictReason reason); ///< sentences: why, and what to do; None: empty
+Text shapeText(results::SweepShape shape);
+Text paceText(results::SweepPace pace);
+Text metricLabel(const QString& key);    ///< an unknown key: the key itself
 Text unitText(const QString& unit);      ///< "step" / "步"
 Text alarmBitsText(std::uint8_t alarms); ///< "overload, voltage"; empty: none
 } // namespace report

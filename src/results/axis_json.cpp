@@ -6,18 +6,18 @@
 
 #include <cmath>
 
-namespace record {
+namespace results {
 namespace {
 constexpr double maxMilliseconds = 1e12; // thirty years
 } // namespace
 
 QByteArray encodeAxis(const SweepAxis& axis, AxisFields fields)
 {
-    JsonObjectWriter line;
+    files::JsonObjectWriter line;
     line.number("from", axis.from).number("to", axis.to);
     if (fields == AxisFields::Path) {
-        line.number("step", axis.step).raw("points", jsonList(axis.points, [](double point) {
-                                               return jsonNumber(point);
+        line.number("step", axis.step).raw("points", files::jsonList(axis.points, [](double point) {
+                                               return files::jsonNumber(point);
                                            }));
     }
     return line.number("steps_per_turn", axis.stepsPerTurn)
@@ -27,7 +27,7 @@ QByteArray encodeAxis(const SweepAxis& axis, AxisFields fields)
         .done();
 }
 
-SweepAxis readAxis(const JsonReader& json, AxisFields fields)
+SweepAxis readAxis(const files::JsonReader& json, AxisFields fields)
 {
     SweepAxis axis;
     axis.from = json.number("from");
@@ -43,11 +43,11 @@ SweepAxis readAxis(const JsonReader& json, AxisFields fields)
     return axis;
 }
 
-base::Duration readMilliseconds(const JsonReader& json, const char* key, double ms)
+base::Duration readMilliseconds(const files::JsonReader& json, const char* key, double ms)
 {
     if (std::abs(ms) <= maxMilliseconds)
         return base::Duration(std::llround(ms * usPerMs));
     json.reportError(key, QStringLiteral("number too large"));
     return {};
 }
-} // namespace record
+} // namespace results

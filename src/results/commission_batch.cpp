@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/commission_batch.h"
 
+#include "base/enum_names.h"
 #include "files/csv_text.h"
 #include "files/text_file.h"
 
@@ -8,19 +9,14 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
 
-namespace record {
+namespace results {
 namespace {
-struct VerdictName {
-    CommissionVerdict verdict;
-    const char* word;
-};
-constexpr std::array verdictNames{
-    VerdictName{CommissionVerdict::Good, "good"},
-    VerdictName{CommissionVerdict::Remark, "remark"},
-    VerdictName{CommissionVerdict::Failed, "failed"},
-    VerdictName{CommissionVerdict::Skipped, "set-aside"},
+constexpr base::EnumName<CommissionVerdict> commissionVerdictNames[]{
+    {CommissionVerdict::Good, "good"},
+    {CommissionVerdict::Remark, "remark"},
+    {CommissionVerdict::Failed, "failed"},
+    {CommissionVerdict::Skipped, "set-aside"},
 };
 
 QString known(int number, int none)
@@ -51,17 +47,12 @@ QString timeText(const QDateTime& at)
 
 QString verdictName(CommissionVerdict verdict)
 {
-    const auto* found = std::find_if(verdictNames.begin(), verdictNames.end(),
-                                     [&](const auto& known) { return known.verdict == verdict; });
-    return QString::fromLatin1(found->word);
+    return base::nameOf(commissionVerdictNames, verdict);
 }
 
 std::optional<CommissionVerdict> commissionVerdictFromName(const QString& name)
 {
-    const auto* found =
-        std::find_if(verdictNames.begin(), verdictNames.end(),
-                     [&](const auto& known) { return name == QLatin1String(known.word); });
-    return found == verdictNames.end() ? std::nullopt : std::optional(found->verdict);
+    return base::valueOf(commissionVerdictNames, name);
 }
 
 bool CommissionBatch::isIdTaken(int id) const
@@ -103,7 +94,7 @@ QByteArray encodeCommissionCsv(const CommissionBatch& batch)
     QByteArray text = "time,verdict,troubles,model,firmware,was_id,was_baud,id,baud,template,"
                       "written,centred,volts,celsius,label,snapshot\n";
     for (const CommissionRow& row : batch.rows)
-        text += csvLine(
+        text += files::csvLine(
             {timeText(row.at), verdictName(row.verdict), issuesCell(row.issues), row.servo.model,
              row.servo.firmware, QString::number(row.servo.id), known(row.oldBaud, 0),
              known(row.newId, -1), known(row.newBaud, 0), row.templateName,
@@ -130,7 +121,7 @@ base::Result<CommissionBatch> openCommissionBatch(const QString& csvPath)
                 QStringLiteral("%1 is there without %2").arg(csvPath, QFileInfo(path).fileName()));
         return CommissionBatch();
     }
-    const auto text = readTextFile(operation, path, maxFileSize);
+    const auto text = files::readTextFile(operation, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto batch = decodeCommissionBatch(*text);
@@ -142,8 +133,10 @@ base::Result<CommissionBatch> openCommissionBatch(const QString& csvPath)
 base::Result<void> saveCommissionBatch(const CommissionBatch& batch, const QString& csvPath)
 {
     const QString operation = QStringLiteral("save-batch");
-    return saveTextFile(operation, encodeCommissionBatch(batch), commissionStatePath(csvPath))
-        .and_then([&] { return saveTextFile(operation, encodeCommissionCsv(batch), csvPath); });
+    return files::saveTextFile(operation, encodeCommissionBatch(batch),
+                               commissionStatePath(csvPath))
+        .and_then(
+            [&] { return files::saveTextFile(operation, encodeCommissionCsv(batch), csvPath); });
 }
 
 QString rateLabel(int baud)
@@ -179,4 +172,4 @@ QString defaultLabelFormat()
 {
     return QStringLiteral("{model} · ID {id} · {rate}");
 }
-} // namespace record
+} // namespace results

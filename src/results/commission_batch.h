@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A batch of servos that were set up one after the other: a line for each (the CSV the user keeps)
-// and beside it a small JSON file with the same and what is under way, so that a batch goes on
-// after anything. FILE.csv has its state in FILE.commission.json, which is the truth; the CSV is
-// written anew from it. A plain value; any thread. Fails as text files do; BadArgument ("…") where
-// a CSV without a state would be overwritten.
+// A batch of servos that are set up one after the other: the CSV file of the user with a line per
+// servo, and a JSON file with the same rows and the unfinished servos, so that a batch can be
+// resumed after any interruption. The state of FILE.csv is in FILE.commission.json; the CSV is
+// rewritten from it. A plain value; any thread. Fails as text files do; BadArgument ("…") where a
+// CSV without a state would be overwritten.
 #pragma once
 
 #include "base/error.h"
 #include "snapshot/snapshot.h"
 
-namespace record {
+namespace results {
 enum class CommissionVerdict : std::uint8_t {
     Good,
-    Remark,  ///< set up; see its troubles
-    Failed,  ///< something was written, and not everything has come true
+    Remark,  ///< set up; see the issues
+    Failed,  ///< something was written, but not everything succeeded
     Skipped, ///< nothing was written: not one for this batch
 };
 QString verdictName(CommissionVerdict verdict); ///< "good", "remark", "failed", "set-aside"
@@ -27,11 +27,11 @@ struct CommissionIssue {
 };
 
 struct CommissionRow {
-    QDateTime at;        ///< UTC, to the second
-    SnapshotServo servo; ///< as it was met: its old ID
+    QDateTime at;                  ///< UTC, to the second
+    snapshot::SnapshotServo servo; ///< as it was found, with its old ID
     int oldBaud = 0;
     int newId = -1;         ///< −1: was not given one
-    int newBaud = 0;        ///< 0: likewise
+    int newBaud = 0;        ///< 0: was not given one
     QString templateName{}; ///< empty: none
     int written = 0;        ///< registers the template has changed
     bool centered = false;
@@ -46,8 +46,8 @@ struct CommissionRow {
 
 /// A servo that was begun and has not been finished: where it may be found.
 struct PendingCommission {
-    QDateTime at;        ///< UTC, to the millisecond: its changes in the journal are later
-    SnapshotServo servo; ///< as it was met
+    QDateTime at; ///< UTC, to the millisecond: its changes in the journal are later
+    snapshot::SnapshotServo servo; ///< as it was found
     int oldBaud = 0;
     int newId = -1;
     int newBaud = 0;
@@ -59,7 +59,7 @@ struct PendingCommission {
     bool operator==(const PendingCommission&) const = default;
 };
 
-/// Where the last one finished answers, until it has been seen to be gone.
+/// Address of the last finished servo, until it is unplugged.
 struct ServoLocation {
     QString protocol;
     int id = -1;
@@ -80,7 +80,7 @@ struct CommissionBatch {
     int done() const; ///< good or with a remark
 };
 
-/// What is known of a servo that was begun: the IDs it may have, and its lock.
+/// The known state of an unfinished servo: the IDs it may have, and its lock.
 std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending);
 
 QByteArray encodeCommissionBatch(const CommissionBatch& batch);
@@ -91,7 +91,7 @@ QByteArray encodeCommissionCsv(const CommissionBatch& batch);
 
 /// "batch.csv" → "batch.commission.json"
 QString commissionStatePath(const QString& csvPath);
-/// A new batch where neither file is there.
+/// A new batch where neither file exists.
 base::Result<CommissionBatch> openCommissionBatch(const QString& csvPath);
 /// Both files; when it returns they are on the disk. The state goes first.
 base::Result<void> saveCommissionBatch(const CommissionBatch& batch, const QString& csvPath);
@@ -101,4 +101,4 @@ QString rateLabel(int baud);
 /// {model} {id} {rate} {baud} {firmware} {date} {was_id}; unknown names stay as they are.
 QString commissionLabel(const QString& format, const CommissionRow& row);
 QString defaultLabelFormat(); ///< "{model} · ID {id} · {rate}"
-} // namespace record
+} // namespace results

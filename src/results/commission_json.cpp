@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of a batch as JSON, one servo a line.
+// The state of a batch as JSON, one servo per line.
 #include "files/json_duplicates.h"
 #include "files/json_format.h"
 #include "files/json_text.h"
 #include "results/commission_batch.h"
 
-namespace record {
+namespace results {
 namespace {
 const QLatin1String commissionFormat("servodesk-commission");
 constexpr int commissionVersion = 1;
 
-QByteArray servoText(const SnapshotServo& servo)
+QByteArray servoText(const snapshot::SnapshotServo& servo)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .integer("id", servo.id)
         .text("model", servo.model)
         .text("model_id", servo.modelId)
@@ -26,14 +26,15 @@ QByteArray issuesText(const std::vector<CommissionIssue>& issues)
 {
     QByteArray text;
     for (const CommissionIssue& issue : issues)
-        text += (text.isEmpty() ? "" : ", ") +
-                JsonObjectWriter().text("word", issue.word).text("detail", issue.detail).done();
+        text +=
+            (text.isEmpty() ? "" : ", ") +
+            files::JsonObjectWriter().text("word", issue.word).text("detail", issue.detail).done();
     return '[' + text + ']';
 }
 
 QByteArray rowText(const CommissionRow& row)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .text("time", row.at.toUTC().toString(Qt::ISODate))
         .raw("servo", servoText(row.servo))
         .integer("was_baud", row.oldBaud)
@@ -41,9 +42,9 @@ QByteArray rowText(const CommissionRow& row)
         .integer("baud", row.newBaud)
         .text("template", row.templateName)
         .integer("written", row.written)
-        .raw("centred", jsonFlag(row.centered))
-        .raw("volts", jsonNumber(row.volts))
-        .raw("celsius", jsonNumber(row.celsius))
+        .raw("centred", files::jsonFlag(row.centered))
+        .raw("volts", files::jsonNumber(row.volts))
+        .raw("celsius", files::jsonNumber(row.celsius))
         .text("verdict", verdictName(row.verdict))
         .raw("troubles", issuesText(row.issues))
         .text("label", row.label)
@@ -53,22 +54,22 @@ QByteArray rowText(const CommissionRow& row)
 
 QByteArray pendingText(const PendingCommission& one)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .text("time", one.at.toUTC().toString(Qt::ISODateWithMs))
         .raw("servo", servoText(one.servo))
         .integer("was_baud", one.oldBaud)
         .integer("id", one.newId)
         .integer("baud", one.newBaud)
-        .raw("id_sent", jsonFlag(one.isIdSent))
+        .raw("id_sent", files::jsonFlag(one.isIdSent))
         .text("snapshot", one.snapshot)
-        .raw("id_read", jsonFlag(one.isIdConfirmed))
-        .raw("lock_open", jsonFlag(one.lockOpen))
+        .raw("id_read", files::jsonFlag(one.isIdConfirmed))
+        .raw("lock_open", files::jsonFlag(one.lockOpen))
         .done();
 }
 
-SnapshotServo readCommissionServo(const JsonReader& json)
+snapshot::SnapshotServo readCommissionServo(const files::JsonReader& json)
 {
-    SnapshotServo servo;
+    snapshot::SnapshotServo servo;
     servo.id = json.smallInteger("id");
     servo.model = json.text("model");
     servo.modelId = json.text("model_id");
@@ -78,7 +79,7 @@ SnapshotServo readCommissionServo(const JsonReader& json)
     return servo;
 }
 
-CommissionRow readRow(const JsonReader& json)
+CommissionRow readRow(const files::JsonReader& json)
 {
     CommissionRow row;
     row.at = json.time("time");
@@ -91,18 +92,15 @@ CommissionRow readRow(const JsonReader& json)
     row.centered = json.flag("centred");
     row.volts = json.numberOrNull("volts");
     row.celsius = json.numberOrNull("celsius");
-    const QString verdict = json.text("verdict");
-    if (!commissionVerdictFromName(verdict))
-        json.reportError("verdict", QStringLiteral("unknown word \"%1\"").arg(verdict));
-    row.verdict = commissionVerdictFromName(verdict).value_or(CommissionVerdict::Failed);
-    for (const JsonReader& issue : json.objects("troubles"))
+    row.verdict = json.enumValue("verdict", commissionVerdictFromName);
+    for (const files::JsonReader& issue : json.objects("troubles"))
         row.issues.push_back({issue.nonEmptyText("word"), issue.text("detail")});
     row.label = json.text("label");
     row.snapshot = json.text("snapshot");
     return row;
 }
 
-PendingCommission readPending(const JsonReader& json)
+PendingCommission readPending(const files::JsonReader& json)
 {
     PendingCommission one;
     one.at = json.time("time");
@@ -111,7 +109,7 @@ PendingCommission readPending(const JsonReader& json)
     one.newId = json.smallInteger("id");
     one.newBaud = json.smallInteger("baud");
     one.isIdSent = json.flag("id_sent");
-    // Not in files of earlier versions.
+    // Missing in files of earlier versions.
     if (json.contains("snapshot"))
         one.snapshot = json.text("snapshot");
     one.isIdConfirmed = json.contains("id_read") && json.flag("id_read");
@@ -127,13 +125,13 @@ base::Result<CommissionBatch> fail(const QString& detail)
 
 QByteArray encodeCommissionBatch(const CommissionBatch& batch)
 {
-    QByteArray text = "{\n  \"format\": " + jsonText(commissionFormat) +
+    QByteArray text = "{\n  \"format\": " + files::jsonText(commissionFormat) +
                       ",\n  \"version\": " + QByteArray::number(commissionVersion) +
-                      ",\n  \"program\": " + jsonText(batch.program) +
-                      ",\n  \"servos\": " + jsonLines(batch.rows, "  ", rowText) +
-                      ",\n  \"unfinished\": " + jsonLines(batch.pending, "  ", pendingText);
+                      ",\n  \"program\": " + files::jsonText(batch.program) +
+                      ",\n  \"servos\": " + files::jsonLines(batch.rows, "  ", rowText) +
+                      ",\n  \"unfinished\": " + files::jsonLines(batch.pending, "  ", pendingText);
     if (batch.attachedServo)
-        text += ",\n  \"on_wire\": " + JsonObjectWriter()
+        text += ",\n  \"on_wire\": " + files::JsonObjectWriter()
                                            .text("protocol", batch.attachedServo->protocol)
                                            .integer("id", batch.attachedServo->id)
                                            .integer("baud", batch.attachedServo->baud)
@@ -143,23 +141,23 @@ QByteArray encodeCommissionBatch(const CommissionBatch& batch)
 
 base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
 {
-    const auto document = parseJson(text);
+    const auto document = files::parseJson(text);
     if (!document)
         return fail(document.error());
-    if (const QString twice = findDuplicateKey(text); !twice.isEmpty())
+    if (const QString twice = files::findDuplicateKey(text); !twice.isEmpty())
         return fail(twice);
-    JsonReadError readError;
-    const JsonReader json(*document, readError);
-    checkFormat(json, commissionFormat, commissionVersion,
-                QStringLiteral("not the state of a commissioning batch of ServoDesk"));
+    files::JsonReadError readError;
+    const files::JsonReader json(*document, readError);
+    files::checkFormat(json, commissionFormat, commissionVersion,
+                       QStringLiteral("not the state of a commissioning batch of ServoDesk"));
     CommissionBatch batch;
     batch.program = json.text("program");
-    for (const JsonReader& row : json.objects("servos"))
+    for (const files::JsonReader& row : json.objects("servos"))
         batch.rows.push_back(readRow(row));
-    for (const JsonReader& one : json.objects("unfinished"))
+    for (const files::JsonReader& one : json.objects("unfinished"))
         batch.pending.push_back(readPending(one));
     if (json.contains("on_wire")) {
-        const JsonReader place = json.object("on_wire");
+        const files::JsonReader place = json.object("on_wire");
         batch.attachedServo = ServoLocation{place.text("protocol"), place.smallInteger("id"),
                                             place.smallInteger("baud")};
     }
@@ -167,4 +165,4 @@ base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
         return fail(readError.text());
     return batch;
 }
-} // namespace record
+} // namespace results

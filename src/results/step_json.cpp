@@ -2,6 +2,7 @@
 // Writing; step_json_reader.cpp reads.
 #include "results/step_json.h"
 
+#include "base/enum_names.h"
 #include "files/csv_text.h"
 #include "files/json_text.h"
 #include "files/text_file.h"
@@ -12,21 +13,21 @@
 
 #include <cmath>
 
-namespace record {
+namespace results {
 namespace {
 QByteArray gainText(const StepGain& gain)
 {
-    return JsonObjectWriter().text("key", gain.key).integer("raw", gain.raw).done();
+    return files::JsonObjectWriter().text("key", gain.key).integer("raw", gain.raw).done();
 }
 
 QByteArray gainsText(const std::vector<StepGain>& gains)
 {
-    return jsonLines(gains, "      ", gainText);
+    return files::jsonLines(gains, "      ", gainText);
 }
 
 QByteArray figuresText(const StepFigures& figures)
 {
-    JsonObjectWriter line;
+    files::JsonObjectWriter line;
     for (const StepFigure& figure : stepFigures)
         line.number(figure.key, figures.*figure.member);
     return line.done();
@@ -34,7 +35,7 @@ QByteArray figuresText(const StepFigures& figures)
 
 QByteArray specText(const StepSpec& spec)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .text("size", spec.size)
         .text("from", spec.from)
         .integer("repeats", spec.repeats)
@@ -49,9 +50,9 @@ QByteArray specText(const StepSpec& spec)
 
 QByteArray sampleText(const StepSample& sample)
 {
-    return '[' + jsonNumber(inMs(sample.at)) + ", " + jsonNumber(sample.position) + ", " +
-           jsonNumber(sample.speed) + ", " + jsonNumber(sample.load) + ", " +
-           jsonNumber(sample.current) + ']';
+    return '[' + files::jsonNumber(inMs(sample.at)) + ", " + files::jsonNumber(sample.position) +
+           ", " + files::jsonNumber(sample.speed) + ", " + files::jsonNumber(sample.load) + ", " +
+           files::jsonNumber(sample.current) + ']';
 }
 
 QByteArray responseText(const StepResponse& response)
@@ -59,7 +60,7 @@ QByteArray responseText(const StepResponse& response)
     QByteArray samples;
     for (const StepSample& sample : response.samples)
         samples += (samples.isEmpty() ? "" : ", ") + sampleText(sample);
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .integer("number", response.number)
         .number("start", response.start)
         .number("target", response.target)
@@ -75,55 +76,46 @@ QByteArray responseText(const StepResponse& response)
 QByteArray runText(const StepRun& run)
 {
     return "{\n      \"servo\": " + QByteArray::number(run.parameters.servo.id) +
-           ",\n      \"program\": " + jsonText(run.program) +
-           ",\n      \"time\": " + jsonText(run.at.toUTC().toString(Qt::ISODateWithMs)) +
-           ",\n      \"port\": " + jsonText(run.port) +
+           ",\n      \"program\": " + files::jsonText(run.program) +
+           ",\n      \"time\": " + files::jsonText(run.at.toUTC().toString(Qt::ISODateWithMs)) +
+           ",\n      \"port\": " + files::jsonText(run.port) +
            ",\n      \"baud\": " + QByteArray::number(run.baud) +
-           ",\n      \"simulated\": " + jsonFlag(run.simulated) +
-           ",\n      \"end\": " + jsonText(sweepEndName(run.end)) +
-           ",\n      \"sample_rate\": " + jsonNumber(run.sampleRate) +
-           ",\n      \"put_back\": " + jsonFlag(run.isReverted) +
+           ",\n      \"simulated\": " + files::jsonFlag(run.simulated) +
+           ",\n      \"end\": " + files::jsonText(sweepEndName(run.end)) +
+           ",\n      \"sample_rate\": " + files::jsonNumber(run.sampleRate) +
+           ",\n      \"put_back\": " + files::jsonFlag(run.isReverted) +
            ",\n      \"test\": " + specText(run.spec) +
            ",\n      \"gains\": " + gainsText(run.gains) +
            ",\n      \"axis\": " + encodeAxis(run.axis, AxisFields::Range) +
            ",\n      \"mean\": " + figuresText(run.mean) +
-           ",\n      \"responses\": " + jsonLines(run.responses, "      ", responseText) +
+           ",\n      \"responses\": " + files::jsonLines(run.responses, "      ", responseText) +
            ",\n      \"parameters\": " +
-           encodeSnapshot(run.parameters).trimmed().replace("\n", "\n      ") + "\n    }";
+           snapshot::encodeSnapshot(run.parameters).trimmed().replace("\n", "\n      ") + "\n    }";
 }
 
-const char* changeName(StepChange change)
-{
-    switch (change) {
-    case StepChange::Same:
-        return "same";
-    case StepChange::Better:
-        return "better";
-    case StepChange::Worse:
-        return "worse";
-    case StepChange::Neither:
-        return "neither";
-    case StepChange::NotMeasured:
-        return "not-measured";
-    }
-    return "";
-}
+constexpr base::EnumName<StepChange> changeNames[]{
+    {StepChange::Same, "same"},
+    {StepChange::Better, "better"},
+    {StepChange::Worse, "worse"},
+    {StepChange::Neither, "neither"},
+    {StepChange::NotMeasured, "not-measured"},
+};
 
 QByteArray differenceText(const StepDifference& row)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .text("figure", QString::fromLatin1(row.figure.key))
         .text("unit", QString::fromUtf8(row.figure.unit))
         .number("before", row.before)
         .number("after", row.after)
         .number("difference", row.difference)
-        .text("change", QString::fromLatin1(changeName(row.change)))
+        .text("change", base::nameOf(changeNames, row.change))
         .done();
 }
 
 QByteArray adviceText(const StepAdvice& advice)
 {
-    JsonObjectWriter line;
+    files::JsonObjectWriter line;
     line.text("symptom", stepSymptomName(advice.symptom))
         .text("remedy", stepRemedyName(advice.remedy));
     if (!advice.key.isEmpty())
@@ -136,10 +128,10 @@ QByteArray sampleLines(int run, const StepResponse& response)
     QByteArray lines;
     for (const StepSample& sample : response.samples) {
         lines += QByteArray::number(run) + ',' + QByteArray::number(response.number) + ',' +
-                 csvNumber(inMs(sample.at)) + ',' + csvNumber(response.start) + ',' +
-                 csvNumber(response.target) + ',' + csvNumber(sample.position) + ',' +
-                 csvNumber(sample.speed) + ',' + csvNumber(sample.load) + ',' +
-                 csvNumber(sample.current) + '\n';
+                 files::csvNumber(inMs(sample.at)) + ',' + files::csvNumber(response.start) + ',' +
+                 files::csvNumber(response.target) + ',' + files::csvNumber(sample.position) + ',' +
+                 files::csvNumber(sample.speed) + ',' + files::csvNumber(sample.load) + ',' +
+                 files::csvNumber(sample.current) + '\n';
     }
     return lines;
 }
@@ -151,22 +143,23 @@ QByteArray encodeStepRuns(const std::vector<StepRun>& runs, const std::vector<St
     if (runs.size() > 1)
         differences = compareSteps(runs.front(), runs.back());
     return "{\n  \"format\": \"servodesk-step-response\",\n  \"version\": 1,\n  \"runs\": " +
-           jsonLines(runs, "  ", runText) +
-           ",\n  \"differences\": " + jsonLines(differences, "  ", differenceText) +
-           ",\n  \"advice\": " + jsonLines(advice, "  ", adviceText) + "\n}\n";
+           files::jsonLines(runs, "  ", runText) +
+           ",\n  \"differences\": " + files::jsonLines(differences, "  ", differenceText) +
+           ",\n  \"advice\": " + files::jsonLines(advice, "  ", adviceText) + "\n}\n";
 }
 
 base::Result<void> saveStepRuns(const std::vector<StepRun>& runs,
                                 const std::vector<StepAdvice>& advice, const QString& path)
 {
-    return saveTextFile(QStringLiteral("save-step-response"), encodeStepRuns(runs, advice), path);
+    return files::saveTextFile(QStringLiteral("save-step-response"), encodeStepRuns(runs, advice),
+                               path);
 }
 
 base::Result<void> saveStepSamples(const std::vector<StepRun>& runs, const QString& path)
 {
-    return saveTextFile(
+    return files::saveTextFile(
         QStringLiteral("save-step-response"),
-        [&](const TextSink& sink) {
+        [&](const files::TextSink& sink) {
             if (!sink("run,response,t[ms],start[step],target[step],position[step],speed[step/s],"
                       "load[%],current[mA]\n"))
                 return;
@@ -181,4 +174,4 @@ base::Result<void> saveStepSamples(const std::vector<StepRun>& runs, const QStri
         },
         path);
 }
-} // namespace record
+} // namespace results

@@ -2,17 +2,17 @@
 // Step-response runs as files. JSON, format "servodesk-step-response", version 1: runs (oldest
 // first, each with test, gains, axis, mean, responses with figures and samples, parameters as in a
 // snapshot file), differences (first run against last) and advice (to the last one). Samples are
-// rows of t_ms, position, speed, load, current; null: not measured. CSV: a line a reading, `run,
-// response,t[ms],start[step],target[step],position[step],speed[step/s],load[%],current[mA]`. Files
-// of every published version load for ever; differences and advice are worked out, not read. Pure;
-// any thread. Fails with FileMissing, FileUnreadable, FileFormat, FileUnwritable, DiskFull.
+// rows of t_ms, position, speed, load, current; null: not measured. CSV: one line per reading,
+// `run, response,t[ms],start[step],target[step],position[step],speed[step/s],load[%],current[mA]`.
+// Files of every published version can be loaded; differences and advice are computed, not read.
+// Pure; any thread. Fails with FileMissing, FileUnreadable, FileFormat, FileUnwritable, DiskFull.
 #pragma once
 
 #include "results/step_run.h"
 
 #include <QByteArray>
 
-namespace record {
+namespace results {
 QByteArray encodeStepRuns(const std::vector<StepRun>& runs, const std::vector<StepAdvice>& advice);
 base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text);
 
@@ -21,4 +21,4 @@ base::Result<void> saveStepRuns(const std::vector<StepRun>& runs,
 base::Result<std::vector<StepRun>> loadStepRuns(const QString& path);
 
 base::Result<void> saveStepSamples(const std::vector<StepRun>& runs, const QString& path);
-} // namespace record
+} // namespace results

@@ -10,22 +10,22 @@
 
 #include <cmath>
 
-namespace record {
+namespace results {
 namespace {
 const QString loadStepOperation = QStringLiteral("load-step-response");
 constexpr qint64 maxStepFileSize = 256 * 1024 * 1024;
 constexpr int stepVersion = 1;
-constexpr int cells = 5; ///< of a sample
+constexpr int cellsPerSample = 5; ///< of a sample
 
-std::vector<StepGain> readGains(const JsonReader& json, const char* key)
+std::vector<StepGain> readGains(const files::JsonReader& json, const char* key)
 {
     std::vector<StepGain> gains;
-    for (const JsonReader& gain : json.objects(key))
+    for (const files::JsonReader& gain : json.objects(key))
         gains.push_back({gain.nonEmptyText("key"), gain.integer("raw")});
     return gains;
 }
 
-StepFigures readFigures(const JsonReader& json)
+StepFigures readFigures(const files::JsonReader& json)
 {
     StepFigures figures;
     for (const StepFigure& figure : stepFigures)
@@ -33,7 +33,7 @@ StepFigures readFigures(const JsonReader& json)
     return figures;
 }
 
-StepSpec readSpec(const JsonReader& json)
+StepSpec readSpec(const files::JsonReader& json)
 {
     StepSpec spec;
     spec.size = json.text("size");
@@ -48,14 +48,15 @@ StepSpec readSpec(const JsonReader& json)
     return spec;
 }
 
-std::vector<StepSample> readSamples(const JsonReader& json)
+std::vector<StepSample> readSamples(const files::JsonReader& json)
 {
     std::vector<StepSample> samples;
     const QJsonArray rows = json.content().value(QLatin1String("samples")).toArray();
     for (const QJsonValue& row : rows) {
         const QJsonArray values = row.toArray();
-        if (values.size() != cells || !values[0].isDouble() || !values[1].isDouble()) {
-            json.reportError("samples", QStringLiteral("expected rows of %1 numbers").arg(cells));
+        if (values.size() != cellsPerSample || !values[0].isDouble() || !values[1].isDouble()) {
+            json.reportError("samples",
+                             QStringLiteral("expected rows of %1 numbers").arg(cellsPerSample));
             return {};
         }
         const auto optional = [&values](int cell) {
@@ -67,7 +68,7 @@ std::vector<StepSample> readSamples(const JsonReader& json)
     return samples;
 }
 
-StepResponse readResponse(const JsonReader& json)
+StepResponse readResponse(const files::JsonReader& json)
 {
     StepResponse response;
     response.number = json.smallInteger("number");
@@ -75,14 +76,14 @@ StepResponse readResponse(const JsonReader& json)
     response.target = json.number("target");
     response.missed = json.flag("missed");
     response.lost = json.smallInteger("lost");
-    response.seen = !json.contains("seen") || json.flag("seen"); // older files do not say
+    response.seen = !json.contains("seen") || json.flag("seen"); // missing in older files
     response.alarms = std::uint8_t(json.smallInteger("alarms"));
     response.figures = readFigures(json.object("figures"));
     response.samples = readSamples(json);
     return response;
 }
 
-StepRun readStepRun(const JsonReader& json)
+StepRun readStepRun(const files::JsonReader& json)
 {
     StepRun run;
     run.program = json.text("program");
@@ -90,34 +91,31 @@ StepRun readStepRun(const JsonReader& json)
     run.port = json.text("port");
     run.baud = json.smallInteger("baud");
     run.simulated = json.flag("simulated");
-    const QString end = json.text("end");
-    if (!sweepEndFromName(end))
-        json.reportError("end", QStringLiteral("unknown word \"%1\"").arg(end));
-    run.end = sweepEndFromName(end).value_or(SweepEnd::Finished);
+    run.end = json.enumValue("end", sweepEndFromName);
     run.sampleRate = json.number("sample_rate");
     run.isReverted = json.flag("put_back");
     run.spec = readSpec(json.object("test"));
     run.gains = readGains(json, "gains");
     run.axis = readAxis(json.object("axis"), AxisFields::Range);
     run.mean = readFigures(json.object("mean"));
-    for (const JsonReader& response : json.objects("responses"))
+    for (const files::JsonReader& response : json.objects("responses"))
         run.responses.push_back(readResponse(response));
-    run.parameters = readSnapshot(json.object("parameters"));
+    run.parameters = snapshot::readSnapshot(json.object("parameters"));
     return run;
 }
 } // namespace
 
 base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
 {
-    const auto document = parseJson(text);
+    const auto document = files::parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loadStepOperation, document.error());
-    JsonReadError readError;
-    const JsonReader json(*document, readError);
-    checkFormat(json, QLatin1StringView("servodesk-step-response"), stepVersion,
-                QStringLiteral("not a step response of ServoDesk"));
+    files::JsonReadError readError;
+    const files::JsonReader json(*document, readError);
+    files::checkFormat(json, QLatin1StringView("servodesk-step-response"), stepVersion,
+                       QStringLiteral("not a step response of ServoDesk"));
     std::vector<StepRun> runs;
-    for (const JsonReader& run : json.objects("runs"))
+    for (const files::JsonReader& run : json.objects("runs"))
         runs.push_back(readStepRun(run));
     if (readError.isSet())
         return base::fail(base::ErrorCode::FileFormat, loadStepOperation, readError.text());
@@ -126,7 +124,7 @@ base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
 
 base::Result<std::vector<StepRun>> loadStepRuns(const QString& path)
 {
-    const auto text = readTextFile(loadStepOperation, path, maxStepFileSize);
+    const auto text = files::readTextFile(loadStepOperation, path, maxStepFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto runs = decodeStepRuns(*text);
@@ -137,4 +135,4 @@ base::Result<std::vector<StepRun>> loadStepRuns(const QString& path)
     }
     return runs;
 }
-} // namespace record
+} // namespace results

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/step_run.h"
 
+#include "base/enum_names.h"
+
 #include <algorithm>
 #include <cmath>
 
-namespace record {
+namespace results {
 namespace {
 struct ValueRange {
     double sum = 0;
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
+    double min = HUGE_VAL;
+    double max = -HUGE_VAL;
     int count = 0;
-    double range() const { return count > 0 ? most - least : 0; }
+    double range() const { return count > 0 ? max - min : 0; }
 };
 
-/// The direction of an error that remains is that of the way; of there and back the size counts.
+/// The sign of the steady error depends on the direction of the move, so its magnitude counts.
 double magnitudeOf(const StepFigure& figure, double value)
 {
     return figure.member == &StepFigures::steadyError ? std::abs(value) : value;
@@ -29,15 +31,14 @@ ValueRange rangeOf(const std::vector<StepResponse>& responses, const StepFigure&
             continue;
         const double found = magnitudeOf(figure, *value);
         spread.sum += found;
-        spread.least = std::min(spread.least, found);
-        spread.most = std::max(spread.most, found);
+        spread.min = std::min(spread.min, found);
+        spread.max = std::max(spread.max, found);
         ++spread.count;
     }
     return spread;
 }
 
-/// Finer than this nothing is measured: a step of the encoder, the time from one reading to the
-/// next.
+/// The resolution of a figure: a step of the encoder, or the time between two readings.
 double resolutionOf(const StepFigure& figure, const StepRun& run)
 {
     const QLatin1StringView unit(figure.unit);
@@ -60,13 +61,38 @@ StepChange changeOf(const StepDifference& row, const StepRun& before, const Step
     const double scatter = (rangeOf(before.responses, row.figure).range() +
                             rangeOf(after.responses, row.figure).range()) /
                            2;
-    const double least =
+    const double resolution =
         std::max(resolutionOf(row.figure, before), resolutionOf(row.figure, after));
     const double size = std::abs(*row.difference);
-    if (size <= scatter || size < least)
+    if (size <= scatter || size < resolution)
         return StepChange::Same;
     return *row.difference < 0 ? StepChange::Better : StepChange::Worse;
 }
+
+constexpr base::EnumName<StepSymptom> symptomNames[]{
+    {StepSymptom::NotSeen, "not-seen"},         {StepSymptom::NoMotion, "no-motion"},
+    {StepSymptom::Blocked, "blocked"},          {StepSymptom::Lag, "lag"},
+    {StepSymptom::SpeedLimit, "speed-limit"},   {StepSymptom::Overshoot, "overshoot"},
+    {StepSymptom::StaticError, "static-error"}, {StepSymptom::Jitter, "jitter"},
+    {StepSymptom::Oscillation, "oscillation"},
+};
+
+constexpr base::EnumName<StepRemedy> remedyNames[]{
+    {StepRemedy::RepeatRun, "repeat-run"},
+    {StepRemedy::RemoveObstacle, "clear-way"},
+    {StepRemedy::FreeMotion, "free-motion"},
+    {StepRemedy::RaiseP, "raise-p"},
+    {StepRemedy::LowerP, "lower-p"},
+    {StepRemedy::RaiseD, "raise-d"},
+    {StepRemedy::LowerD, "lower-d"},
+    {StepRemedy::RaiseI, "raise-i"},
+    {StepRemedy::DisableI, "no-i"},
+    {StepRemedy::LowerStartupForce, "lower-startup-force"},
+    {StepRemedy::WidenDeadZone, "widen-dead-zone"},
+    {StepRemedy::NarrowDeadZone, "narrow-dead-zone"},
+    {StepRemedy::RaiseSpeed, "raise-speed"},
+    {StepRemedy::RaiseAcceleration, "raise-acceleration"},
+};
 } // namespace
 
 StepFigures meanOf(const std::vector<StepResponse>& responses)
@@ -97,61 +123,11 @@ std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& a
 
 QString stepSymptomName(StepSymptom symptom)
 {
-    switch (symptom) {
-    case StepSymptom::NotSeen:
-        return QStringLiteral("not-seen");
-    case StepSymptom::NoMotion:
-        return QStringLiteral("no-motion");
-    case StepSymptom::Blocked:
-        return QStringLiteral("blocked");
-    case StepSymptom::Lag:
-        return QStringLiteral("lag");
-    case StepSymptom::SpeedLimit:
-        return QStringLiteral("speed-limit");
-    case StepSymptom::Overshoot:
-        return QStringLiteral("overshoot");
-    case StepSymptom::StaticError:
-        return QStringLiteral("static-error");
-    case StepSymptom::Jitter:
-        return QStringLiteral("jitter");
-    case StepSymptom::Oscillation:
-        return QStringLiteral("oscillation");
-    }
-    return {};
+    return base::nameOf(symptomNames, symptom);
 }
 
 QString stepRemedyName(StepRemedy remedy)
 {
-    switch (remedy) {
-    case StepRemedy::RepeatRun:
-        return QStringLiteral("repeat-run");
-    case StepRemedy::RemoveObstacle:
-        return QStringLiteral("clear-way");
-    case StepRemedy::FreeMotion:
-        return QStringLiteral("free-motion");
-    case StepRemedy::RaiseP:
-        return QStringLiteral("raise-p");
-    case StepRemedy::LowerP:
-        return QStringLiteral("lower-p");
-    case StepRemedy::RaiseD:
-        return QStringLiteral("raise-d");
-    case StepRemedy::LowerD:
-        return QStringLiteral("lower-d");
-    case StepRemedy::RaiseI:
-        return QStringLiteral("raise-i");
-    case StepRemedy::DisableI:
-        return QStringLiteral("no-i");
-    case StepRemedy::LowerStartupForce:
-        return QStringLiteral("lower-startup-force");
-    case StepRemedy::WidenDeadZone:
-        return QStringLiteral("widen-dead-zone");
-    case StepRemedy::NarrowDeadZone:
-        return QStringLiteral("narrow-dead-zone");
-    case StepRemedy::RaiseSpeed:
-        return QStringLiteral("raise-speed");
-    case StepRemedy::RaiseAcceleration:
-        return QStringLiteral("raise-acceleration");
-    }
-    return {};
+    return base::nameOf(remedyNames, remedy);
 }
-} // namespace record
+} // namespace results

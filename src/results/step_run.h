@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step-response run has found: the same step there and back some times, every reading, the
+// The result of a step-response run: a step there and back, repeated, with every reading, the
 // figures of each response and their means. Plain values, kept in files; any thread. Positions in
-// steps of the servo's feedback, the other units as in record/sweep_run.h; times from the moment
-// the goal had been sent. What could not be measured is nullopt. As JSON and CSV: step_json.h.
+// steps of the servo's feedback, the other units as in results/sweep_run.h; times from the moment
+// the goal had been sent. A value that could not be measured is nullopt. As JSON and CSV:
+// step_json.h.
 #pragma once
 
 #include "results/sweep_run.h"
@@ -10,7 +11,7 @@
 
 #include <array>
 
-namespace record {
+namespace results {
 /// A register of the loop: gain, startup force, integral limit, dead zone.
 struct StepGain {
     QString key;
@@ -18,14 +19,14 @@ struct StepGain {
     bool operator==(const StepGain&) const = default;
 };
 
-/// What was asked for. Texts as the user typed them: "200", "30deg", "1500".
+/// The requested test. Texts as the user typed them: "200", "30deg", "1500".
 struct StepSpec {
     QString size{};                ///< negative: downwards first
-    QString from{};                ///< empty: where it stands, or the nearest place with room
+    QString from{};                ///< empty: the present position, or the nearest one with room
     int repeats = 3;               ///< there and back
     base::Duration hold{};         ///< from one goal to the next; 0: proposed
-    QString speed{};               ///< empty: as fast as it may
-    QString acceleration{};        ///< likewise
+    QString speed{};               ///< empty: as fast as allowed
+    QString acceleration{};        ///< empty: as high as allowed
     std::vector<StepGain> trial{}; ///< in force during this run only
     QString operatorName{};
     QString note{};
@@ -51,7 +52,7 @@ struct StepFigures {
     std::optional<double> overshoot{};      ///< %
     std::optional<double> overshootSteps{}; ///< steps
     std::optional<double> steadyError{};    ///< steps
-    std::optional<double> swings{};         ///< how often it turned round after arrival
+    std::optional<double> swings{};         ///< number of reversals after arrival
     std::optional<double> swingFrequency{}; ///< Hz
     std::optional<double> swingAmplitude{}; ///< steps
     std::optional<double> peakSpeed{};      ///< steps/s
@@ -102,15 +103,15 @@ struct StepRun {
     QString port{};
     int baud = 0;
     bool simulated = false;
-    StepSpec spec{};       ///< with the hold that was used
-    Snapshot parameters{}; ///< identity and memory table while it ran
+    StepSpec spec{};                 ///< with the hold that was used
+    snapshot::Snapshot parameters{}; ///< identity and memory table while it ran
     SweepAxis axis{};
     std::vector<StepGain> gains{}; ///< in force
     std::vector<StepResponse> responses{};
     StepFigures mean{};
     SweepEnd end = SweepEnd::Finished;
     double sampleRate = 0;  ///< readings a second
-    bool isReverted = true; ///< false: what the run had set still stands, see the journal
+    bool isReverted = true; ///< false: the settings of the run are still in effect, see the journal
     bool operator==(const StepRun&) const = default;
 };
 
@@ -118,7 +119,7 @@ StepFigures meanOf(const std::vector<StepResponse>& responses);
 
 enum class StepChange : std::uint8_t { Same, Better, Worse, Neither, NotMeasured };
 
-/// Same: not more than the scatter of the responses, or less than a step or a reading tells.
+/// Same: not more than the scatter of the responses, or below the resolution of the readings.
 /// Neither: no way is the better one.
 struct StepDifference {
     StepFigure figure;
@@ -131,7 +132,7 @@ struct StepDifference {
 /// In the order of stepFigures; those that neither run measured are left out.
 std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& after);
 
-/// What is wrong with a response, and what the sheet's advice is against it (error-diagnosis rows
+/// A fault of a response, and the advice of the sheet against it (error-diagnosis rows
 /// 10 to 14).
 enum class StepSymptom : std::uint8_t {
     NotSeen, ///< readings were missing while it moved
@@ -163,8 +164,8 @@ enum class StepRemedy : std::uint8_t {
 QString stepSymptomName(StepSymptom symptom); ///< "lag", "speed-limit" …
 QString stepRemedyName(StepRemedy remedy);    ///< "raise-p" …
 
-/// Never applied unasked. Without a key nothing is to be tried: a speed of the order, not a
-/// register.
+/// Never applied automatically. Without a key there is no register to try: the speed belongs to
+/// the move.
 struct StepAdvice {
     StepSymptom symptom = StepSymptom::Lag;
     StepRemedy remedy = StepRemedy::RaiseP;
@@ -173,4 +174,4 @@ struct StepAdvice {
     std::int64_t proposed = 0;
     bool operator==(const StepAdvice&) const = default;
 };
-} // namespace record
+} // namespace results

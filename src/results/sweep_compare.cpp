@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace record {
+namespace results {
 namespace {
 constexpr double minRateRatio = 1.5;
 
@@ -30,7 +30,7 @@ std::optional<double> valueOf(const SweepServo& servo, const QString& key)
     return number ? metric->value : std::nullopt;
 }
 
-/// The worst, where a figure is judged by two lines.
+/// The worse one, where two lines judge a figure.
 std::optional<Grade> gradeOf(const SweepServo& servo, const QString& key)
 {
     std::optional<Grade> worst;
@@ -99,7 +99,7 @@ QString length(const SweepSpec& spec)
     return parts.join(QStringLiteral(", "));
 }
 
-/// What was to be done, servo by servo in its own steps.
+/// The planned path, per servo in its own steps.
 class TestDifferenceCollector {
 public:
     explicit TestDifferenceCollector(std::vector<TestDifference>& found)
@@ -118,8 +118,8 @@ private:
 
 void checkServos(const SweepSide& a, const SweepSide& b, TestDifferenceCollector& test)
 {
-    const SnapshotServo& one = a.servo.parameters.servo;
-    const SnapshotServo& two = b.servo.parameters.servo;
+    const snapshot::SnapshotServo& one = a.servo.parameters.servo;
+    const snapshot::SnapshotServo& two = b.servo.parameters.servo;
     test.check(TestItem::Model, DifferenceImpact::Figure, one.model, two.model);
     test.check(TestItem::Firmware, DifferenceImpact::Figure, one.firmware, two.firmware);
     test.check(TestItem::Resolution, DifferenceImpact::Path, number(a.servo.axis.stepsPerTurn),
@@ -128,7 +128,7 @@ void checkServos(const SweepSide& a, const SweepSide& b, TestDifferenceCollector
                flag(b.run.simulated));
 }
 
-/// Only what the shape has.
+/// Only the parameters that the shape has.
 void checkPath(const SweepSide& a, const SweepSide& b, TestDifferenceCollector& test)
 {
     const SweepSpec& one = a.run.spec;
@@ -180,15 +180,15 @@ void checkSampling(const SweepSide& a, const SweepSide& b, TestDifferenceCollect
                sweepEndName(b.run.end));
     if (a.servo.limits.lines == b.servo.limits.lines)
         return;
-    // Edited ones may go by the same name.
+    // Edited limits may have the same name.
     QString other = b.servo.limits.name;
     if (other == a.servo.limits.name)
         other += QStringLiteral(" (2)");
     test.check(TestItem::Limits, DifferenceImpact::Grade, a.servo.limits.name, other);
 }
 
-/// Writable, but an order, a place or a state: it says nothing about how the servo is set up.
-bool isSetting(const SnapshotRegister& reg)
+/// Writable, but a command, a position or a state, not a setting.
+bool isSetting(const snapshot::SnapshotRegister& reg)
 {
     static const QSet<QString> others{
         QStringLiteral("id"),          QStringLiteral("lock"),      QStringLiteral("torque_switch"),
@@ -199,33 +199,33 @@ bool isSetting(const SnapshotRegister& reg)
            !others.contains(reg.key) && !reg.key.startsWith(QStringLiteral("goal_"));
 }
 
-const SnapshotRegister* registerOf(const Snapshot& snapshot, const QString& key)
+const snapshot::SnapshotRegister* registerOf(const snapshot::Snapshot& snapshot, const QString& key)
 {
-    for (const SnapshotRegister& reg : snapshot.registers) {
+    for (const snapshot::SnapshotRegister& reg : snapshot.registers) {
         if (reg.key == key)
             return &reg;
     }
     return nullptr;
 }
 
-std::vector<SettingDifference> settingsOf(const Snapshot& a, const Snapshot& b)
+std::vector<SettingDifference> settingsOf(const snapshot::Snapshot& a, const snapshot::Snapshot& b)
 {
     std::vector<SettingDifference> found;
-    for (const SnapshotRegister& reg : a.registers) {
+    for (const snapshot::SnapshotRegister& reg : a.registers) {
         if (!isSetting(reg))
             continue;
-        const SnapshotRegister* other = registerOf(b, reg.key);
+        const snapshot::SnapshotRegister* other = registerOf(b, reg.key);
         SettingDifference row{reg.key, reg.raw, {}, reg.value, {}, reg.unit};
         if (other) {
             row.rawB = other->raw;
             row.b = other->value;
         }
-        // Two maps may count one quantity in different units.
+        // Two maps may have different units for one quantity.
         const bool same = row.rawA == row.rawB && row.a == row.b;
         if (!same)
             found.push_back(std::move(row));
     }
-    for (const SnapshotRegister& reg : b.registers) {
+    for (const snapshot::SnapshotRegister& reg : b.registers) {
         if (isSetting(reg) && reg.raw && !registerOf(a, reg.key))
             found.push_back({reg.key, {}, reg.raw, {}, reg.value, reg.unit});
     }
@@ -286,4 +286,4 @@ QString weightName(DifferenceImpact weight)
     }
     return QStringLiteral("grade");
 }
-} // namespace record
+} // namespace results

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two servos' sweep tests side by side: A is what is held against, B what is looked at. Figures and
-// what differs in the tests and in the servos' settings, so that nobody compares what cannot be.
-// Pure values; any thread; never fails. Words are in report/sweep_compare_words.h.
+// Sweep tests of two servos side by side: A is the reference, B is compared with it. Figures and
+// the differences of the tests and of the servos' settings, so that incomparable runs are not
+// compared. Pure values; any thread; never fails. Words are in report/sweep_compare_words.h.
 #pragma once
 
 #include "results/sweep_run.h"
 
-namespace record {
+namespace results {
 struct SweepSide {
     QString name; ///< number in the history, or file
     const SweepRun& run;
@@ -52,7 +52,7 @@ enum class TestItem : std::uint8_t {
     End,
 };
 
-/// What a difference in the test means for the comparison.
+/// The effect of a difference of the tests on the comparison.
 enum class DifferenceImpact : std::uint8_t {
     Path,   ///< the servos did different things: figures cannot be compared
     Figure, ///< some figures depend on it
@@ -94,4 +94,4 @@ const SweepServo* servoOf(const SweepRun& run, int id);
 
 QString testItemName(TestItem item);         ///< "sample-rate", for JSON
 QString weightName(DifferenceImpact weight); ///< "path", "figure", "grade"
-} // namespace record
+} // namespace results

@@ -9,24 +9,9 @@
 
 #include <cmath>
 
-namespace record {
+namespace results {
 namespace {
-void writeLegs(const SweepRun& run, const TextSink& sink)
-{
-    sink(sweepLegsHeader());
-    for (const SweepServo& servo : run.servos) {
-        QByteArray lines;
-        for (const SweepLeg& leg : servo.legs) {
-            lines += sweepLegsLine(servo.parameters.servo.id, leg);
-            if (lines.size() > 65536 && !sink(std::exchange(lines, {})))
-                return;
-        }
-        sink(lines);
-    }
-}
-} // namespace
-
-QByteArray sweepLegsHeader()
+QByteArray legsHeader()
 {
     QByteArray header = "servo,leg,cycle,at[ms],span[ms],start[step],target[step],time[ms],"
                         "settling[ms]";
@@ -35,33 +20,40 @@ QByteArray sweepLegsHeader()
     return header + ",samples,lost,missed,flag_wrong,alarms\n";
 }
 
-QByteArray sweepLegsLine(int servo, const SweepLeg& leg)
+QByteArray legLine(int servo, const SweepLeg& leg)
 {
     QByteArray line = QByteArray::number(servo) + ',' + QByteArray::number(leg.number) + ',' +
-                      QByteArray::number(leg.cycle) + ',' + csvNumber(inMs(leg.at)) + ',' +
-                      csvNumber(inMs(leg.span)) + ',' + csvNumber(leg.start) + ',' +
-                      csvNumber(leg.target) + ',' + csvNumber(inMs(leg.timeToTarget)) + ',' +
-                      csvNumber(inMs(leg.settling));
+                      QByteArray::number(leg.cycle) + ',' + files::csvNumber(inMs(leg.at)) + ',' +
+                      files::csvNumber(inMs(leg.span)) + ',' + files::csvNumber(leg.start) + ',' +
+                      files::csvNumber(leg.target) + ',' +
+                      files::csvNumber(inMs(leg.timeToTarget)) + ',' +
+                      files::csvNumber(inMs(leg.settling));
     for (const LegFigure& figure : legFigures)
-        line += ',' + csvNumber(leg.*figure.member);
+        line += ',' + files::csvNumber(leg.*figure.member);
     return line + ',' + QByteArray::number(leg.samples) + ',' + QByteArray::number(leg.lost) +
-           (leg.missed ? ",1," : ",0,") + csvNumber(leg.flagWrong) + ',' +
+           (leg.missed ? ",1," : ",0,") + files::csvNumber(leg.flagWrong) + ',' +
            QByteArray::number(leg.alarms) + '\n';
 }
 
-QByteArray encodeSweepLegs(const SweepRun& run)
+void writeLegs(const SweepRun& run, const files::TextSink& sink)
 {
-    QByteArray text;
-    writeLegs(run, [&](const QByteArray& piece) {
-        text += piece;
-        return true;
-    });
-    return text;
+    sink(legsHeader());
+    for (const SweepServo& servo : run.servos) {
+        QByteArray lines;
+        for (const SweepLeg& leg : servo.legs) {
+            lines += legLine(servo.parameters.servo.id, leg);
+            if (lines.size() > 65536 && !sink(std::exchange(lines, {})))
+                return;
+        }
+        sink(lines);
+    }
 }
+} // namespace
 
 base::Result<void> saveSweepLegs(const SweepRun& run, const QString& path)
 {
-    return saveTextFile(
-        QStringLiteral("save-legs"), [&](const TextSink& sink) { writeLegs(run, sink); }, path);
+    return files::saveTextFile(
+        QStringLiteral("save-legs"), [&](const files::TextSink& sink) { writeLegs(run, sink); },
+        path);
 }
-} // namespace record
+} // namespace results

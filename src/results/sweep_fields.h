@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace record {
+namespace results {
 struct LegFigure {
     const char* key;  ///< in JSON, and in CSV before its unit
     const char* unit; ///< UTF-8
@@ -37,4 +37,4 @@ inline std::optional<double> inMs(std::optional<base::Duration> span)
 {
     return span ? std::optional<double>(double(span->count()) / usPerMs) : std::nullopt;
 }
-} // namespace record
+} // namespace results

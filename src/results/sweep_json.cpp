@@ -8,31 +8,31 @@
 #include "results/sweep_fields.h"
 #include "results/sweep_verdict.h"
 
-namespace record {
+namespace results {
 namespace {
 constexpr qsizetype pieceSize = 65536;
 
-/// A document that is a file of its own, further in.
+/// A nested document that could be a file of its own, indented.
 QByteArray indented(const QByteArray& document)
 {
     return document.trimmed().replace("\n", "\n      ");
 }
 
-JsonObjectWriter& addRange(JsonObjectWriter& line, const SweepRange& range)
+files::JsonObjectWriter& addRange(files::JsonObjectWriter& line, const SweepRange& range)
 {
     return line.text("from", range.from).text("to", range.to);
 }
 
 QByteArray rangeText(const std::pair<const int, SweepRange>& item)
 {
-    JsonObjectWriter line;
+    files::JsonObjectWriter line;
     line.integer("servo", item.first);
     return addRange(line, item.second).done();
 }
 
 QByteArray pointText(const SweepPoint& point)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .text("target", point.target)
         .number("pause_ms", inMs(point.pause))
         .done();
@@ -40,12 +40,12 @@ QByteArray pointText(const SweepPoint& point)
 
 QByteArray testText(const SweepSpec& spec)
 {
-    JsonObjectWriter line;
+    files::JsonObjectWriter line;
     line.text("shape", sweepShapeName(spec.shape));
     addRange(line, spec.range)
-        .raw("ranges", jsonList(spec.ranges, rangeText))
+        .raw("ranges", files::jsonList(spec.ranges, rangeText))
         .text("step", spec.step)
-        .raw("points", jsonList(spec.points, pointText))
+        .raw("points", files::jsonList(spec.points, pointText))
         .integer("seed", spec.seed)
         .number("period_ms", inMs(spec.period))
         .text("pace", sweepPaceName(spec.pace))
@@ -67,7 +67,7 @@ QByteArray testText(const SweepSpec& spec)
 
 QByteArray errorsText(const SweepErrors& errors)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .integer("asked", errors.asked)
         .integer("time_outs", errors.timeouts)
         .integer("bad_checks", errors.badChecksums)
@@ -78,7 +78,7 @@ QByteArray errorsText(const SweepErrors& errors)
 
 QByteArray verdictText(const VerdictLine& line)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .text("metric", line.limit.metric)
         .text("unit", line.limit.unit)
         .flag("at_least", line.limit.atLeast)
@@ -96,18 +96,19 @@ QByteArray servoText(const SweepRun& run, const SweepServo& servo)
     for (const VerdictLine& line : servo.lines)
         lines += (lines.isEmpty() ? "\n        " : ",\n        ") + verdictText(line);
     return "{\n      \"id\": " + QByteArray::number(servo.parameters.servo.id) +
-           ",\n      \"verdict\": " + jsonText(gradeName(servo.verdict)) +
-           ",\n      \"no_verdict\": " + (open.isEmpty() ? "null" : jsonText(open)) +
+           ",\n      \"verdict\": " + files::jsonText(gradeName(servo.verdict)) +
+           ",\n      \"no_verdict\": " + (open.isEmpty() ? "null" : files::jsonText(open)) +
            ",\n      \"axis\": " + encodeAxis(servo.axis, AxisFields::Path) +
            ",\n      \"lines\": [" + lines + (lines.isEmpty() ? "]" : "\n      ]") +
            ",\n      \"errors\": " + errorsText(servo.errors) +
            ",\n      \"limits\": " + indented(encodeSweepLimits(servo.limits)) +
-           ",\n      \"parameters\": " + indented(encodeSnapshot(servo.parameters)) + "\n    }";
+           ",\n      \"parameters\": " + indented(snapshot::encodeSnapshot(servo.parameters)) +
+           "\n    }";
 }
 
 QByteArray metricText(int servo, const SweepMetric& metric)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .integer("servo", servo)
         .text("metric", metric.key)
         .text("unit", metric.unit)
@@ -121,7 +122,7 @@ QByteArray metricText(int servo, const SweepMetric& metric)
 
 QByteArray legText(int servo, const SweepLeg& leg)
 {
-    JsonObjectWriter line;
+    files::JsonObjectWriter line;
     line.integer("servo", servo)
         .integer("leg", leg.number)
         .integer("cycle", leg.cycle)
@@ -136,14 +137,14 @@ QByteArray legText(int servo, const SweepLeg& leg)
     return line.integer("samples", leg.samples)
         .integer("lost", leg.lost)
         .flag("missed", leg.missed)
-        .raw("flag_wrong", leg.flagWrong ? jsonFlag(*leg.flagWrong) : "null")
+        .raw("flag_wrong", leg.flagWrong ? files::jsonFlag(*leg.flagWrong) : "null")
         .integer("alarms", int(leg.alarms))
         .done();
 }
 
 QByteArray gapText(const SweepGap& gap)
 {
-    return JsonObjectWriter()
+    return files::JsonObjectWriter()
         .number("at_ms", inMs(gap.at))
         .number("span_ms", inMs(gap.span))
         .done();
@@ -153,21 +154,24 @@ QByteArray headText(const SweepRun& run)
 {
     const QByteArray endedBy = run.endedBy < 0 ? "null" : QByteArray::number(run.endedBy);
     return "{\n  \"format\": \"servodesk-sweep\",\n  \"version\": 1,\n  \"verdict\": " +
-           jsonText(gradeName(run.verdict())) + ",\n  \"program\": " + jsonText(run.program) +
-           ",\n  \"time\": " + jsonText(run.at.toUTC().toString(Qt::ISODateWithMs)) +
-           ",\n  \"port\": " + jsonText(run.port) +
+           files::jsonText(gradeName(run.verdict())) +
+           ",\n  \"program\": " + files::jsonText(run.program) +
+           ",\n  \"time\": " + files::jsonText(run.at.toUTC().toString(Qt::ISODateWithMs)) +
+           ",\n  \"port\": " + files::jsonText(run.port) +
            ",\n  \"baud\": " + QByteArray::number(run.baud) +
-           ",\n  \"simulated\": " + jsonFlag(run.simulated) +
-           ",\n  \"length_ms\": " + jsonNumber(inMs(run.length)) +
-           ",\n  \"end\": " + jsonText(sweepEndName(run.end)) + ",\n  \"ended_by\": " + endedBy +
-           ",\n  \"sample_rate\": " + jsonNumber(run.sampleRate) +
-           ",\n  \"gaps\": " + jsonList(run.gaps, gapText) + ",\n  \"test\": " + testText(run.spec);
+           ",\n  \"simulated\": " + files::jsonFlag(run.simulated) +
+           ",\n  \"length_ms\": " + files::jsonNumber(inMs(run.length)) +
+           ",\n  \"end\": " + files::jsonText(sweepEndName(run.end)) +
+           ",\n  \"ended_by\": " + endedBy +
+           ",\n  \"sample_rate\": " + files::jsonNumber(run.sampleRate) +
+           ",\n  \"gaps\": " + files::jsonList(run.gaps, gapText) +
+           ",\n  \"test\": " + testText(run.spec);
 }
 
-/// Items of all servos in one list, a line each, handed over now and then.
+/// Items of all servos in one list, one per line, written in pieces.
 template <typename Items, typename Write>
 void writeList(const SweepRun& run, const char* key, Items SweepServo::*items, const Write& write,
-               const TextSink& sink)
+               const files::TextSink& sink)
 {
     QByteArray text = ",\n  \"" + QByteArray(key) + "\": [";
     const char* separator = "\n    ";
@@ -183,7 +187,7 @@ void writeList(const SweepRun& run, const char* key, Items SweepServo::*items, c
 }
 } // namespace
 
-void writeSweepRun(const SweepRun& run, const TextSink& sink)
+void writeSweepRun(const SweepRun& run, const files::TextSink& sink)
 {
     sink(headText(run) + ",\n  \"servos\": [");
     const char* separator = "\n    ";
@@ -209,8 +213,8 @@ QByteArray encodeSweepRun(const SweepRun& run)
 
 base::Result<void> saveSweepRun(const SweepRun& run, const QString& path)
 {
-    return saveTextFile(
-        QStringLiteral("save-sweep"), [&](const TextSink& sink) { writeSweepRun(run, sink); },
-        path);
+    return files::saveTextFile(
+        QStringLiteral("save-sweep"),
+        [&](const files::TextSink& sink) { writeSweepRun(run, sink); }, path);
 }
-} // namespace record
+} // namespace results

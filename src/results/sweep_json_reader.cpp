@@ -11,13 +11,13 @@
 #include <cmath>
 #include <limits>
 
-namespace record {
+namespace results {
 namespace {
 const QString loadSweepOperation = QStringLiteral("load-sweep");
 constexpr qint64 maxSweepFileSize = 512 * 1024 * 1024;
 constexpr int sweepVersion = 1;
 
-std::optional<base::Duration> spanOrNull(const JsonReader& json, const char* key)
+std::optional<base::Duration> spanOrNull(const files::JsonReader& json, const char* key)
 {
     const auto ms = json.numberOrNull(key);
     if (!ms)
@@ -25,7 +25,7 @@ std::optional<base::Duration> spanOrNull(const JsonReader& json, const char* key
     return readMilliseconds(json, key, *ms);
 }
 
-base::Duration span(const JsonReader& json, const char* key)
+base::Duration span(const files::JsonReader& json, const char* key)
 {
     const auto found = spanOrNull(json, key);
     if (!found)
@@ -33,7 +33,7 @@ base::Duration span(const JsonReader& json, const char* key)
     return found.value_or(base::Duration());
 }
 
-std::uint64_t count(const JsonReader& json, const char* key)
+std::uint64_t count(const files::JsonReader& json, const char* key)
 {
     const std::int64_t found = json.integer(key);
     if (found < 0)
@@ -41,37 +41,27 @@ std::uint64_t count(const JsonReader& json, const char* key)
     return std::uint64_t(std::max<std::int64_t>(found, 0));
 }
 
-template <typename Word>
-Word word(const JsonReader& json, const char* key, std::optional<Word> (*fromName)(const QString&))
-{
-    const QString name = json.text(key);
-    const auto found = fromName(name);
-    if (!found)
-        json.reportError(key, QStringLiteral("unknown word \"%1\"").arg(name));
-    return found.value_or(Word());
-}
-
-SweepRange readRange(const JsonReader& json)
+SweepRange readRange(const files::JsonReader& json)
 {
     return {json.text("from"), json.text("to")};
 }
 
-SweepSpec readTest(const JsonReader& json)
+SweepSpec readTest(const files::JsonReader& json)
 {
     SweepSpec spec;
-    spec.shape = word(json, "shape", sweepShapeFromName);
+    spec.shape = json.enumValue("shape", sweepShapeFromName);
     spec.range = readRange(json);
-    for (const JsonReader& range : json.objects("ranges"))
+    for (const files::JsonReader& range : json.objects("ranges"))
         spec.ranges[range.smallInteger("servo")] = readRange(range);
     spec.step = json.text("step");
-    for (const JsonReader& point : json.objects("points"))
+    for (const files::JsonReader& point : json.objects("points"))
         spec.points.push_back({point.text("target"), spanOrNull(point, "pause_ms")});
     const std::uint64_t seed = count(json, "seed");
     if (seed > std::numeric_limits<std::uint32_t>::max())
         json.reportError("seed", QStringLiteral("number too large"));
     spec.seed = std::uint32_t(seed);
     spec.period = span(json, "period_ms");
-    spec.pace = word(json, "pace", sweepPaceFromName);
+    spec.pace = json.enumValue("pace", sweepPaceFromName);
     spec.pause = span(json, "pause_ms");
     spec.cycles = json.smallInteger("cycles");
     spec.length = span(json, "length_ms");
@@ -88,7 +78,7 @@ SweepSpec readTest(const JsonReader& json)
     return spec;
 }
 
-VerdictLine readVerdict(const JsonReader& json)
+VerdictLine readVerdict(const files::JsonReader& json)
 {
     VerdictLine line;
     line.limit.metric = json.nonEmptyText("metric");
@@ -97,35 +87,36 @@ VerdictLine readVerdict(const JsonReader& json)
     line.limit.warn = json.numberOrNull("warn");
     line.limit.fail = json.numberOrNull("fail");
     line.value = json.numberOrNull("value");
-    line.grade = word(json, "grade", gradeFromName);
+    line.grade = json.enumValue("grade", gradeFromName);
     return line;
 }
 
-SweepErrors readErrors(const JsonReader& json)
+SweepErrors readErrors(const files::JsonReader& json)
 {
     return {count(json, "asked"), count(json, "time_outs"), count(json, "bad_checks"),
             count(json, "foreign"), count(json, "late")};
 }
 
-SweepServo readSweepServo(const JsonReader& json)
+SweepServo readSweepServo(const files::JsonReader& json)
 {
     SweepServo servo;
-    servo.parameters = readSnapshot(json.object("parameters"));
+    servo.parameters = snapshot::readSnapshot(json.object("parameters"));
     servo.axis = readAxis(json.object("axis"), AxisFields::Path);
     servo.limits = readSweepLimits(json.object("limits"));
-    for (const JsonReader& line : json.objects("lines"))
+    for (const files::JsonReader& line : json.objects("lines"))
         servo.lines.push_back(readVerdict(line));
     servo.errors = readErrors(json.object("errors"));
-    (void)word(json, "verdict", gradeFromName); // earlier versions let runs pass that had not ended
+    (void)json.enumValue("verdict",
+                         gradeFromName); // earlier versions let runs pass that had not ended
     if (json.smallInteger("id") != servo.parameters.servo.id)
         json.reportError("id", QStringLiteral("is not the one of its parameters"));
     return servo;
 }
 
-std::vector<SweepServo> readServos(const JsonReader& json)
+std::vector<SweepServo> readServos(const files::JsonReader& json)
 {
     std::vector<SweepServo> servos;
-    for (const JsonReader& object : json.objects("servos")) {
+    for (const files::JsonReader& object : json.objects("servos")) {
         SweepServo servo = readSweepServo(object);
         for (const SweepServo& before : servos) {
             if (before.parameters.servo.id == servo.parameters.servo.id)
@@ -136,7 +127,7 @@ std::vector<SweepServo> readServos(const JsonReader& json)
     return servos;
 }
 
-SweepMetric readMetric(const JsonReader& json)
+SweepMetric readMetric(const files::JsonReader& json)
 {
     SweepMetric metric;
     metric.key = json.nonEmptyText("metric");
@@ -149,7 +140,7 @@ SweepMetric readMetric(const JsonReader& json)
     return metric;
 }
 
-SweepLeg readLeg(const JsonReader& json)
+SweepLeg readLeg(const files::JsonReader& json)
 {
     SweepLeg leg;
     leg.number = json.smallInteger("leg");
@@ -177,10 +168,10 @@ SweepLeg readLeg(const JsonReader& json)
 }
 
 template <typename Item>
-void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& servos,
-              std::vector<Item> SweepServo::*items, Item (*read)(const JsonReader&))
+void readRows(const files::JsonReader& json, const char* key, std::vector<SweepServo>& servos,
+              std::vector<Item> SweepServo::*items, Item (*read)(const files::JsonReader&))
 {
-    for (const JsonReader& row : json.objects(key)) {
+    for (const files::JsonReader& row : json.objects(key)) {
         const int id = row.smallInteger("servo");
         const auto servo = std::find_if(servos.begin(), servos.end(), [id](const SweepServo& one) {
             return one.parameters.servo.id == id;
@@ -192,10 +183,10 @@ void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& 
     }
 }
 
-SweepRun readSweepRun(const JsonReader& json)
+SweepRun readSweepRun(const files::JsonReader& json)
 {
-    checkFormat(json, QLatin1StringView("servodesk-sweep"), sweepVersion,
-                QStringLiteral("not a sweep test of ServoDesk"));
+    files::checkFormat(json, QLatin1StringView("servodesk-sweep"), sweepVersion,
+                       QStringLiteral("not a sweep test of ServoDesk"));
     SweepRun run;
     run.program = json.text("program");
     run.at = json.time("time");
@@ -203,10 +194,10 @@ SweepRun readSweepRun(const JsonReader& json)
     run.baud = json.smallInteger("baud");
     run.simulated = json.flag("simulated");
     run.length = span(json, "length_ms");
-    run.end = word(json, "end", sweepEndFromName);
+    run.end = json.enumValue("end", sweepEndFromName);
     run.endedBy = json.integerOrNull("ended_by") ? json.smallInteger("ended_by") : -1;
     run.sampleRate = json.number("sample_rate");
-    for (const JsonReader& gap : json.objects("gaps"))
+    for (const files::JsonReader& gap : json.objects("gaps"))
         run.gaps.push_back({span(gap, "at_ms"), span(gap, "span_ms")});
     run.spec = readTest(json.object("test"));
     run.servos = readServos(json);
@@ -219,11 +210,11 @@ SweepRun readSweepRun(const JsonReader& json)
 
 base::Result<SweepRun> decodeSweepRun(const QByteArray& text)
 {
-    const auto document = parseJson(text);
+    const auto document = files::parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loadSweepOperation, document.error());
-    JsonReadError readError;
-    SweepRun run = readSweepRun(JsonReader(*document, readError));
+    files::JsonReadError readError;
+    SweepRun run = readSweepRun(files::JsonReader(*document, readError));
     if (readError.isSet())
         return base::fail(base::ErrorCode::FileFormat, loadSweepOperation, readError.text());
     return run;
@@ -231,7 +222,7 @@ base::Result<SweepRun> decodeSweepRun(const QByteArray& text)
 
 base::Result<SweepRun> loadSweepRun(const QString& path)
 {
-    const auto text = readTextFile(loadSweepOperation, path, maxSweepFileSize);
+    const auto text = files::readTextFile(loadSweepOperation, path, maxSweepFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto run = decodeSweepRun(*text);
@@ -242,4 +233,4 @@ base::Result<SweepRun> loadSweepRun(const QString& path)
     }
     return run;
 }
-} // namespace record
+} // namespace results

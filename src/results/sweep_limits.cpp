@@ -12,14 +12,14 @@
 
 #include <algorithm>
 
-// Q_INIT_RESOURCE must stand outside every namespace; without it the linker drops the resources of
+// Q_INIT_RESOURCE must be outside every namespace; without it the linker drops the resources of
 // a static library.
 static void initLimitsResource()
 {
     Q_INIT_RESOURCE(limits);
 }
 
-namespace record {
+namespace results {
 namespace {
 const QString loadLimitsOperation = QStringLiteral("load-limits");
 const QString saving = QStringLiteral("save-limits");
@@ -35,8 +35,8 @@ const SweepMetricKind* kindOf(const QString& key)
     return it == kinds.end() ? nullptr : &*it;
 }
 
-/// None where the file says nothing, or null.
-std::optional<double> boundOf(const JsonReader& json, const char* key)
+/// None where the file has no value, or null.
+std::optional<double> boundOf(const files::JsonReader& json, const char* key)
 {
     if (!json.contains(key))
         return {};
@@ -46,8 +46,8 @@ std::optional<double> boundOf(const JsonReader& json, const char* key)
     return bound;
 }
 
-/// A line that is wrong is named by its metric, too: people do not count lines from 0.
-void checkBounds(const JsonReader& json, const SweepLimit& line)
+/// The error also names the metric of the line, because users do not count lines from 0.
+void checkBounds(const files::JsonReader& json, const SweepLimit& line)
 {
     if (!line.warn && !line.fail)
         json.reportError("fail",
@@ -60,7 +60,7 @@ void checkBounds(const JsonReader& json, const SweepLimit& line)
                          QStringLiteral("\"%1\" would fail before it warns").arg(line.metric));
 }
 
-SweepLimit readLine(const JsonReader& json)
+SweepLimit readLine(const files::JsonReader& json)
 {
     static const QStringList known{QStringLiteral("metric"),   QStringLiteral("unit"),
                                    QStringLiteral("at_least"), QStringLiteral("warn"),
@@ -84,11 +84,11 @@ SweepLimit readLine(const JsonReader& json)
     return line;
 }
 
-std::vector<SweepLimit> readLines(const JsonReader& json)
+std::vector<SweepLimit> readLines(const files::JsonReader& json)
 {
     std::vector<SweepLimit> lines;
     QSet<QString> seen;
-    for (const JsonReader& object : json.objects("lines")) {
+    for (const files::JsonReader& object : json.objects("lines")) {
         lines.push_back(readLine(object));
         const SweepLimit& line = lines.back();
         const QString name = line.metric + (line.atLeast ? u'>' : u'<');
@@ -101,9 +101,11 @@ std::vector<SweepLimit> readLines(const JsonReader& json)
 
 QByteArray lineText(const SweepLimit& line)
 {
-    return "    {\"metric\": " + jsonText(line.metric) + ", \"unit\": " + jsonText(line.unit) +
-           ", \"at_least\": " + jsonFlag(line.atLeast) + ", \"warn\": " + jsonNumber(line.warn) +
-           ", \"fail\": " + jsonNumber(line.fail) + '}';
+    return "    {\"metric\": " + files::jsonText(line.metric) +
+           ", \"unit\": " + files::jsonText(line.unit) +
+           ", \"at_least\": " + files::jsonFlag(line.atLeast) +
+           ", \"warn\": " + files::jsonNumber(line.warn) +
+           ", \"fail\": " + files::jsonNumber(line.fail) + '}';
 }
 
 /// In the order of their names; read once.
@@ -127,11 +129,12 @@ const std::vector<SweepLimits>& builtIn()
 
 QByteArray encodeSweepLimits(const SweepLimits& limits)
 {
-    QByteArray text = "{\n  \"format\": " + jsonText(limitsFormat) +
+    QByteArray text = "{\n  \"format\": " + files::jsonText(limitsFormat) +
                       ",\n  \"version\": " + QByteArray::number(limitsVersion) +
-                      ",\n  \"name\": " + jsonText(limits.name) +
-                      ",\n  \"models\": " + jsonText(limits.models) +
-                      ",\n  \"tolerance\": " + jsonNumber(limits.tolerance) + ",\n  \"lines\": [";
+                      ",\n  \"name\": " + files::jsonText(limits.name) +
+                      ",\n  \"models\": " + files::jsonText(limits.models) +
+                      ",\n  \"tolerance\": " + files::jsonNumber(limits.tolerance) +
+                      ",\n  \"lines\": [";
     const char* separator = "\n";
     for (const SweepLimit& line : limits.lines) {
         text += separator + lineText(line);
@@ -140,14 +143,14 @@ QByteArray encodeSweepLimits(const SweepLimits& limits)
     return text + "\n  ]\n}\n";
 }
 
-SweepLimits readSweepLimits(const JsonReader& json)
+SweepLimits readSweepLimits(const files::JsonReader& json)
 {
     static const QStringList known{QStringLiteral("$schema"), QStringLiteral("format"),
                                    QStringLiteral("version"), QStringLiteral("name"),
                                    QStringLiteral("models"),  QStringLiteral("tolerance"),
                                    QStringLiteral("lines"),   QStringLiteral("comment")};
-    checkFormat(json, limitsFormat, limitsVersion,
-                QStringLiteral("not a file of ServoDesk limits"));
+    files::checkFormat(json, limitsFormat, limitsVersion,
+                       QStringLiteral("not a file of ServoDesk limits"));
     json.rejectUnknownKeys(known);
     SweepLimits limits;
     limits.name = json.text("name");
@@ -162,11 +165,11 @@ SweepLimits readSweepLimits(const JsonReader& json)
 
 base::Result<SweepLimits> decodeSweepLimits(const QByteArray& text)
 {
-    const auto document = parseJson(text);
+    const auto document = files::parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loadLimitsOperation, document.error());
-    JsonReadError readError;
-    const JsonReader json(*document, readError);
+    files::JsonReadError readError;
+    const files::JsonReader json(*document, readError);
     const SweepLimits limits = readSweepLimits(json);
     if (limits.name.isEmpty())
         json.reportError("name", QStringLiteral("must not be empty"));
@@ -179,7 +182,7 @@ base::Result<SweepLimits> decodeSweepLimits(const QByteArray& text)
 
 base::Result<SweepLimits> loadSweepLimits(const QString& path)
 {
-    const auto text = readTextFile(loadLimitsOperation, path, maxLimitsFileSize);
+    const auto text = files::readTextFile(loadLimitsOperation, path, maxLimitsFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto limits = decodeSweepLimits(*text);
@@ -193,7 +196,7 @@ base::Result<SweepLimits> loadSweepLimits(const QString& path)
 
 base::Result<void> saveSweepLimits(const SweepLimits& limits, const QString& path)
 {
-    return saveTextFile(saving, encodeSweepLimits(limits), path);
+    return files::saveTextFile(saving, encodeSweepLimits(limits), path);
 }
 
 SweepLimits builtInSweepLimits(const QString& model, const QString& series)
@@ -248,4 +251,4 @@ const std::vector<SweepMetricKind>& sweepMetricKinds()
     };
     return kinds;
 }
-} // namespace record
+} // namespace results

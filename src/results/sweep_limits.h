@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a good servo of a model must keep to: an editable JSON file (resources/limits has the
-// built-in ones), a line a figure. Immutable values; any thread. FileMissing, FileUnreadable,
+// The limits that a good servo of a model keeps: an editable JSON file (resources/limits has the
+// built-in ones), one line per figure. Immutable values; any thread. FileMissing, FileUnreadable,
 // FileFormat (detail names line or metric and what is wrong), FileUnwritable, DiskFull.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace record {
+namespace results {
 struct SweepLimit {
     QString metric; ///< SweepMetric::key
     QString unit;   ///< must be the metric's
@@ -37,11 +37,11 @@ base::Result<void> saveSweepLimits(const SweepLimits& limits, const QString& pat
 /// The built-in ones: for the model itself, else for its series, else for any.
 SweepLimits builtInSweepLimits(const QString& model, const QString& series);
 
-/// Every metric there is, in the order of a report, with its unit. A limits file may name no other.
+/// All metrics in the order of a report, with its unit. A limits file may name no other.
 struct SweepMetricKind {
     QString key;
     QString unit;
     bool atLeast = false; ///< more is better
 };
 const std::vector<SweepMetricKind>& sweepMetricKinds();
-} // namespace record
+} // namespace results

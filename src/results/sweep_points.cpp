@@ -6,7 +6,7 @@
 
 #include <QList>
 
-namespace record {
+namespace results {
 using base::ErrorCode;
 
 namespace {
@@ -39,7 +39,7 @@ base::Result<SweepPoint> pointOf(const std::vector<std::string_view>& cells, int
 base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
 {
     std::vector<SweepPoint> points;
-    CsvLineParser split;
+    files::CsvLineParser split;
     int number = 0;
     for (const QByteArray& whole : text.split('\n')) {
         ++number;
@@ -62,9 +62,9 @@ base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
 base::Result<std::vector<SweepPoint>> loadSweepPoints(const QString& path)
 {
     constexpr qint64 maxFileSize = 16 << 20;
-    const auto text = readTextFile(loadPointsOperation, path, maxFileSize);
+    const auto text = files::readTextFile(loadPointsOperation, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     return decodeSweepPoints(*text);
 }
-} // namespace record
+} // namespace results

@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/sweep_run.h"
 
-#include <array>
-#include <utility>
+#include "base/enum_names.h"
 
-namespace record {
+namespace results {
 namespace {
-template <typename Word, std::size_t Count>
-using Names = std::array<std::pair<Word, const char*>, Count>;
-
-constexpr Names<SweepShape, 6> shapes{{
+constexpr base::EnumName<SweepShape> shapeNames[]{
     {SweepShape::Sweep, "sweep"},
     {SweepShape::Stairs, "stairs"},
     {SweepShape::BothSides, "both-sides"},
     {SweepShape::Random, "random"},
     {SweepShape::Sine, "sine"},
     {SweepShape::Points, "points"},
-}};
-constexpr Names<SweepPace, 2> paces{{{SweepPace::Delay, "delay"}, {SweepPace::Dwell, "dwell"}}};
-constexpr Names<Grade, 4> grades{{
+};
+constexpr base::EnumName<SweepPace> paceNames[]{{SweepPace::Delay, "delay"},
+                                                {SweepPace::Dwell, "dwell"}};
+constexpr base::EnumName<Grade> gradeNames[]{
     {Grade::Pass, "pass"},
     {Grade::Warn, "warn"},
     {Grade::Fail, "fail"},
     {Grade::NotMeasured, "not-measured"},
-}};
-constexpr Names<SweepEnd, 10> ends{{
+};
+constexpr base::EnumName<SweepEnd> endNames[]{
     {SweepEnd::Finished, "finished"},
     {SweepEnd::Stopped, "stopped"},
     {SweepEnd::Emergency, "emergency"},
@@ -35,29 +32,9 @@ constexpr Names<SweepEnd, 10> ends{{
     {SweepEnd::Refused, "refused"},
     {SweepEnd::TorqueLost, "torque-lost"},
     {SweepEnd::ServoReplaced, "exchanged"},
-}};
+};
 
-template <typename Word, std::size_t Count>
-QString nameOfValue(const Names<Word, Count>& names, Word word)
-{
-    for (const auto& [known, name] : names) {
-        if (known == word)
-            return QString::fromLatin1(name);
-    }
-    return {};
-}
-
-template <typename Word, std::size_t Count>
-std::optional<Word> valueOfName(const Names<Word, Count>& names, const QString& wanted)
-{
-    for (const auto& [word, name] : names) {
-        if (wanted == QLatin1String(name))
-            return word;
-    }
-    return {};
-}
-
-/// What a servo is to blame for ends its run with a failure; the others leave the question open.
+/// An end that the servo caused is a failure; the other ends give no verdict.
 Grade gradeOf(SweepEnd end)
 {
     switch (end) {
@@ -78,7 +55,7 @@ Grade gradeOf(SweepEnd end)
     return Grade::NotMeasured;
 }
 
-/// A failure is one whatever else was found out; a servo without a verdict is worse than a warning.
+/// A failure is the worst; a servo without a verdict is worse than one with a warning.
 int severity(Grade grade)
 {
     switch (grade) {
@@ -97,42 +74,42 @@ int severity(Grade grade)
 
 QString sweepShapeName(SweepShape shape)
 {
-    return nameOfValue(shapes, shape);
+    return base::nameOf(shapeNames, shape);
 }
 
 std::optional<SweepShape> sweepShapeFromName(const QString& name)
 {
-    return valueOfName(shapes, name);
+    return base::valueOf(shapeNames, name);
 }
 
 QString sweepPaceName(SweepPace pace)
 {
-    return nameOfValue(paces, pace);
+    return base::nameOf(paceNames, pace);
 }
 
 std::optional<SweepPace> sweepPaceFromName(const QString& name)
 {
-    return valueOfName(paces, name);
+    return base::valueOf(paceNames, name);
 }
 
 QString gradeName(Grade grade)
 {
-    return nameOfValue(grades, grade);
+    return base::nameOf(gradeNames, grade);
 }
 
 std::optional<Grade> gradeFromName(const QString& name)
 {
-    return valueOfName(grades, name);
+    return base::valueOf(gradeNames, name);
 }
 
 QString sweepEndName(SweepEnd end)
 {
-    return nameOfValue(ends, end);
+    return base::nameOf(endNames, end);
 }
 
 std::optional<SweepEnd> sweepEndFromName(const QString& name)
 {
-    return valueOfName(ends, name);
+    return base::valueOf(endNames, name);
 }
 
 Grade SweepRun::verdict() const
@@ -144,4 +121,4 @@ Grade SweepRun::verdict() const
     }
     return worst;
 }
-} // namespace record
+} // namespace results

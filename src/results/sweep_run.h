@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sweep test has found: every leg, the figures over the run, the verdict. Plain values, kept
+// The result of a sweep test: every leg, the figures over the run, the verdict. Plain values, kept
 // in the report; any thread. Positions in steps of the servo's feedback, speeds in steps/s, current
-// in mA, load in %, voltage in V, temperature in °C. What the family cannot measure is nullopt.
-// As JSON: sweep_json.h; as CSV: legs.
+// in mA, load in %, voltage in V, temperature in °C. A value that the family cannot measure is
+// nullopt. As JSON: sweep_json.h; as CSV: legs.
 #pragma once
 
 #include "results/sweep_limits.h"
 #include "results/sweep_spec.h"
 #include "snapshot/snapshot.h"
 
-namespace record {
+namespace results {
 /// Alarms and losses count as long as the leg lasts.
 struct SweepLeg {
     int number = 0;        ///< from 1
@@ -26,7 +26,7 @@ struct SweepLeg {
     std::optional<double> steadyError{}; ///< reached − target
     std::optional<double> meanSpeed{};   ///< over the middle 80 % of the way
     std::optional<double> topSpeed{};
-    std::optional<double> followingError{}; ///< most behind the path it was told
+    std::optional<double> followingError{}; ///< largest lag behind the commanded path
     std::optional<double> phaseLag{};       ///< of a sine: behind the goals, degrees of its period
     std::optional<double> currentPeak{};
     std::optional<double> currentMean{};
@@ -37,12 +37,12 @@ struct SweepLeg {
     int samples = 0;
     int lost = 0;                    ///< readings without an answer
     bool missed = false;             ///< never within tolerance
-    std::optional<bool> flagWrong{}; ///< the moving flag said otherwise than the position
+    std::optional<bool> flagWrong{}; ///< the moving flag contradicted the position
     std::uint8_t alarms = 0;         ///< status bits seen
     bool operator==(const SweepLeg&) const = default;
 };
 
-/// One figure over the run. `value` is the one that is judged; see sweepMetrics().
+/// One figure over the run. `value` is the one that is evaluated; see sweepMetrics().
 struct SweepMetric {
     QString key; ///< "overshoot", also in the limits file
     QString unit;
@@ -50,7 +50,7 @@ struct SweepMetric {
     std::optional<double> mean{};
     std::optional<double> min{};
     std::optional<double> max{};
-    std::uint64_t count = 0; ///< of what it was worked out from: legs, targets, samples
+    std::uint64_t count = 0; ///< of the legs, targets or samples it was computed from
     bool operator==(const SweepMetric&) const = default;
 };
 
@@ -71,7 +71,7 @@ enum class SweepEnd : std::uint8_t {
     Emergency, ///< the stop key
     Alarm,
     Stall,
-    Failure, ///< the first failed line, when asked to stop there
+    Failure, ///< the first failed line, if the test stops there
     LinkLost,
     Refused,       ///< a servo no longer took a goal: its limits or its mode have changed
     TorqueLost,    ///< a servo had no torque any more (a restart, another program), and is left so
@@ -80,7 +80,7 @@ enum class SweepEnd : std::uint8_t {
 QString sweepEndName(SweepEnd end);
 std::optional<SweepEnd> sweepEndFromName(const QString& name);
 
-/// The bus heard nothing for a while, and the test went on after it.
+/// A gap without replies, after which the test continued.
 struct SweepGap {
     base::Duration at{};
     base::Duration span{};
@@ -97,14 +97,15 @@ struct SweepErrors {
 };
 
 struct SweepServo {
-    Snapshot parameters; ///< identity and memory table at the start
+    snapshot::Snapshot parameters; ///< identity and memory table at the start
     SweepAxis axis;
     SweepLimits limits; ///< as they were then
     std::vector<SweepLeg> legs{};
     std::vector<SweepMetric> metrics{};
     std::vector<VerdictLine> lines{};
     SweepErrors errors{};
-    Grade verdict = Grade::NotMeasured; ///< by sweep_verdict.h, which says why there is none
+    Grade verdict =
+        Grade::NotMeasured; ///< by sweep_verdict.h, which also gives the reason for none
     bool operator==(const SweepServo&) const = default;
 };
 
@@ -125,4 +126,4 @@ struct SweepRun {
 
     Grade verdict() const; ///< the worst of the servos'; an early end is never a pass
 };
-} // namespace record
+} // namespace results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sweep test was asked to do, and what that means for one servo. Values, kept in the report;
+// The settings of a sweep test, and what they mean for one servo. Values, kept in the report;
 // any thread. Texts are as the user typed them ("1024", "90deg", "1500", "30rpm"): a number without
 // a unit counts as the register does, so that servos of several families can share one test.
 #pragma once
@@ -13,11 +13,11 @@
 #include <optional>
 #include <vector>
 
-namespace record {
+namespace results {
 enum class SweepShape : std::uint8_t {
     Sweep,     ///< start, end, start …
     Stairs,    ///< start to end and back by `step`
-    BothSides, ///< start, middle, end, middle …: the middle is come to from both sides
+    BothSides, ///< start, middle, end, middle …: the middle is approached from both sides
     Random,    ///< targets between start and end, the same ones for the same seed
     Sine,      ///< goals follow a sine between start and end; a leg is half a period
     Points,    ///< a list of the user's
@@ -57,14 +57,14 @@ struct SweepSpec {
     base::Duration period{};            ///< Sine
     SweepPace pace = SweepPace::Delay;
     base::Duration pause{};  ///< the delay or the dwell
-    int cycles = 1;          ///< 0: as long as `length` says
-    base::Duration length{}; ///< 0: as many as `cycles` says; both: what ends first
+    int cycles = 1;          ///< 0: limited by `length`
+    base::Duration length{}; ///< 0: limited by `cycles`; with both, the first limit ends the test
     QString speed{};         ///< empty: as the servo has it
     QString acceleration{};
     QString time{};          ///< ms; families that move by time
-    base::Duration warmUp{}; ///< cycles run, not measured, for so long before
+    base::Duration warmUp{}; ///< time of cycles before, which are not measured
     bool releaseAtEnd = false;
-    bool stopOnAlarm = true; ///< includes over-temperature and stall as the servo tells them
+    bool stopOnAlarm = true; ///< includes over-temperature and stall as reported by the servo
     bool stopOnStall = true; ///< stands still away from its target
     bool stopOnFailure = false;
     QString operatorName{};
@@ -80,8 +80,8 @@ struct SweepAxis {
     std::vector<double> points{}; ///< Points
     double stepsPerTurn = 4096;
     double tolerance = 0;                 ///< so near a target it has arrived, steps
-    std::optional<double> speed{};        ///< steps/s it is told to move at; none: not limited
+    std::optional<double> speed{};        ///< commanded speed in steps/s; none: not limited
     std::optional<double> acceleration{}; ///< steps/s²; none: at once
     bool operator==(const SweepAxis&) const = default;
 };
-} // namespace record
+} // namespace results

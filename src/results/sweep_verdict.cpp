@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-namespace record {
+namespace results {
 namespace {
 constexpr int legsPerPeriod = 2;
 constexpr std::size_t legsOfCycle = 2; ///< of a sine and of random targets
@@ -19,7 +19,7 @@ const QLatin1StringView steadyError("steady_error");
 const QLatin1StringView overshoot("overshoot");
 const QLatin1StringView communicationErrors("communication_errors");
 
-/// Not within the limit; also where one of both is no number.
+/// Outside the limit; also where the value or the limit is not a number.
 bool isBeyond(double value, const std::optional<double>& limit, bool atLeast)
 {
     return limit && !(atLeast ? value >= *limit : value <= *limit);
@@ -50,7 +50,7 @@ const SweepMetric* metricOf(const SweepServo& servo, QLatin1StringView key)
     return found != servo.metrics.end() ? &*found : nullptr;
 }
 
-/// The lines about a figure say something, and all of them do.
+/// There are lines about the figure, and all of them have a grade.
 NoVerdictReason metricReason(const SweepServo& servo, QLatin1StringView key)
 {
     bool any = false;
@@ -80,7 +80,7 @@ NoVerdictReason sineReason(const SweepRun& run, const SweepServo& servo)
     for (const QLatin1StringView key : {relativeError, phaseLag}) {
         if (const NoVerdictReason lack = metricReason(servo, key); lack != NoVerdictReason::None)
             return lack;
-        // What half of the run was not seen in is not known of the run.
+        // A figure missing in half of the run is unknown for the run.
         const SweepMetric* metric = metricOf(servo, key);
         if (metric == nullptr || metric->count * 2 < servo.legs.size())
             return NoVerdictReason::NotMeasured;
@@ -88,7 +88,7 @@ NoVerdictReason sineReason(const SweepRun& run, const SweepServo& servo)
     return NoVerdictReason::None;
 }
 
-/// How far a leg of a sine is behind, as the figure over the run counts it.
+/// The lag of one leg of a sine, in the unit of the figure of the run.
 std::optional<double> lagOf(const SweepLeg& leg, const SweepServo& servo, const QString& metric)
 {
     if (metric == phaseLag)
@@ -98,8 +98,8 @@ std::optional<double> lagOf(const SweepLeg& leg, const SweepServo& servo, const 
                                        : std::nullopt;
 }
 
-/// A leg was behind by too much that was read too often for the delay of the link to explain it.
-/// What other legs lack says nothing against it.
+/// A leg lagged too far, and its readings are dense enough that the link delay is not the cause.
+/// Missing values of other legs do not count against it.
 bool isLagProven(const SweepServo& servo, const SweepLimit& limit)
 {
     return std::any_of(servo.legs.begin(), servo.legs.end(), [&](const SweepLeg& leg) {
@@ -108,7 +108,7 @@ bool isLagProven(const SweepServo& servo, const SweepLimit& limit)
     });
 }
 
-/// What less than half of the legs say anything about is not known of the run.
+/// A figure that fewer than half of the legs have is unknown for the run.
 bool holdsForMostLegs(const SweepServo& servo,
                       const std::function<bool(const SweepLeg&)>& predicate)
 {
@@ -122,7 +122,7 @@ bool hasLimit(const SweepServo& servo, QLatin1StringView key)
                        [&](const VerdictLine& line) { return line.limit.metric == key; });
 }
 
-/// That the servo came to its targets was seen, by moves that prove it.
+/// Moves long enough to prove arrival show that the servo reached its targets.
 NoVerdictReason arrivalReason(const SweepServo& servo)
 {
     const double tolerance = servo.axis.tolerance;
@@ -134,7 +134,7 @@ NoVerdictReason arrivalReason(const SweepServo& servo)
                                            : NoVerdictReason::NotMeasured;
 }
 
-/// Where it came to rest and how far beyond it went count where there is a limit for them.
+/// Steady error and overshoot count where they have a limit.
 NoVerdictReason targetReason(const SweepServo& servo)
 {
     if (const NoVerdictReason lack = arrivalReason(servo); lack != NoVerdictReason::None)
@@ -151,7 +151,7 @@ NoVerdictReason targetReason(const SweepServo& servo)
     return NoVerdictReason::None;
 }
 
-/// How far a servo is behind is known where its speed is; that it comes to its targets, always.
+/// The following error needs the speed; reaching the targets can always be judged.
 NoVerdictReason randomReason(const SweepServo& servo)
 {
     if (servo.legs.size() < legsOfCycle)
@@ -289,4 +289,4 @@ bool isSineTooFast(const SweepSpec& spec, const SweepAxis& axis)
     const double seconds = std::chrono::duration<double>(spec.period).count();
     return std::numbers::pi * std::abs(axis.to - axis.from) / seconds > *axis.speed;
 }
-} // namespace record
+} // namespace results

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict on a servo of a sweep test, from how the run ended and what was measured. The only
-// place where it is worked out: for a run that has just ended, for one that is read from a file or
-// the history, for lists. Pure; any thread.
+// place that decides it: for a run that has just ended, for a run from a file or the history, and
+// for lists. Pure; any thread.
 //   Fail         a limit was failed, or the servo ended the run (alarm, stall, its first failure);
 //                errors on the wire of a run that ended early are not the servo's
 //   NotMeasured  no verdict, for one of the reasons below
-//   Pass, Warn   the run finished, and what its path is judged by was measured
+//   Pass, Warn   the run finished, and the figures that evaluate its path were measured
 #pragma once
 
 #include "results/sweep_run.h"
 
-namespace record {
+namespace results {
 /// Why a servo has no verdict.
 enum class NoVerdictReason : std::uint8_t {
     None,           ///< it has one
@@ -18,11 +18,11 @@ enum class NoVerdictReason : std::uint8_t {
     TooShort,       ///< sine, random: less than one whole cycle
     TooFewReadings, ///< sine: fewer than minReadingsPerPeriod
     TooFast,        ///< sine: faster than the servo is set to turn
-    NoLimit,        ///< sine, random: no limit says how well goals must be followed or reached
+    NoLimit,        ///< sine, random: no limit for following or reaching goals
     ShortMoves,     ///< paths with targets: most moves are no longer than a servo that stands still
                     ///< needs to be within tolerance, see provesArrival()
     SlowLink,    ///< sine: too far behind, but only in legs with fewer than minReadingsToFailSine
-    NotMeasured, ///< nothing, or not what the path is judged by in most of its legs
+    NotMeasured, ///< the figures that evaluate the path are missing in most of its legs
 };
 QString noVerdictReasonName(NoVerdictReason reason); ///< "ended", "too-short" …; None: empty
 
@@ -31,7 +31,7 @@ struct SweepVerdict {
     NoVerdictReason reason = NoVerdictReason::None;
 };
 
-/// Fewer say nothing about how a sine is followed.
+/// With fewer readings the following error of a sine cannot be judged.
 inline constexpr int minReadingsPerPeriod = 20;
 /// With fewer in a leg (half a period), what a sine shows the servo to be behind by there may be
 /// the delay of the link: that it is too much is not known then.
@@ -52,9 +52,9 @@ void assignVerdicts(SweepRun& run);
 /// For lists, which have no figures: `grade` is what was stored; `isResponsible`: this servo ended
 /// it.
 Grade gradeAfter(SweepEnd end, Grade grade, bool isResponsible);
-/// An alarm, a stall, a failed limit: one servo is to blame for the end.
+/// An alarm, a stall or a failed limit: one servo caused the end.
 bool isServoFault(SweepEnd end);
-/// Only a run that finished can be what others are held against.
+/// Only a finished run can be a reference for others.
 bool canBeReference(SweepEnd end);
 
 /// A line a limit that applies to the path: Fail before Warn; exactly on the limit is still good; a
@@ -67,9 +67,9 @@ std::vector<VerdictLine> evaluate(const SweepServo& servo, const std::vector<Swe
 /// Fail before Warn before Pass; NotMeasured when no line was measured.
 Grade worstGrade(const std::vector<VerdictLine>& lines);
 
-/// What the following error is held against, in steps: half the range of a sine (its amplitude),
+/// What the following error is relative to, in steps: half the range of a sine (its amplitude),
 /// the range of random targets; nullopt: other paths.
 std::optional<double> followingScale(SweepShape shape, const SweepAxis& axis);
-/// In its middle the sine is faster than the speed the servo is told to move at.
+/// At its midpoint the sine is faster than the commanded speed.
 bool isSineTooFast(const SweepSpec& spec, const SweepAxis& axis);
-} // namespace record
+} // namespace results

@@ -46,7 +46,7 @@ void Connection::updateStopFrames()
     std::vector<device::Servo> servos;
     for (const auto& [identity, known] : m_known)
         servos.push_back(known);
-    // The rate may change in the middle of a job; who then turns must hear it too.
+    // The rate may change in the middle of a job; a servo that turns then must get it too.
     const std::vector<base::Protocol> everybody(base::allProtocols.begin(),
                                                 base::allProtocols.end());
     m_bus->setStopFrames(

@@ -26,7 +26,7 @@ struct PortRequest {
     /// spoken; else 1 Mbaud.
     std::optional<int> baud{};
     Parity parity = Parity::None;
-    std::optional<base::Protocol> protocol{};         ///< none: whatever can exist at the rate
+    std::optional<base::Protocol> protocol{};         ///< none: all that can exist at the rate
     std::optional<base::Duration> maxReplyLateness{}; ///< beyond wire time and reply delay
     std::optional<base::Duration>
         frameSilence{}; ///< between Modbus frames, instead of the standard's

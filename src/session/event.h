@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happens at the bench, as data: the window words it and keeps it in its log. Values told by
-// Desk; main thread.
+// What happens at the bench, as data: the window words it and logs it. Values told by
+// Workbench; main thread.
 #pragma once
 
 #include "base/notice.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QDateTime>
 
@@ -30,7 +30,7 @@ struct StopResult {
     }
 };
 
-/// Something that happened, as data; the window words it and keeps it in its log.
+/// Something that happened, as data; the window words it and logs it.
 struct Event {
     enum class Kind : std::uint8_t {
         Connected,

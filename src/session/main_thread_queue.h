@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work handed to the main thread by others: a plain queue and one queued wake-up for all that waits
-// in it. post() from any thread; everything runs on the thread the inbox lives in, in order. What
-// is still in it when the inbox goes is dropped.
+// in it. post() from any thread; everything runs on the thread of this object, in order. What
+// is still in it when the object is destroyed is dropped.
 #pragma once
 
 #include <QObject>

@@ -9,7 +9,7 @@ namespace session {
 /// created by this.
 QString dataFolder();
 
-/// Of the database of record/history.h, in the data folder.
+/// Of the database of history/history.h, in the data folder.
 QString historyFile();
 
 /// The user's own model files (*.json).

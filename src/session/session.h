@@ -17,7 +17,7 @@ public:
 
     const catalog::Catalog& catalog() const { return m_loaded.catalog; }
     const std::vector<catalog::LoadWarning>& warnings() const { return m_loaded.warnings; }
-    record::HistoryJournal& journal() { return m_journal; }
+    history::HistoryJournal& journal() { return m_journal; }
     base::Clock& clock() { return m_clock; } ///< of all ports
 
     /// The connection borrows catalog, journal and clock; it must go first. Errors: PortMissing,
@@ -26,7 +26,7 @@ public:
 
 private:
     catalog::Catalog::LoadResult m_loaded;
-    record::HistoryJournal m_journal;
+    history::HistoryJournal m_journal;
     base::SystemClock m_clock;
 };
 

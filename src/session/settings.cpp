@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/settings.h"
 
+#include "base/enum_names.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -9,7 +11,6 @@
 #include <QStandardPaths>
 #include <QUrl>
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,8 +25,10 @@ constexpr int maxSilenceUs = 1'000'000;
 constexpr int maxRetries = 20;
 
 const QString versionKey = QStringLiteral("version");
-constexpr std::array themes{"system", "light", "dark"};
-constexpr std::array parities{"none", "even", "odd"};
+constexpr base::EnumName<Theme> themeNames[]{
+    {Theme::System, "system"}, {Theme::Light, "light"}, {Theme::Dark, "dark"}};
+constexpr base::EnumName<Parity> parityNames[]{
+    {Parity::None, "none"}, {Parity::Even, "even"}, {Parity::Odd, "odd"}};
 
 QString defaultPath()
 {
@@ -78,16 +81,6 @@ QString adapterGroup(const QString& adapterKey)
            QLatin1Char('/');
 }
 
-template <typename Names>
-std::optional<std::size_t> indexOf(const Names& names, const QString& readText)
-{
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (readText == QLatin1String(names[i]))
-            return i;
-    }
-    return std::nullopt;
-}
-
 /// An ini file knows text only; what was meant is what the default is.
 std::optional<QVariant> readAs(const QVariant& stored, int type)
 {
@@ -118,7 +111,7 @@ std::optional<QVariant> readAs(const QVariant& stored, int type)
     }
 }
 
-/// Nobody else's business, whatever is in it. A file system that knows no owners is no trouble.
+/// Readable by the user only. A file system without owners is no error.
 void keepPrivate(const QString& path)
 {
     constexpr QFileDevice::Permissions owner = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
@@ -189,12 +182,13 @@ void Settings::setLanguage(const QString& language)
 
 Theme Settings::theme() const
 {
-    return Theme(indexOf(themes, readText(QStringLiteral("interface/theme"))).value_or(0));
+    return base::valueOf(themeNames, readText(QStringLiteral("interface/theme")))
+        .value_or(Theme::System);
 }
 
 void Settings::setTheme(Theme theme)
 {
-    write(QStringLiteral("interface/theme"), QLatin1String(themes[std::size_t(theme)]));
+    write(QStringLiteral("interface/theme"), base::nameOf(themeNames, theme));
 }
 
 QString Settings::lastPort() const
@@ -213,8 +207,8 @@ PortRequest Settings::lastRequestFor(const QString& adapterKey) const
     PortRequest request;
     request.name = readText(group + QStringLiteral("port"));
     request.baud = readNumber(group + QStringLiteral("baud"), minRate, maxRate);
-    request.parity =
-        Parity(indexOf(parities, readText(group + QStringLiteral("parity"))).value_or(0));
+    request.parity = base::valueOf(parityNames, readText(group + QStringLiteral("parity")))
+                         .value_or(Parity::None);
     request.protocol = base::protocolFromName(readText(group + QStringLiteral("protocol")));
     if (const auto ms = readNumber(group + QStringLiteral("patience_ms"), 1, maxTimeoutMs))
         request.maxReplyLateness = std::chrono::milliseconds(*ms);
@@ -235,7 +229,7 @@ void Settings::saveRequest(const QString& adapterKey, const PortRequest& request
     };
     keep(QStringLiteral("port"), request.name);
     keep(QStringLiteral("baud"), request.baud);
-    keep(QStringLiteral("parity"), QLatin1String(parities[std::size_t(request.parity)]));
+    keep(QStringLiteral("parity"), base::nameOf(parityNames, request.parity));
     keep(QStringLiteral("protocol"),
          request.protocol ? std::optional(base::protocolName(*request.protocol)) : std::nullopt);
     const auto ms = [](base::Duration span) { return int(span.count() / 1000); };

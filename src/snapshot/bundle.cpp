@@ -11,18 +11,18 @@
 
 #include <algorithm>
 
-namespace record {
+namespace snapshot {
 namespace {
 const QLatin1String bundleFormat("servodesk-bundle");
 constexpr int bundleVersion = 1;
 constexpr qint64 maxBundleFileSize = 64 * 1024 * 1024; ///< 254 servos with long notes are 4 MB
 const QString loadBundleOperation = QStringLiteral("load-bundle");
 
-std::vector<Snapshot> readServos(const JsonReader& json)
+std::vector<Snapshot> readServos(const files::JsonReader& json)
 {
     std::vector<Snapshot> servos;
     QSet<QString> seen;
-    for (const JsonReader& one : json.objects("servos")) {
+    for (const files::JsonReader& one : json.objects("servos")) {
         servos.push_back(readSnapshot(one));
         const SnapshotServo& servo = servos.back().servo;
         const QString who = servo.protocol + QLatin1Char(' ') + QString::number(servo.id);
@@ -47,13 +47,13 @@ QByteArray encodeBundle(const Bundle& bundle)
     std::stable_sort(servos.begin(), servos.end(), [](const Snapshot* a, const Snapshot* b) {
         return std::tie(a->servo.id, a->servo.protocol) < std::tie(b->servo.id, b->servo.protocol);
     });
-    QByteArray text = "{\n  \"format\": " + jsonText(bundleFormat) +
+    QByteArray text = "{\n  \"format\": " + files::jsonText(bundleFormat) +
                       ",\n  \"version\": " + QByteArray::number(bundleVersion) +
-                      ",\n  \"program\": " + jsonText(bundle.program) +
-                      ",\n  \"time\": " + jsonText(bundle.at.toUTC().toString(Qt::ISODate)) +
-                      ",\n  \"label\": " + jsonText(bundle.label) +
-                      ",\n  \"note\": " + jsonText(bundle.note) +
-                      ",\n  \"port\": " + jsonText(bundle.port) + ",\n  \"servos\": [";
+                      ",\n  \"program\": " + files::jsonText(bundle.program) +
+                      ",\n  \"time\": " + files::jsonText(bundle.at.toUTC().toString(Qt::ISODate)) +
+                      ",\n  \"label\": " + files::jsonText(bundle.label) +
+                      ",\n  \"note\": " + files::jsonText(bundle.note) +
+                      ",\n  \"port\": " + files::jsonText(bundle.port) + ",\n  \"servos\": [";
     const char* separator = "\n    ";
     for (const Snapshot* servo : servos) {
         text += separator + encodeSnapshot(*servo).trimmed().replace("\n", "\n    ");
@@ -64,14 +64,14 @@ QByteArray encodeBundle(const Bundle& bundle)
 
 base::Result<Bundle> decodeBundle(const QByteArray& text)
 {
-    const auto document = parseJson(text);
+    const auto document = files::parseJson(text);
     if (!document)
         return fail(document.error());
-    if (const QString twice = findDuplicateKey(text); !twice.isEmpty())
+    if (const QString twice = files::findDuplicateKey(text); !twice.isEmpty())
         return fail(twice);
-    JsonReadError readError;
-    const JsonReader json(*document, readError);
-    checkFormat(json, bundleFormat, bundleVersion, QStringLiteral("not a ServoDesk bundle"));
+    files::JsonReadError readError;
+    const files::JsonReader json(*document, readError);
+    files::checkFormat(json, bundleFormat, bundleVersion, QStringLiteral("not a ServoDesk bundle"));
     Bundle bundle;
     bundle.program = json.text("program");
     bundle.at = json.time("time");
@@ -86,12 +86,12 @@ base::Result<Bundle> decodeBundle(const QByteArray& text)
 
 base::Result<void> saveBundle(const Bundle& bundle, const QString& path)
 {
-    return saveTextFile(QStringLiteral("save-bundle"), encodeBundle(bundle), path);
+    return files::saveTextFile(QStringLiteral("save-bundle"), encodeBundle(bundle), path);
 }
 
 base::Result<Bundle> loadBundle(const QString& path)
 {
-    const auto text = readTextFile(loadBundleOperation, path, maxBundleFileSize);
+    const auto text = files::readTextFile(loadBundleOperation, path, maxBundleFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto bundle = decodeBundle(*text);
@@ -99,4 +99,4 @@ base::Result<Bundle> loadBundle(const QString& path)
         bundle.error().detail = path + QStringLiteral(": ") + bundle.error().detail;
     return bundle;
 }
-} // namespace record
+} // namespace snapshot

@@ -7,7 +7,7 @@
 
 #include "snapshot/snapshot.h"
 
-namespace record {
+namespace snapshot {
 struct Bundle {
     QString program;
     QDateTime at; ///< UTC, to the second
@@ -23,4 +23,4 @@ base::Result<Bundle> decodeBundle(const QByteArray& text);
 
 base::Result<void> saveBundle(const Bundle& bundle, const QString& path);
 base::Result<Bundle> loadBundle(const QString& path);
-} // namespace record
+} // namespace snapshot

@@ -3,10 +3,10 @@
 
 #include "catalog/value.h"
 
-namespace record {
+namespace snapshot {
 namespace {
-/// What is known of a servo that comes out of its box: the sheet's default, and what the profile
-/// was chosen by.
+/// The known values of a new servo: the defaults of the sheet, and the identity that selected the
+/// profile.
 std::optional<std::int64_t> factoryRaw(const catalog::Register& reg,
                                        const catalog::Identity& identity)
 {
@@ -28,7 +28,7 @@ std::optional<std::int64_t> factoryRaw(const catalog::Register& reg,
     }
 }
 
-/// "9.3" → 9, 3; -1 where there is nothing like it.
+/// "9.3" → 9, 3; -1 for other texts.
 std::pair<int, int> parseVersionPair(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char('.'));
@@ -88,4 +88,4 @@ catalog::ProfilePtr profileOf(const Snapshot& snapshot, const catalog::Catalog& 
     catalog::ProfilePtr profile = catalog.resolve(identity);
     return profile->mapKey == servo.map ? profile : nullptr;
 }
-} // namespace record
+} // namespace snapshot

@@ -5,7 +5,7 @@
 #include "files/json_text.h"
 #include "files/text_file.h"
 
-namespace record {
+namespace snapshot {
 namespace {
 const QLatin1String restoreFormat("servodesk-restore");
 constexpr int restoreVersion = 1;
@@ -17,31 +17,35 @@ QString cell(std::optional<std::int64_t> raw)
 
 QByteArray rowLine(const RestoreResultRow& row)
 {
-    return "        {\"key\": " + jsonText(row.key) +
+    return "        {\"key\": " + files::jsonText(row.key) +
            ", \"address\": " + QByteArray::number(row.address) +
-           ", \"before\": " + jsonInteger(row.before) + ", \"wanted\": " + jsonInteger(row.newRaw) +
-           ", \"value\": " + jsonNumber(row.newValue, registerValueDigits) +
-           ", \"unit\": " + jsonText(row.unit) + ", \"read_back\": " + jsonInteger(row.readBack) +
-           ", \"outcome\": " + jsonText(row.outcome) + ", \"error\": " + jsonText(row.error) +
-           ", \"rolled_back\": " + jsonFlag(row.rolledBack) + '}';
+           ", \"before\": " + files::jsonInteger(row.before) +
+           ", \"wanted\": " + files::jsonInteger(row.newRaw) +
+           ", \"value\": " + files::jsonNumber(row.newValue, files::registerValueDigits) +
+           ", \"unit\": " + files::jsonText(row.unit) +
+           ", \"read_back\": " + files::jsonInteger(row.readBack) +
+           ", \"outcome\": " + files::jsonText(row.outcome) +
+           ", \"error\": " + files::jsonText(row.error) +
+           ", \"rolled_back\": " + files::jsonFlag(row.rolledBack) + '}';
 }
 
 QByteArray servoBlock(const RestoreResult& result)
 {
     const SnapshotServo& servo = result.servo;
-    QByteArray text = "    {\n      \"id\": " + QByteArray::number(servo.id) +
-                      ",\n      \"model\": " + jsonText(servo.model) +
-                      ",\n      \"model_id\": " + jsonText(servo.modelId) +
-                      ",\n      \"firmware\": " + jsonText(servo.firmware) +
-                      ",\n      \"map\": " + jsonText(servo.map) +
-                      ",\n      \"protocol\": " + jsonText(servo.protocol) +
-                      ",\n      \"program\": " + jsonText(result.program) +
-                      ",\n      \"time\": " + jsonText(result.at.toUTC().toString(Qt::ISODate)) +
-                      ",\n      \"source\": " + jsonText(result.source) +
-                      ",\n      \"port\": " + jsonText(result.port) +
-                      ",\n      \"baud\": " + QByteArray::number(result.baud) +
-                      ",\n      \"verdict\": " + jsonText(result.verdict) +
-                      ",\n      \"lock\": " + jsonText(result.lock) + ",\n      \"rows\": [";
+    QByteArray text =
+        "    {\n      \"id\": " + QByteArray::number(servo.id) +
+        ",\n      \"model\": " + files::jsonText(servo.model) +
+        ",\n      \"model_id\": " + files::jsonText(servo.modelId) +
+        ",\n      \"firmware\": " + files::jsonText(servo.firmware) +
+        ",\n      \"map\": " + files::jsonText(servo.map) +
+        ",\n      \"protocol\": " + files::jsonText(servo.protocol) +
+        ",\n      \"program\": " + files::jsonText(result.program) +
+        ",\n      \"time\": " + files::jsonText(result.at.toUTC().toString(Qt::ISODate)) +
+        ",\n      \"source\": " + files::jsonText(result.source) +
+        ",\n      \"port\": " + files::jsonText(result.port) +
+        ",\n      \"baud\": " + QByteArray::number(result.baud) +
+        ",\n      \"verdict\": " + files::jsonText(result.verdict) +
+        ",\n      \"lock\": " + files::jsonText(result.lock) + ",\n      \"rows\": [";
     const char* separator = "\n";
     for (const RestoreResultRow& row : result.rows) {
         text += separator + rowLine(row);
@@ -53,7 +57,7 @@ QByteArray servoBlock(const RestoreResult& result)
 
 QByteArray encodeRestoreResults(const std::vector<RestoreResult>& results)
 {
-    QByteArray text = "{\n  \"format\": " + jsonText(restoreFormat) +
+    QByteArray text = "{\n  \"format\": " + files::jsonText(restoreFormat) +
                       ",\n  \"version\": " + QByteArray::number(restoreVersion) +
                       ",\n  \"servos\": [";
     const char* separator = "\n";
@@ -76,16 +80,16 @@ QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results)
                                result.source,
                                result.verdict,
                                result.lock};
-        // A servo that needed nothing, or did not answer, has its line as well.
+        // A servo that needed no write, or did not reply, also has a line.
         if (result.rows.empty())
-            text += csvLine(head + QStringList(10, QString()));
+            text += files::csvLine(head + QStringList(10, QString()));
         for (const RestoreResultRow& row : result.rows) {
-            text += csvLine(
+            text += files::csvLine(
                 head + QStringList{row.key, QString::number(row.address), cell(row.before),
                                    QString::number(row.newRaw),
-                                   row.newValue
-                                       ? QString::number(*row.newValue, 'g', registerValueDigits)
-                                       : QString(),
+                                   row.newValue ? QString::number(*row.newValue, 'g',
+                                                                  files::registerValueDigits)
+                                                : QString(),
                                    row.unit, cell(row.readBack), row.outcome, row.error,
                                    row.rolledBack ? QStringLiteral("1") : QStringLiteral("0")});
         }
@@ -97,8 +101,8 @@ base::Result<void> saveRestoreResults(const std::vector<RestoreResult>& results,
                                       const QString& path)
 {
     const bool csv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-    return saveTextFile(QStringLiteral("save-result"),
-                        csv ? encodeRestoreResultsCsv(results) : encodeRestoreResults(results),
-                        path);
+    return files::saveTextFile(
+        QStringLiteral("save-result"),
+        csv ? encodeRestoreResultsCsv(results) : encodeRestoreResults(results), path);
 }
-} // namespace record
+} // namespace snapshot

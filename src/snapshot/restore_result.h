@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What became of a restore, row by row, as a file for whoever has to prove it: JSON or CSV. A plain
+// The result of a restore, row by row, as a file that documents it: JSON or CSV. A plain
 // value; any thread. Words are the stable names of device and jobs ("kept", "no-answer"). Fails
 // with FileUnwritable, DiskFull.
 #pragma once
 
 #include "snapshot/snapshot.h"
 
-namespace record {
+namespace snapshot {
 struct RestoreResultRow {
     QString key;
     int address = 0;
@@ -40,4 +40,4 @@ QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results);
 /// CSV where the name ends so, JSON otherwise.
 base::Result<void> saveRestoreResults(const std::vector<RestoreResult>& results,
                                       const QString& path);
-} // namespace record
+} // namespace snapshot

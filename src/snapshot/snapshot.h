@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A servo's memory table at one moment, and its file (*.servo.json): who it was, when and where,
+// A servo's memory table at one moment, and its file (*.servo.json): its identity, when and where,
 // then one register a line in address order, so that text diff and version control work. raw is
 // signed where the register is; value is the physical value in unit. What could not be read has
 // neither. A plain value; any thread. Files of every published format version load for ever.
-// Fails with FileMissing, FileUnreadable, FileFormat (detail says where; also for a name that one
-// object has twice), FileUnwritable, DiskFull.
+// Fails with FileMissing, FileUnreadable, FileFormat (detail has the place; also for a name that
+// one object has twice), FileUnwritable, DiskFull.
 #pragma once
 
 #include "base/error.h"
@@ -14,7 +14,7 @@
 
 #include <vector>
 
-namespace record {
+namespace snapshot {
 struct SnapshotServo {
     int id = -1;
     QString model;    ///< "STS3215"
@@ -45,7 +45,7 @@ struct Snapshot {
     int baud = 0;
     SnapshotServo servo;
     std::vector<SnapshotRegister> registers;
-    /// Only chosen rows, for other servos (record/snapshot_template.h): what is not in it is left
+    /// Only chosen rows, for other servos (snapshot/snapshot_template.h): what is not in it is left
     /// alone and not "missing".
     bool isTemplate = false;
 
@@ -53,7 +53,7 @@ struct Snapshot {
     bool operator==(const Snapshot&) const = default;
 };
 
-/// Stable: the same snapshot gives the same bytes, whatever the order of its registers.
+/// Stable: the same snapshot gives the same bytes, independent of the order of its registers.
 QByteArray encodeSnapshot(const Snapshot& snapshot);
 base::Result<Snapshot> decodeSnapshot(const QByteArray& text);
 
@@ -66,4 +66,4 @@ base::Result<Snapshot> loadSnapshot(const QString& path);
 /// for what is not known.
 QByteArray encodeSnapshotCsv(const Snapshot& snapshot);
 base::Result<void> saveSnapshotCsv(const Snapshot& snapshot, const QString& path);
-} // namespace record
+} // namespace snapshot

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "snapshot/snapshot_compare.h"
 
+#include "base/enum_names.h"
+
 #include <QHash>
 
 #include <algorithm>
 #include <cmath>
 
-namespace record {
+namespace snapshot {
 namespace {
 CompareCell cellOf(const Snapshot& table, const QString& key)
 {
@@ -16,7 +18,7 @@ CompareCell cellOf(const Snapshot& table, const QString& key)
     return {reg->raw ? CellState::Known : CellState::Unknown, reg->raw, reg->value, reg->unit};
 }
 
-/// Beyond the digits a file keeps.
+/// Smaller than the last digit in a file.
 bool sameValue(const CompareCell& a, const CompareCell& b)
 {
     constexpr double noise = 1e-9;
@@ -24,8 +26,8 @@ bool sameValue(const CompareCell& a, const CompareCell& b)
            noise * std::max(std::abs(*a.value), std::abs(*b.value));
 }
 
-/// A register's number means the same wherever the map is the same, unless what decides its scale
-/// differs; elsewhere only what it stands for can be compared.
+/// Raw numbers have the same meaning within one map, unless registers that determine their scale
+/// differ; otherwise only physical values can be compared.
 bool haveSameValue(const CompareCell& a, const CompareCell& b, bool sameMap)
 {
     if (a.unit != b.unit)
@@ -83,7 +85,7 @@ std::vector<const SnapshotRegister*> allRows(const std::vector<const Snapshot*>&
     return rows;
 }
 
-/// Nobody who has this row lets it be written.
+/// Read-only in every table that has this row.
 bool readOnlyEverywhere(const QString& key, const std::vector<const Snapshot*>& tables)
 {
     return std::none_of(tables.begin(), tables.end(), [&](const Snapshot* table) {
@@ -112,6 +114,19 @@ void count(SnapshotComparison& result, RowVerdict verdict)
         break;
     }
 }
+
+constexpr base::EnumName<RowVerdict> rowVerdictNames[]{
+    {RowVerdict::Different, "different"}, {RowVerdict::Missing, "missing"},
+    {RowVerdict::Unknown, "unknown"},     {RowVerdict::Identical, "identical"},
+    {RowVerdict::ReadOnly, "read-only"},
+};
+
+constexpr base::EnumName<CellState> cellStateNames[]{
+    {CellState::Known, "known"},
+    {CellState::Unknown, "unknown"},
+    {CellState::Missing, "missing"},
+    {CellState::NotChosen, "not-chosen"},
+};
 } // namespace
 
 SnapshotComparison compareSnapshots(const std::vector<const Snapshot*>& tables)
@@ -140,33 +155,11 @@ SnapshotComparison compareSnapshots(const std::vector<const Snapshot*>& tables)
 
 QString verdictName(RowVerdict verdict)
 {
-    switch (verdict) {
-    case RowVerdict::Different:
-        return QStringLiteral("different");
-    case RowVerdict::Missing:
-        return QStringLiteral("missing");
-    case RowVerdict::Unknown:
-        return QStringLiteral("unknown");
-    case RowVerdict::Identical:
-        return QStringLiteral("identical");
-    case RowVerdict::ReadOnly:
-        return QStringLiteral("read-only");
-    }
-    return {};
+    return base::nameOf(rowVerdictNames, verdict);
 }
 
 QString cellStateName(CellState state)
 {
-    switch (state) {
-    case CellState::Known:
-        return QStringLiteral("known");
-    case CellState::Unknown:
-        return QStringLiteral("unknown");
-    case CellState::Missing:
-        return QStringLiteral("missing");
-    case CellState::NotChosen:
-        return QStringLiteral("not-chosen");
-    }
-    return {};
+    return base::nameOf(cellStateNames, state);
 }
-} // namespace record
+} // namespace snapshot

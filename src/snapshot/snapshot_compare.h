@@ -7,7 +7,7 @@
 
 #include "snapshot/snapshot.h"
 
-namespace record {
+namespace snapshot {
 enum class CellState : std::uint8_t {
     Known,
     Unknown,   ///< the register is there, its value is not: not read, no default stated
@@ -23,18 +23,18 @@ struct CompareCell {
     bool operator==(const CompareCell&) const = default;
 };
 
-/// What a row says; the order of the table.
+/// The result of a row; in the order of the table.
 enum class RowVerdict : std::uint8_t {
     Different, ///< two known values differ
     Missing,   ///< some table has no such register; what is known is alike
     Unknown,   ///< fewer than two values known, or one of several unknown; the known are alike
     Identical,
-    ReadOnly, ///< feedback, factory data, what the servo says of itself: never counted as different
+    ReadOnly, ///< feedback, factory data, identity: never counted as different
 };
 
 struct CompareRow {
     QString key;
-    int address = 0; ///< as the first table that has it says
+    int address = 0; ///< from the first table that has it
     catalog::Area area = catalog::Area::Eprom;
     RowVerdict verdict = RowVerdict::Identical;
     bool differs = false;           ///< also for read-only rows
@@ -59,4 +59,4 @@ SnapshotComparison compareSnapshots(const std::vector<const Snapshot*>& tables);
 QString
 verdictName(RowVerdict verdict); ///< "different", "missing", "unknown", "identical", "read-only"
 QString cellStateName(CellState state); ///< "known", "unknown", "missing", "not-chosen"
-} // namespace record
+} // namespace snapshot

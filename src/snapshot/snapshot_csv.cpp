@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace record {
+namespace snapshot {
 namespace {
 
 QString cellText(std::optional<std::int64_t> raw)
@@ -17,7 +17,7 @@ QString cellText(std::optional<std::int64_t> raw)
 
 QString cellText(std::optional<double> value)
 {
-    return value && std::isfinite(*value) ? QString::number(*value, 'g', registerValueDigits)
+    return value && std::isfinite(*value) ? QString::number(*value, 'g', files::registerValueDigits)
                                           : QString();
 }
 } // namespace
@@ -37,16 +37,16 @@ QByteArray encodeSnapshotCsv(const Snapshot& snapshot)
                                snapshot.at.toUTC().toString(Qt::ISODate)};
     QByteArray text = "id,model,firmware,map,label,time,key,address,raw,value,unit,area,access\n";
     for (const SnapshotRegister& reg : registers) {
-        text += csvLine(identity + QStringList{reg.key, QString::number(reg.address),
-                                               cellText(reg.raw), cellText(reg.value), reg.unit,
-                                               catalog::areaName(reg.area),
-                                               catalog::accessName(reg.access)});
+        text += files::csvLine(identity + QStringList{reg.key, QString::number(reg.address),
+                                                      cellText(reg.raw), cellText(reg.value),
+                                                      reg.unit, catalog::areaName(reg.area),
+                                                      catalog::accessName(reg.access)});
     }
     return text;
 }
 
 base::Result<void> saveSnapshotCsv(const Snapshot& snapshot, const QString& path)
 {
-    return saveTextFile(QStringLiteral("save-snapshot"), encodeSnapshotCsv(snapshot), path);
+    return files::saveTextFile(QStringLiteral("save-snapshot"), encodeSnapshotCsv(snapshot), path);
 }
-} // namespace record
+} // namespace snapshot

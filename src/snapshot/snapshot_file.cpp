@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Snapshots to and from the disk; the text itself is made in snapshot.cpp.
+// Saves and loads snapshots; snapshot_json.cpp encodes and decodes the text.
 #include "files/text_file.h"
 #include "snapshot/snapshot.h"
 
-namespace record {
+namespace snapshot {
 namespace {
 const QString saving = QStringLiteral("save-snapshot");
 const QString loadSnapshotOperation = QStringLiteral("load-snapshot");
@@ -12,12 +12,12 @@ constexpr qint64 maxSnapshotFileSize = 4 * 1024 * 1024;
 
 base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
 {
-    return saveTextFile(saving, encodeSnapshot(snapshot), path);
+    return files::saveTextFile(saving, encodeSnapshot(snapshot), path);
 }
 
 base::Result<Snapshot> loadSnapshot(const QString& path)
 {
-    const auto text = readTextFile(loadSnapshotOperation, path, maxSnapshotFileSize);
+    const auto text = files::readTextFile(loadSnapshotOperation, path, maxSnapshotFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto snapshot = decodeSnapshot(*text);
@@ -28,4 +28,4 @@ base::Result<Snapshot> loadSnapshot(const QString& path)
     }
     return snapshot;
 }
-} // namespace record
+} // namespace snapshot

@@ -6,6 +6,6 @@
 #include "files/json_reader.h"
 #include "snapshot/snapshot.h"
 
-namespace record {
-Snapshot readSnapshot(const JsonReader& json);
-} // namespace record
+namespace snapshot {
+Snapshot readSnapshot(const files::JsonReader& json);
+} // namespace snapshot

@@ -3,19 +3,21 @@
 
 #include <algorithm>
 
-namespace record {
+namespace snapshot {
 namespace {
-tl::unexpected<base::Error> refuse(base::ErrorCode code, const QString& key, const char* detail)
+tl::unexpected<base::Error> refuse(base::ErrorCode code, const QString& key, const char* detail,
+                                   base::Reason reason = base::Reason::None)
 {
     base::Error error{code, QStringLiteral("template"), QLatin1String(detail)};
     error.registerKey = key;
+    error.reason = reason;
     return tl::unexpected(error);
 }
 } // namespace
 
 bool isIdentityKey(const QString& key)
 {
-    // The same in every map; tst_snapshot_template holds it against them.
+    // The same in every map; tst_bundle checks all maps.
     return key == QLatin1String("id") || key == QLatin1String("baud_rate");
 }
 
@@ -31,11 +33,13 @@ base::Result<Snapshot> makeTemplate(const Snapshot& from, const QStringList& key
         if (reg == nullptr)
             return refuse(base::ErrorCode::UnknownRegister, key, "");
         if (reg->access != catalog::Access::ReadWrite)
-            return refuse(base::ErrorCode::BadArgument, key, "read-only");
+            return refuse(base::ErrorCode::BadArgument, key, "read-only",
+                          base::Reason::ReadOnlyRegister);
         if (isIdentityKey(key) && !identity)
-            return refuse(base::ErrorCode::BadArgument, key, "identity");
+            return refuse(base::ErrorCode::BadArgument, key, "identity",
+                          base::Reason::IdentityRegister);
         if (!reg->raw)
-            return refuse(base::ErrorCode::BadArgument, key, "no-value");
+            return refuse(base::ErrorCode::BadArgument, key, "no-value", base::Reason::NoValue);
         if (chosen.find(key) == nullptr)
             chosen.registers.push_back(*reg);
     }
@@ -43,4 +47,4 @@ base::Result<Snapshot> makeTemplate(const Snapshot& from, const QStringList& key
                      [](const auto& a, const auto& b) { return a.address < b.address; });
     return chosen;
 }
-} // namespace record
+} // namespace snapshot

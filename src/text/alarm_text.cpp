@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/alarm_text.h"
 
-#include "text/translate.h"
+#include "text/text_table.h"
 
 #include <array>
 
@@ -9,90 +9,75 @@ namespace text {
 namespace {
 struct AlarmEntry {
     const char* key;
-    const char* word;
+    const char* text;
     const char* cause;
 };
 
-// Source: fault table of the sheets, rows 15–19, in words of our own.
+// Source: the fault table of the data sheets, rows 15–19, in our own words.
 constexpr std::array alarms{
     AlarmEntry{"overload", QT_TRANSLATE_NOOP("text", "overload"),
                QT_TRANSLATE_NOOP("text",
-                                 "The load was above its threshold for too long: a stall, a jammed "
-                                 "bracket, or more torque than the servo is rated for. Only the "
-                                 "protection torque is left.")},
+                                 "The load was above its threshold for too long: a stall, a "
+                                 "jammed bracket, or more torque than the servo is rated for. "
+                                 "Only the protection torque remains.")},
     AlarmEntry{"current", QT_TRANSLATE_NOOP("text", "overcurrent"),
                QT_TRANSLATE_NOOP("text",
-                                 "The current was above its threshold for too long: a stall or a "
-                                 "short circuit. The servo has switched its torque off.")},
+                                 "The current was above its threshold for too long: a stall or "
+                                 "a short circuit. The servo has turned its torque off.")},
     AlarmEntry{"voltage", QT_TRANSLATE_NOOP("text", "voltage"),
-               QT_TRANSLATE_NOOP("text",
-                                 "The supply is outside the servo's limits: the wrong supply, one "
-                                 "that is too small, or thin leads that drop under load.")},
+               QT_TRANSLATE_NOOP(
+                   "text", "The supply voltage is outside the servo's limits: a wrong or weak "
+                           "power supply, or thin wires with a voltage drop under load.")},
     AlarmEntry{"temperature", QT_TRANSLATE_NOOP("text", "temperature"),
                QT_TRANSLATE_NOOP("text",
-                                 "The servo is too hot: a long load, a stall, poor cooling, or a "
-                                 "limit set low. Take the load off and let it cool.")},
+                                 "The servo is too hot: a prolonged load, a stall, poor cooling, "
+                                 "or a low limit. Remove the load and let the servo cool down.")},
     AlarmEntry{"sensor", QT_TRANSLATE_NOOP("text", "encoder"),
                QT_TRANSLATE_NOOP("text",
-                                 "The magnet, the encoder or a cable inside the servo is at fault. "
-                                 "If the alarm returns after a power-cycle, the servo needs "
-                                 "repair.")},
-};
-
-struct ReleaseEntry {
-    const char* name;
-    const char* words;
+                                 "The magnet, the encoder or a cable inside the servo is "
+                                 "faulty. If the alarm returns after a power cycle, the servo "
+                                 "needs repair.")},
 };
 
 constexpr std::array releases{
-    ReleaseEntry{"nothing", QT_TRANSLATE_NOOP("text", "There is no alarm.")},
-    ReleaseEntry{"turn-back",
-                 QT_TRANSLATE_NOOP("text", "A small goal away from the stall releases it: the "
-                                           "shaft turns back a little and is held there.")},
-    ReleaseEntry{"new-goal",
-                 QT_TRANSLATE_NOOP("text", "A new goal releases it: its present place. Torque is "
-                                           "switched on and holds there.")},
-    ReleaseEntry{"fault-reset",
-                 QT_TRANSLATE_NOOP("text", "The fault reset register clears it. The servo is told "
-                                           "to hold where it is first.")},
-    ReleaseEntry{"wait",
-                 QT_TRANSLATE_NOOP("text", "It passes by itself when the value is back within its "
-                                           "limits. Nothing is written.")},
-    ReleaseEntry{"power-cycle",
-                 QT_TRANSLATE_NOOP("text", "Only switching the servo off and on clears it.")},
-    ReleaseEntry{"unknown",
-                 QT_TRANSLATE_NOOP("text", "Nobody documents what this status bit means. Try "
-                                           "switching the servo off and on.")},
+    NamedText{"nothing", QT_TRANSLATE_NOOP("text", "No alarms.")},
+    NamedText{"turn-back",
+              QT_TRANSLATE_NOOP("text",
+                                "Setting a goal slightly back from the stalled position clears "
+                                "this alarm: the shaft turns back a little and holds there.")},
+    NamedText{"new-goal",
+              QT_TRANSLATE_NOOP("text", "Setting a new goal at the present position clears this "
+                                        "alarm: torque is turned on and the servo holds there.")},
+    NamedText{"fault-reset",
+              QT_TRANSLATE_NOOP("text", "Writing the fault reset register clears this alarm. "
+                                        "Before that, the servo is set to hold its position.")},
+    NamedText{
+        "wait",
+        QT_TRANSLATE_NOOP(
+            "text",
+            "This alarm clears when the value is back within its limits. Nothing is written.")},
+    NamedText{"power-cycle",
+              QT_TRANSLATE_NOOP("text", "Only turning the servo off and on clears this alarm.")},
+    NamedText{"unknown",
+              QT_TRANSLATE_NOOP("text", "The meaning of this status bit is not documented. "
+                                        "Try turning the servo off and on.")},
 };
-
-const AlarmEntry* alarmFor(const QString& key)
-{
-    for (const AlarmEntry& entry : alarms) {
-        if (key == QLatin1String(entry.key))
-            return &entry;
-    }
-    return nullptr;
-}
 } // namespace
 
 QString alarmLabel(const QString& key)
 {
-    const AlarmEntry* entry = alarmFor(key);
-    return entry != nullptr ? translate("text", entry->word) : key;
+    return textFor(alarms, key);
 }
 
 QString alarmCause(const QString& key)
 {
-    const AlarmEntry* entry = alarmFor(key);
+    const AlarmEntry* entry = entryFor(alarms, key);
     return entry != nullptr ? translate("text", entry->cause) : QString();
 }
 
 QString releaseText(const QString& release)
 {
-    for (const ReleaseEntry& entry : releases) {
-        if (release == QLatin1String(entry.name))
-            return translate("text", entry.words);
-    }
-    return {};
+    const NamedText* entry = entryFor(releases, release);
+    return entry != nullptr ? translate("text", entry->text) : QString();
 }
 } // namespace text

@@ -4,7 +4,7 @@
 #include "text/family_text.h"
 #include "text/refusal_text.h"
 #include "text/server_text.h"
-#include "text/translate.h"
+#include "text/text_table.h"
 
 #include <array>
 
@@ -12,60 +12,52 @@ namespace text {
 using base::ErrorCode;
 
 namespace {
-struct Token {
-    const char* token;
-    const char* words;
+constexpr std::array details{
+    NamedText{"given twice", QT_TRANSLATE_NOOP("text", "specified twice")},
+    NamedText{"acceleration", QT_TRANSLATE_NOOP("text", "it has no acceleration setting")},
+    NamedText{"speed", QT_TRANSLATE_NOOP("text", "it has no speed setting")},
+    NamedText{"mode", QT_TRANSLATE_NOOP("text", "its operating mode is unknown")},
+    NamedText{"damp", QT_TRANSLATE_NOOP("text", "it has no damping")},
+    NamedText{"torque", QT_TRANSLATE_NOOP("text", "it has no torque switch")},
+    NamedText{"position", QT_TRANSLATE_NOOP("text", "it does not report its position")},
+    NamedText{"after-failure", QT_TRANSLATE_NOOP("text", "an earlier register did not accept its "
+                                                         "value")},
+    NamedText{"register", QT_TRANSLATE_NOOP("text", "its memory table has no such register")},
+    NamedText{"bridge", QT_TRANSLATE_NOOP(
+                            "text", "ServoDesk cannot switch the baud rate through a TCP bridge")},
+    NamedText{"garbled", QT_TRANSLATE_NOOP("text", "its reply cannot be decoded")},
+    NamedText{"illegal-function", QT_TRANSLATE_NOOP("text", "exception 1: function not supported")},
+    NamedText{"illegal-address", QT_TRANSLATE_NOOP("text", "exception 2: no such register")},
+    NamedText{"illegal-value",
+              QT_TRANSLATE_NOOP("text", "exception 3: value or length not accepted")},
+    NamedText{"no such instruction",
+              QT_TRANSLATE_NOOP("text", "its protocol has no such instruction")},
+    NamedText{"Modbus stations are 1 to 247",
+              QT_TRANSLATE_NOOP("text", "Modbus addresses must be 1 to 247")},
+    NamedText{"IDs 0 to 253, rates above 0",
+              QT_TRANSLATE_NOOP("text", "IDs must be 0 to 253, and baud rates must be above 0")},
+    NamedText{"no port named", QT_TRANSLATE_NOOP("text", "no port specified")},
 };
 
-constexpr std::array tokens{
-    Token{"given twice", QT_TRANSLATE_NOOP("text", "it is given twice")},
-    Token{"acceleration", QT_TRANSLATE_NOOP("text", "it has no acceleration setting")},
-    Token{"speed", QT_TRANSLATE_NOOP("text", "it has no speed setting")},
-    Token{"mode", QT_TRANSLATE_NOOP("text", "its operating mode is not known")},
-    Token{"damp", QT_TRANSLATE_NOOP("text", "it has no damping")},
-    Token{"torque", QT_TRANSLATE_NOOP("text", "it has no torque switch")},
-    Token{"position", QT_TRANSLATE_NOOP("text", "it does not report its position")},
-    Token{"after-failure", QT_TRANSLATE_NOOP("text", "an earlier register did not take its value")},
-    Token{"register", QT_TRANSLATE_NOOP("text", "its memory table has no such register")},
-    Token{"bridge", QT_TRANSLATE_NOOP("text", "nobody could follow it through a TCP bridge")},
-    Token{"garbled", QT_TRANSLATE_NOOP("text", "something answered there, but not readably")},
-    Token{"illegal-function", QT_TRANSLATE_NOOP("text", "exception 1: it knows no such function")},
-    Token{"illegal-address", QT_TRANSLATE_NOOP("text", "exception 2: it has no such register")},
-    Token{"illegal-value",
-          QT_TRANSLATE_NOOP("text", "exception 3: it does not take this value or length")},
-    Token{"no such instruction", QT_TRANSLATE_NOOP("text", "its protocol has no such instruction")},
-    Token{"Modbus stations are 1 to 247",
-          QT_TRANSLATE_NOOP("text", "Modbus stations are 1 to 247")},
-    Token{"IDs 0 to 253, rates above 0",
-          QT_TRANSLATE_NOOP("text", "IDs are 0 to 253, rates above 0")},
-    Token{"no port named", QT_TRANSLATE_NOOP("text", "no port is named")},
-};
-
-/// Writing these is more than a write; the detail names the command that does it.
-struct Procedure {
-    const char* token;
-    const char* remedy;
-};
-
+/// Changing these takes more than one write; the detail names the command for it.
 constexpr std::array procedures{
-    Procedure{"set-id", QT_TRANSLATE_NOOP("text", "Change the ID with set-id.")},
-    Procedure{"set-baud", QT_TRANSLATE_NOOP("text", "Change the baud rate with set-baud.")},
-    Procedure{"center", QT_TRANSLATE_NOOP("text", "Set the middle with center.")},
-    Procedure{"torque", QT_TRANSLATE_NOOP("text", "Switch torque with torque; it then holds where "
-                                                  "the servo is.")},
-    Procedure{"unlock", QT_TRANSLATE_NOOP("text", "The lock is opened and closed around each write "
-                                                  "by itself; there is nothing to do.")},
+    NamedText{"set-id", QT_TRANSLATE_NOOP("text", "Use set-id to change the ID.")},
+    NamedText{"set-baud", QT_TRANSLATE_NOOP("text", "Use set-baud to change the baud rate.")},
+    NamedText{"center", QT_TRANSLATE_NOOP("text", "Use the center command to set the midpoint.")},
+    NamedText{"torque", QT_TRANSLATE_NOOP(
+                            "text", "Use the torque command to turn torque on or off. When torque "
+                                    "is turned on, the servo holds its present position.")},
+    NamedText{"unlock",
+              QT_TRANSLATE_NOOP("text",
+                                "Each write automatically unlocks the EPROM and locks it again.")},
 };
 
 const char* procedureRemedy(const base::Error& error)
 {
     if (error.code != ErrorCode::NotSupported || error.operation != QLatin1String("write"))
         return nullptr;
-    for (const Procedure& procedure : procedures) {
-        if (error.detail == QLatin1String(procedure.token))
-            return procedure.remedy;
-    }
-    return nullptr;
+    const NamedText* remedy = entryFor(procedures, error.detail);
+    return remedy != nullptr ? remedy->text : nullptr;
 }
 
 bool isMoveTime(const base::Error& error)
@@ -73,26 +65,26 @@ bool isMoveTime(const base::Error& error)
     return error.operation == QLatin1String("move") && error.registerKey == QLatin1String("time");
 }
 
-/// "write KEY": there is no command for it, but a register.
+/// The key in "write KEY": there is no command, but a register; empty: another detail.
 QString insteadWrite(const base::Error& error)
 {
     static const QString prefix = QStringLiteral("write ");
-    const bool so = error.code == ErrorCode::NotSupported && error.detail.startsWith(prefix);
-    return so ? error.detail.mid(prefix.size()) : QString();
+    const bool matches = error.code == ErrorCode::NotSupported && error.detail.startsWith(prefix);
+    return matches ? error.detail.mid(prefix.size()) : QString();
 }
 
 QString notSupportedText(const base::Error& error)
 {
     if (!insteadWrite(error).isEmpty())
-        return translate("text", "it has no command for this");
+        return translate("text", "the servo has no command for this");
     if (procedureRemedy(error) != nullptr)
-        return translate("text", "this register is not simply written");
+        return translate("text", "this register cannot be written directly");
     if (isMoveTime(error))
-        return translate("text", "this servo has no travel time in its present mode");
+        return translate("text", "this servo does not support a travel time in its present mode");
     return {};
 }
 
-/// "from ID": what replied, when nothing did under the ID that was asked; empty: nothing.
+/// The ID in "from ID": another ID replied instead of the requested one; empty: none did.
 QString repliedInstead(const base::Error& error)
 {
     static const QString prefix = QStringLiteral("from ");
@@ -100,7 +92,30 @@ QString repliedInstead(const base::Error& error)
     return foreign ? error.detail.mid(prefix.size()) : QString();
 }
 
-/// Torque on holds a servo where it is, and it may not be there.
+QString repliedInsteadCase(const base::Error& error)
+{
+    const QString other = repliedInstead(error);
+    return other.isEmpty()
+               ? QString()
+               : translate("text", "no reply from this ID, but ID %1 replied").arg(other);
+}
+
+/// Errors whose texts are in the tables of refusal_text and server_text.
+QString refusalCase(const base::Error& error)
+{
+    const RefusalText* entry = refusalText(error);
+    if (entry == nullptr)
+        return {};
+    const QString message = translate("text", entry->message);
+    const QString reply = serverText(error) != nullptr ? serverMessage(error) : QString();
+    if (!reply.isEmpty())
+        return translate("text", "%1 (%2)", "sentence, technical detail").arg(message, reply);
+    const QString held = heldByStop(error) + heldGoals(error);
+    return held.isEmpty() ? message
+                          : translate("text", "%1 (servos %2)", "what, IDs").arg(message, held);
+}
+
+/// Turning torque on would hold the servo at a position outside its limits.
 bool standsOutside(const base::Error& error)
 {
     return error.code == ErrorCode::OutOfRange && error.operation == QLatin1String("torque");
@@ -108,40 +123,40 @@ bool standsOutside(const base::Error& error)
 
 QString badArgumentText(const base::Error& error)
 {
-    // Words of the command line are complained about in full sentences already.
+    // The command line has put a whole sentence into the detail.
     if (error.operation == QLatin1String("arguments"))
         return error.detail;
     if (isMoveTime(error))
-        return translate("text", "time and speed cannot be given together");
+        return translate("text", "time and speed cannot be combined");
     if (error.operation == QLatin1String("move") && error.detail.startsWith(QLatin1String("unit ")))
-        return translate("text", "in this mode the goal needs its unit (%1)")
+        return translate("text", "in this mode the goal needs a unit (%1)")
             .arg(error.detail.mid(5));
     return {};
 }
 
-/// "FOUND WRITTEN BEFORE": a value that was to be written back is no longer the one left there.
+/// "FOUND WRITTEN BEFORE": the value to be written back was changed in the meantime.
 QStringList changedSince(const base::Error& error)
 {
     constexpr qsizetype values = 3;
-    const bool so =
+    const bool matches =
         error.code == ErrorCode::Mismatch && error.operation == QLatin1String("write-back");
-    const QStringList parts = so ? error.detail.split(QLatin1Char(' ')) : QStringList();
+    const QStringList parts = matches ? error.detail.split(QLatin1Char(' ')) : QStringList();
     return parts.size() == values ? parts : QStringList();
 }
 
-/// Never written over: the change may be wanted.
+/// Such a value is never overwritten, because the change may be intended.
 QString changedSinceCase(const base::Error& error)
 {
     const QStringList values = changedSince(error);
     return values.isEmpty() ? QString()
-                            : translate("text", "not written: the servo shows %1, where %2 was "
-                                                "left; it would have become %3")
+                            : translate("text", "not written: the servo has %1 instead of the "
+                                                "expected %2; the new value would have been %3")
                                   .arg(values[0], values[1], values[2]);
 }
 
 const QLatin1StringView brailleMark(", brltty");
 
-/// The port is missing because the braille service has taken the adapter.
+/// The braille service has taken over the adapter, so its port is missing.
 bool adaptersClaimedByBrltty(const base::Error& error)
 {
     return error.code == ErrorCode::PortMissing && error.detail.endsWith(brailleMark);
@@ -150,51 +165,34 @@ bool adaptersClaimedByBrltty(const base::Error& error)
 QString refusedText(const base::Error& error)
 {
     if (error.operation == QLatin1String("arrive") && error.detail == QLatin1String("time"))
-        return translate("text", "it did not come to rest in time");
+        return translate("text", "the servo did not stop in time");
     if (error.operation == QLatin1String("arrive"))
-        return translate("text", "it came to rest %1 steps from its goal").arg(error.detail);
+        return translate("text", "the servo stopped %1 steps from its goal").arg(error.detail);
     return {};
 }
 } // namespace
 
 QString detailText(const QString& detail)
 {
-    for (const Token& token : tokens) {
-        if (detail == QLatin1String(token.token))
-            return translate("text", token.words);
-    }
-    return detail;
+    return textFor(details, detail);
 }
 
 QString specialCase(const base::Error& error)
 {
-    if (const RefusalText* words = serverText(error)) {
-        const QString what = translate("text", words->message);
-        const QString saying = serverMessage(error);
-        return saying.isEmpty()
-                   ? what
-                   : translate("text", "%1 (%2)", "sentence, technical detail").arg(what, saying);
+    for (const auto special :
+         {refusalCase, writeRefusedMessage, repliedInsteadCase, changedSinceCase}) {
+        if (const QString message = special(error); !message.isEmpty())
+            return message;
     }
-    if (const RefusalText* words = refusalText(error)) {
-        const QString held = heldByStop(error) + heldGoals(error);
-        const QString what = translate("text", words->message);
-        return held.isEmpty() ? what
-                              : translate("text", "%1 (servos %2)", "what, IDs").arg(what, held);
-    }
-    if (const QString bar = writeRefusedMessage(error); !bar.isEmpty())
-        return bar;
-    if (const QString other = repliedInstead(error); !other.isEmpty())
-        return translate("text", "no answer under this ID, but ID %1 replied").arg(other);
-    if (const QString changed = changedSinceCase(error); !changed.isEmpty())
-        return changed;
     switch (error.code) {
     case ErrorCode::IdentityMismatch:
         return error.detail.isEmpty()
                    ? QString()
-                   : translate("text", "another servo answers under this ID: %1").arg(error.detail);
+                   : translate("text", "another servo replies with this ID: %1").arg(error.detail);
     case ErrorCode::OutOfRange:
         return standsOutside(error)
-                   ? translate("text", "it stands outside its limits (%1)").arg(error.detail)
+                   ? translate("text", "the servo's present position is outside its limits (%1)")
+                         .arg(error.detail)
                    : QString();
     case ErrorCode::NotSupported:
         return notSupportedText(error);
@@ -204,7 +202,8 @@ QString specialCase(const base::Error& error)
         return refusedText(error);
     case ErrorCode::PortMissing:
         return adaptersClaimedByBrltty(error)
-                   ? translate("text", "the braille service (brltty) has taken the adapter (%1)")
+                   ? translate("text", "the braille service (brltty) has taken over the adapter "
+                                       "(%1)")
                          .arg(error.detail.chopped(brailleMark.size()))
                    : QString();
     case ErrorCode::PortBusy:
@@ -212,7 +211,7 @@ QString specialCase(const base::Error& error)
                    ? QString()
                    : translate("text", "the port is in use by %1").arg(error.detail);
     case ErrorCode::PortPermission:
-        return translate("text", "the port may be opened by the group %1 only")
+        return translate("text", "only members of the group %1 can open the port")
             .arg(owningGroup(error.detail));
     default:
         return {};
@@ -223,21 +222,23 @@ QString specialCause(const base::Error& error)
 {
     if (const RefusalText* words = refusalText(error))
         return translate("text", words->cause);
-    if (const QString bar = writeRefusedCause(error); !bar.isEmpty())
-        return bar;
+    if (const QString own = writeRefusedCause(error); !own.isEmpty())
+        return own;
     if (standsOutside(error))
-        return translate("text", "Holding it where it is would mean a goal beyond its limits.");
+        return translate(
+            "text",
+            "To hold its present position, the servo would need a goal outside its limits.");
     if (!repliedInstead(error).isEmpty())
-        return translate("text", "The servo answers under another ID than the one it hears, or a "
-                                 "second program uses the bus.");
+        return translate("text", "The servo replies with an ID other than its own, or another "
+                                 "program is using the bus.");
     if (!changedSince(error).isEmpty())
-        return translate("text", "Another program has changed the value since, or the servo was "
-                                 "exchanged for one of its kind.");
+        return translate("text", "Another program has changed the value, or the servo was "
+                                 "replaced by one of the same model.");
     if (adaptersClaimedByBrltty(error))
-        return translate("text", "It takes adapters with this chip for braille displays, and their "
-                                 "port vanishes.");
+        return translate("text", "The service mistakes adapters with this chip for braille "
+                                 "displays, and their port disappears.");
     if (procedureRemedy(error) != nullptr)
-        return translate("text", "Changing it safely takes more than writing one register.");
+        return translate("text", "A safe change requires more than writing one register.");
     return {};
 }
 
@@ -245,26 +246,27 @@ QString specialRemedy(const base::Error& error)
 {
     if (const RefusalText* words = refusalText(error))
         return translate("text", words->remedy);
-    if (const QString bar = writeRefusedRemedy(error); !bar.isEmpty())
-        return bar;
+    if (const QString own = writeRefusedRemedy(error); !own.isEmpty())
+        return own;
     if (standsOutside(error))
-        return translate("text", "Turn it by hand into its range, or move it to a goal inside.");
+        return translate(
+            "text", "Turn the shaft into its range by hand, or send a goal within the limits.");
     if (!repliedInstead(error).isEmpty())
-        return translate("text", "Close other programs that use the bus, connect this servo alone, "
-                                 "and search for it.");
+        return translate("text", "Close other programs that use the bus, connect only this "
+                                 "servo, and search for it.");
     if (const QStringList values = changedSince(error); !values.isEmpty())
-        return translate("text", "Edit the value in the table if you want %1; this step is no "
-                                 "longer offered.")
+        return translate("text", "If you need the value %1, set it in the memory table; this step "
+                                 "will not be offered again.")
             .arg(values[2]);
     if (adaptersClaimedByBrltty(error))
-        return translate("text", "If nobody here reads braille, run \"sudo apt remove brltty\", "
-                                 "then plug the adapter in again.");
+        return translate("text", "If braille is not used on this computer, run \"sudo apt "
+                                 "remove brltty\", then plug the adapter in again.");
     if (const QString key = insteadWrite(error); !key.isEmpty())
         return translate("text", "Write the register %1 instead.").arg(key);
     if (const char* remedy = procedureRemedy(error))
         return translate("text", remedy);
     if (error.code == ErrorCode::NotSupported && isMoveTime(error))
-        return translate("text", "Give a speed instead of a time.");
+        return translate("text", "Use a speed instead of a time.");
     return {};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors in a technician's words: what happened, the likely cause, and what to do about it. In the
-// language of the installed translator. Pure; any thread. Source of causes and remedies: the fault
-// table of the sheets, in words of our own.
+// The texts of errors for a technician: what happened, the likely cause, and what to do, in the
+// language of the interface. Causes and remedies follow the fault table of the data sheets, in our
+// own words. Pure; any thread.
 #pragma once
 
 #include "base/error.h"
@@ -9,12 +9,12 @@
 namespace text {
 struct Description {
     QString message; ///< one sentence, never empty
-    QString cause;   ///< likely cause; empty where `what` says it all
+    QString cause;   ///< likely cause; empty where the message is enough
     QString remedy;  ///< what to do, never empty
 };
 
 Description describe(const base::Error& error);
 
-/// "servo 3, goal_position" — who and what an error is about; empty if it names nothing.
+/// "servo 3, goal_position": what the error is about; empty if it names nothing.
 QString subject(const base::Error& error);
 } // namespace text

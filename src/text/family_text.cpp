@@ -35,14 +35,15 @@ QString modelFact(const FamilyFacts& facts)
 QString unclearFamily(const FamilyFacts& facts)
 {
     if (facts.lockAddress < 0) {
-        return translate("text", "its family is unclear: firmware %1, byte order flag %2 and model "
-                                 "number %3 contradict each other")
+        return translate("text", "the servo family is unclear: firmware %1, byte order flag %2 and "
+                                 "model number %3 contradict each other")
             .arg(firmwareFact(facts))
             .arg(facts.byteOrderFlag)
             .arg(modelFact(facts));
     }
-    return translate("text", "its family is unclear: firmware %1, byte order flag %2 and model "
-                             "number %3 put the EPROM lock at address %4, but %5 stands there")
+    return translate("text",
+                     "the servo family is unclear: according to firmware %1, byte order flag %2 "
+                     "and model number %3, the EPROM lock is at address %4, but that byte is %5")
         .arg(firmwareFact(facts))
         .arg(facts.byteOrderFlag)
         .arg(modelFact(facts))
@@ -50,18 +51,17 @@ QString unclearFamily(const FamilyFacts& facts)
         .arg(facts.lock);
 }
 
-/// "broken 6/8": what came was unreadable so often.
+/// "broken 6/8": 6 of 8 replies could not be decoded.
 QString severalServos(const QString& detail)
 {
     if (detail == QLatin1String("two-replies"))
-        return translate("text",
-                         "two servos answer under this ID: two replies came to one request");
+        return translate("text", "two servos reply with this ID: one request got two replies");
     if (detail == QLatin1String("different-values"))
-        return translate("text", "two servos answer under this ID: the same question gave replies "
-                                 "that one servo cannot give");
+        return translate("text", "two servos reply with this ID: the replies to one request cannot "
+                                 "come from a single servo");
     const QStringList counts = detail.section(QLatin1Char(' '), 1).split(QLatin1Char('/'));
-    return translate("text", "two servos seem to answer under this ID: %1 of %2 replies were "
-                             "unreadable")
+    return translate("text",
+                     "two servos seem to reply with this ID: %1 of %2 replies could not be decoded")
         .arg(counts.value(0), counts.value(1));
 }
 } // namespace
@@ -81,9 +81,9 @@ QString writeRefusedCause(const base::Error& error)
     const bool broken = error.detail.startsWith(QLatin1String("broken"));
     if (error.code != ErrorCode::DuplicateId || !broken)
         return {};
-    return translate("text", "Their replies collide and garble each other; a disturbed line can "
-                             "look the same. A write would change both, and only one of the old "
-                             "values would be recorded.");
+    return translate(
+        "text", "The replies of two servos collide; noise on the line can look the same. A write "
+                "would change both servos, but only one of the old values would be recorded.");
 }
 
 QString writeRefusedRemedy(const base::Error& error)
@@ -93,8 +93,8 @@ QString writeRefusedRemedy(const base::Error& error)
                            : std::nullopt;
     if (!facts || facts->lockAddress < 0)
         return {};
-    return translate("text", "Switch the servo off and on, and read it again. If the byte is still "
-                             "neither 0 nor 1, do not write to this servo: ask the vendor for its "
-                             "memory table.");
+    return translate("text", "Turn the servo off and on, and read it again. If the byte is "
+                             "still neither 0 nor 1, do not write to this servo: ask the vendor "
+                             "for its memory table.");
 }
 } // namespace text

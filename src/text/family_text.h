@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why nothing is written to a servo whose family is unclear or whose ID two servos answer: the
-// facts that were found, in words. Pure functions; any thread.
+// Why nothing is written to a servo whose family is unclear, or under an ID that two servos share:
+// the facts that were found. Pure functions; any thread.
 #pragma once
 
 #include "base/error.h"

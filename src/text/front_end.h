@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a remedy sends the user: the window and the command line name the same task differently.
+// How a remedy names a task: window and command line have different names for it. Set once at the
+// start of a program; any thread.
 #pragma once
 
 #include <QString>
@@ -7,7 +8,7 @@
 namespace text {
 enum class FrontEnd { CommandLine, Window };
 
-/// Once at the start of a program; the command line if it is not set.
+/// Default: the command line.
 void setFrontEnd(FrontEnd frontEnd);
 
 /// The task that finishes or undoes open changes: "recover", "Port → Interrupted writes".

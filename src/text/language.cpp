@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/language.h"
 
+#include "catalog/profile.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
@@ -9,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-// The compiler would drop the resource of a static library otherwise. Not allowed in a namespace.
+// Without this the linker drops the resource of a static library. Not allowed in a namespace.
 static void initTranslations()
 {
     Q_INIT_RESOURCE(translations);
@@ -20,7 +22,12 @@ namespace {
 const QString english = QStringLiteral("en");
 const QString chinese = QStringLiteral("zh_CN");
 
-std::optional<QString> spoken(const QString& language)
+QString fileOf(const QString& language)
+{
+    return QStringLiteral(":/i18n/servodesk_%1.qm").arg(language);
+}
+
+std::optional<QString> supported(const QString& language)
 {
     const QString name = language.left(2).toLower();
     if (name == QLatin1String("zh"))
@@ -30,7 +37,7 @@ std::optional<QString> spoken(const QString& language)
     return std::nullopt;
 }
 
-// Owned here, because it must go before the next one is installed.
+/// Removed before the next one is installed.
 std::unique_ptr<QTranslator>& installed()
 {
     static std::unique_ptr<QTranslator> translator;
@@ -41,7 +48,7 @@ std::unique_ptr<QTranslator>& installed()
 QString systemLanguage()
 {
     for (const QString& language : QLocale::system().uiLanguages()) {
-        if (const auto known = spoken(language))
+        if (const auto known = supported(language))
             return *known;
     }
     return english;
@@ -51,19 +58,39 @@ QString installTranslator(const QString& language)
 {
     initTranslations();
     const QString chosen =
-        language.isEmpty() ? systemLanguage() : spoken(language).value_or(english);
+        language.isEmpty() ? systemLanguage() : supported(language).value_or(english);
     installed().reset();
-    if (chosen == chinese) {
-        auto translator = std::make_unique<QTranslator>();
-        if (translator->load(QStringLiteral(":/i18n/servodesk_zh_CN.qm")))
-            QCoreApplication::installTranslator(translator.get());
-        installed() = std::move(translator);
-    }
+    auto translator = std::make_unique<QTranslator>(); // for English: only plurals
+    if (translator->load(fileOf(chosen)))
+        QCoreApplication::installTranslator(translator.get());
+    installed() = std::move(translator);
     return chosen;
 }
 
 bool isUiChinese()
 {
-    return installed() != nullptr;
+    return installed() != nullptr && installed()->language() == chinese;
+}
+
+QString inChinese(const char* context, const char* source, const char* comment)
+{
+    static const std::unique_ptr<const QTranslator> translator = [] {
+        initTranslations();
+        auto loaded = std::make_unique<QTranslator>();
+        (void)loaded->load(fileOf(chinese));
+        return loaded;
+    }();
+    return translator->translate(context, source, comment);
+}
+
+QString localized(const catalog::Text& text)
+{
+    return text.in(isUiChinese());
+}
+
+QString registerName(const catalog::Profile* profile, const QString& key)
+{
+    const catalog::Register* reg = profile != nullptr ? profile->find(key) : nullptr;
+    return reg != nullptr ? localized(reg->name) : key;
 }
 } // namespace text

@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language of the interface, one for the whole program. Set on the main thread at the start
-// and when the user switches; words are only made on that thread. Never fails: what is not known
-// is English.
+// The language of the interface, one for the whole program. Set on the main thread at the start and
+// when the user switches. Never fails: an unknown language, or a text without a translation, is
+// English.
 #pragma once
 
 #include <QString>
 
+namespace catalog {
+class Profile;
+struct Text;
+} // namespace catalog
+
 namespace text {
-/// "zh_CN" when the user's system prefers Chinese (any kind of) over English, else "en".
+/// "zh_CN" if the user's system prefers any Chinese to English, else "en".
 QString systemLanguage();
 
-/// `language` as given by the user ("en", "zh_CN", "zh-TW" …; empty: the system's) becomes the
-/// language of everything translated from now on. Needs the application object. Answers "en" or
+/// Sets the language of everything translated from now on: as given by the user ("en", "zh_CN",
+/// "zh-TW" …), or that of the system if empty. Needs the application object. Returns "en" or
 /// "zh_CN".
 QString installTranslator(const QString& language);
 
-/// True while the interface is Chinese: for catalog::Text::in.
+/// True while the interface is Chinese.
 bool isUiChinese();
+
+/// The Chinese text, whatever the language of the interface; empty: there is none. Any thread.
+QString inChinese(const char* context, const char* source, const char* comment = nullptr);
+
+/// The text of a register map or a report in the language of the interface.
+QString localized(const catalog::Text& text);
+
+/// The name of the register `key` in the language of the interface; the key itself if `profile` is
+/// null or does not have it.
+QString registerName(const catalog::Profile* profile, const QString& key);
 } // namespace text

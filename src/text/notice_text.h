@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices, outcomes, locks and alarms in words, in the language of the installed translator. The
-// stable English names (outcomeName, lockName) come in, sentences go out. Pure; any thread.
+// The texts of notices, outcomes, locks and alarms, by their stable English names (outcomeName,
+// lockName), in the language of the interface. Pure; any thread.
 #pragma once
 
 #include "base/notice.h"
@@ -9,7 +9,7 @@
 #include <QStringList>
 
 namespace text {
-/// One sentence, without the servo it is about.
+/// One sentence, without naming the servo.
 QString describe(const base::Notice& notice);
 
 /// Stable name for JSON: "torque-switched-off".
@@ -21,11 +21,11 @@ QString areaLabel(catalog::Area area);
 QString accessLabel(catalog::Access access);
 QString lineLabel(catalog::Line line);
 
-/// False for families without error byte and status register (LX): their alarms are not "none".
+/// False for families without error byte and status register (LX): their alarms are unknown.
 bool reportsAlarms(const catalog::Profile* profile);
 
-/// Keys of the set error bits ("overload"); "bit4" where the family names none.
+/// Keys of the set error bits ("overload"); "bit4" for a bit without a name.
 QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile);
-/// The same in words, "none" if no bit is set.
+/// The same as text, "none" if no bit is set.
 QString statusText(std::uint8_t status, const catalog::Profile* profile, bool chinese);
 } // namespace text

@@ -3,248 +3,278 @@
 
 #include "text/history_text.h"
 #include "text/server_text.h"
-#include "text/translate.h"
+#include "text/text_table.h"
 
 #include <array>
 
 namespace text {
 namespace {
 constexpr std::array notSupported{
-    RefusalText{"not-position", QT_TRANSLATE_NOOP("text", "it is not in a position mode"),
-                QT_TRANSLATE_NOOP("text", "In its present mode goals are no places it could come "
-                                          "to."),
-                QT_TRANSLATE_NOOP("text", "Tick \"Switch to position mode\" for this test "
-                                          "(--switch-mode on the command line), or change to "
-                                          "position mode first.")},
-    RefusalText{"fixed-rate", QT_TRANSLATE_NOOP("text", "its baud rate cannot be changed"),
-                QT_TRANSLATE_NOOP("text", "This family runs at one rate and has no command for "
-                                          "another."),
-                QT_TRANSLATE_NOOP("text", "Set the other servos and the port to its rate.")},
-    RefusalText{"no-reboot", QT_TRANSLATE_NOOP("text", "it has no restart command"),
-                QT_TRANSLATE_NOOP("text", "This family knows none."),
-                QT_TRANSLATE_NOOP("text", "Switch its supply off and on.")},
-    RefusalText{"no-restore", QT_TRANSLATE_NOOP("text", "it cannot restore its defaults itself"),
-                QT_TRANSLATE_NOOP("text", "This family has no command for it."),
+    RefusalText{
+        "not-position", QT_TRANSLATE_NOOP("text", "the servo is not in a position mode"),
+        QT_TRANSLATE_NOOP("text", "Position goals have no meaning in the present mode."),
+        QT_TRANSLATE_NOOP("text",
+                          "Select \"Switch to position mode\" for this test (--switch-mode on the "
+                          "command line), or switch the servo to position mode yourself first.")},
+    RefusalText{"fixed-rate", QT_TRANSLATE_NOOP("text", "the baud rate cannot be changed"),
+                QT_TRANSLATE_NOOP("text", "This family has a fixed baud rate and no command to "
+                                          "change it."),
+                QT_TRANSLATE_NOOP("text", "Set the other servos and the port to this baud rate.")},
+    RefusalText{"no-reboot", QT_TRANSLATE_NOOP("text", "the servo has no reboot command"),
+                QT_TRANSLATE_NOOP("text", "This family has no such command."),
+                QT_TRANSLATE_NOOP("text", "Turn the power supply off and on.")},
+    RefusalText{"no-restore",
+                QT_TRANSLATE_NOOP("text", "the servo cannot reset itself to factory defaults"),
+                QT_TRANSLATE_NOOP("text", "This family has no command for this."),
                 QT_TRANSLATE_NOOP("text", "Write the values back one by one.")},
-    RefusalText{"no-sync", QT_TRANSLATE_NOOP("text", "it cannot share a packet with others"),
-                QT_TRANSLATE_NOOP("text", "This family has no packet for several servos."),
-                QT_TRANSLATE_NOOP("text", "Give the goals one by one.")},
-    RefusalText{"no-async", QT_TRANSLATE_NOOP("text", "it cannot hold a goal for later"),
-                QT_TRANSLATE_NOOP("text", "This family has no write that waits for a start."),
-                QT_TRANSLATE_NOOP("text", "Give the goals one by one.")},
-    RefusalText{"other-mode", QT_TRANSLATE_NOOP("text", "it is in another mode than the first"),
-                QT_TRANSLATE_NOOP("text", "One goal for all would mean something else to it."),
-                QT_TRANSLATE_NOOP("text", "Bring all of them into the same mode first.")},
-    RefusalText{"mode-first",
-                QT_TRANSLATE_NOOP("text", "the mode and its command cannot be written together"),
-                QT_TRANSLATE_NOOP("text", "A change of mode begins with its command at zero, so "
-                                          "that nothing turns by surprise."),
-                QT_TRANSLATE_NOOP("text", "Change the mode first, then give the command.")},
+    RefusalText{
+        "no-sync", QT_TRANSLATE_NOOP("text", "the servo cannot share a packet with other servos"),
+        QT_TRANSLATE_NOOP("text", "This family has no packet that addresses several servos."),
+        QT_TRANSLATE_NOOP("text", "Send the goals one by one.")},
+    RefusalText{"no-async", QT_TRANSLATE_NOOP("text", "the servo cannot store a goal for later"),
+                QT_TRANSLATE_NOOP("text", "This family does not support asynchronous writes."),
+                QT_TRANSLATE_NOOP("text", "Send the goals one by one.")},
+    RefusalText{
+        "other-mode",
+        QT_TRANSLATE_NOOP("text", "the servo's mode differs from that of the first servo"),
+        QT_TRANSLATE_NOOP("text", "The same goal would have a different meaning for this servo."),
+        QT_TRANSLATE_NOOP("text", "Switch all servos to the same mode first.")},
+    RefusalText{
+        "mode-first", QT_TRANSLATE_NOOP("text", "a mode and its goal cannot be written together"),
+        QT_TRANSLATE_NOOP(
+            "text", "A mode change first sets the goal to zero to prevent unexpected movement."),
+        QT_TRANSLATE_NOOP("text", "Change the mode first, then send the goal.")},
     RefusalText{"speed-by-time", QT_TRANSLATE_NOOP("text", "it has no speed setting"),
-                QT_TRANSLATE_NOOP("text", "Its speed follows from the travel time."),
-                QT_TRANSLATE_NOOP("text", "Give a time instead.")},
-    RefusalText{"not-readable", QT_TRANSLATE_NOOP("text", "it does not answer to this read"),
-                QT_TRANSLATE_NOOP("text", "Some models of this family lack the command; the line "
-                                          "is in order."),
-                QT_TRANSLATE_NOOP("text", "Do without this value.")},
-    RefusalText{"with-goal", QT_TRANSLATE_NOOP("text", "the time goes together with a goal"),
-                QT_TRANSLATE_NOOP("text", "One command carries both, so writing the time alone "
-                                          "would send the last goal once more."),
-                QT_TRANSLATE_NOOP("text", "Give goal and time together.")},
-    RefusalText{"always-kept", QT_TRANSLATE_NOOP("text", "this setting is always kept"),
-                QT_TRANSLATE_NOOP("text", "The servo stores it at once; it has no lock that could "
-                                          "prevent that."),
-                QT_TRANSLATE_NOOP("text", "Write it to stay, and write the old value back "
-                                          "afterwards.")},
-    RefusalText{"no-led", QT_TRANSLATE_NOOP("text", "it has no LED that can be switched"),
-                QT_TRANSLATE_NOOP("text", "The map of this family has no register for it."),
-                QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and see whose "
-                                          "position changes.")},
-    RefusalText{"factory-led", QT_TRANSLATE_NOOP("text", "its LED belongs to the factory values"),
-                QT_TRANSLATE_NOOP("text", "Making it blink would mean unlocking and rewriting "
-                                          "them many times."),
-                QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and see whose "
-                                          "position changes.")},
-    RefusalText{"release-mode",
-                QT_TRANSLATE_NOOP("text", "in this mode there is no small way back from the "
-                                          "stall"),
-                QT_TRANSLATE_NOOP("text", "Only the opposite direction releases an overload, and "
-                                          "here the shaft would turn on and on."),
-                QT_TRANSLATE_NOOP("text", "Take the load off and command the other direction "
-                                          "yourself, or switch its supply off and on.")},
-    RefusalText{"release-direction",
-                QT_TRANSLATE_NOOP("text", "nothing tells which way it is stalled"),
-                QT_TRANSLATE_NOOP("text", "It stands at its goal and drives neither way."),
-                QT_TRANSLATE_NOOP("text", "Take the load off and give a goal away from the stall "
-                                          "yourself, or switch its supply off and on.")},
-    RefusalText{"other-rates", QT_TRANSLATE_NOOP("text", "the servos do not talk at one rate"),
-                QT_TRANSLATE_NOOP("text", "Nobody on the wire can be heard at two baud rates at "
-                                          "the same time."),
-                QT_TRANSLATE_NOOP("text", "Choose servos of one baud rate, or set them to the "
-                                          "same one.")},
-    RefusalText{"release-limit",
-                QT_TRANSLATE_NOOP("text", "its angle limits leave no way back from the stall"),
-                QT_TRANSLATE_NOOP("text", "A goal away from the stall would lie outside them."),
-                QT_TRANSLATE_NOOP("text", "Widen the limits, or switch its supply off and on.")},
+                QT_TRANSLATE_NOOP("text", "The travel time determines the speed."),
+                QT_TRANSLATE_NOOP("text", "Use a travel time instead.")},
+    RefusalText{"not-readable", QT_TRANSLATE_NOOP("text", "no reply to this read request"),
+                QT_TRANSLATE_NOOP("text", "Some models of this family do not have this command; "
+                                          "the connection is good."),
+                QT_TRANSLATE_NOOP("text", "You can ignore this value.")},
+    RefusalText{"with-goal",
+                QT_TRANSLATE_NOOP("text", "the time must be written together with "
+                                          "a goal"),
+                QT_TRANSLATE_NOOP("text", "One command contains both goal and time, so writing "
+                                          "only the time would send the last goal again."),
+                QT_TRANSLATE_NOOP("text", "Write goal and time together.")},
+    RefusalText{
+        "always-kept",
+        QT_TRANSLATE_NOOP("text", "this setting is always kept after "
+                                  "power-off"),
+        QT_TRANSLATE_NOOP(
+            "text", "The servo stores the value immediately and has no lock to prevent this."),
+        QT_TRANSLATE_NOOP("text", "Write the value permanently, then write the old value back.")},
+    RefusalText{"no-led", QT_TRANSLATE_NOOP("text", "the servo has no controllable LED"),
+                QT_TRANSLATE_NOOP("text", "This family's memory table has no LED register."),
+                QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and check "
+                                          "which servo changes its position.")},
+    RefusalText{
+        "factory-led",
+        QT_TRANSLATE_NOOP("text", "the servo's LED setting is one of the factory values"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "To blink the LED, these values would have to be unlocked and rewritten many times."),
+        QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and check "
+                                  "which servo changes its position.")},
+    RefusalText{
+        "release-mode",
+        QT_TRANSLATE_NOOP(
+            "text",
+            "in this mode, the servo cannot turn back just slightly from the stalled position"),
+        QT_TRANSLATE_NOOP("text", "Only turning in the opposite direction clears an overload; in "
+                                  "this mode, the shaft would keep turning."),
+        QT_TRANSLATE_NOOP("text", "Remove the load and send a command in the opposite direction, "
+                                  "or turn the power supply off and on.")},
+    RefusalText{
+        "release-direction", QT_TRANSLATE_NOOP("text", "the direction of the stall is unknown"),
+        QT_TRANSLATE_NOOP("text", "The servo is at its goal and pushes in neither direction."),
+        QT_TRANSLATE_NOOP("text", "Remove the load and set a goal away from the stalled position, "
+                                  "or turn the power supply off and on.")},
+    RefusalText{
+        "other-rates", QT_TRANSLATE_NOOP("text", "the servos use different baud rates"),
+        QT_TRANSLATE_NOOP("text", "One bus cannot run at two baud rates at the same time."),
+        QT_TRANSLATE_NOOP(
+            "text", "Select servos with the same baud rate, or set them all to one baud rate.")},
+    RefusalText{
+        "release-limit",
+        QT_TRANSLATE_NOOP(
+            "text", "the servo's angle limits do not allow moving away from the stalled position"),
+        QT_TRANSLATE_NOOP("text",
+                          "Any goal away from the stalled position would be outside the limits."),
+        QT_TRANSLATE_NOOP("text", "Widen the limits, or turn the power supply off and on.")},
 };
 
 constexpr std::array badArgument{
-    RefusalText{"same-ends", QT_TRANSLATE_NOOP("text", "start and end are the same place"),
-                QT_TRANSLATE_NOOP("text", "There would be no way to measure on."),
-                QT_TRANSLATE_NOOP("text", "Give two different places.")},
+    RefusalText{"same-ends", QT_TRANSLATE_NOOP("text", "start and end are the same position"),
+                QT_TRANSLATE_NOOP("text", "There would be no travel to measure."),
+                QT_TRANSLATE_NOOP("text", "Enter two different positions.")},
     RefusalText{"no-step", QT_TRANSLATE_NOOP("text", "the step is 0"),
-                QT_TRANSLATE_NOOP("text", "With it the end would never be reached."),
-                QT_TRANSLATE_NOOP("text", "Give a step of 1 or more.")},
-    RefusalText{"negative-step", QT_TRANSLATE_NOOP("text", "the step is negative"),
-                QT_TRANSLATE_NOOP("text", "The path runs from the start to the end and back, so "
-                                          "its step has no direction."),
-                QT_TRANSLATE_NOOP("text", "Give a step of 1 or more, and swap start and end for "
-                                          "the other direction.")},
-    RefusalText{"step-too-long", QT_TRANSLATE_NOOP("text", "the step is longer than the whole way"),
-                QT_TRANSLATE_NOOP("text", "Start and end are nearer to each other than that."),
-                QT_TRANSLATE_NOOP("text", "Give a smaller step, or a longer way.")},
-    RefusalText{"no-points", QT_TRANSLATE_NOOP("text", "the list has fewer than two targets"),
-                QT_TRANSLATE_NOOP("text", "A test goes from one place to another."),
-                QT_TRANSLATE_NOOP("text", "Put at least two lines with a target into the file.")},
-    RefusalText{"no-pause", QT_TRANSLATE_NOOP("text", "the delay is 0"),
-                QT_TRANSLATE_NOOP("text", "The servo would be turned round before it has moved."),
-                QT_TRANSLATE_NOOP("text", "Give the time a move needs and some more, or a dwell "
-                                          "after arrival.")},
+                QT_TRANSLATE_NOOP("text", "The end would never be reached."),
+                QT_TRANSLATE_NOOP("text", "Enter a step of 1 or more.")},
+    RefusalText{
+        "negative-step", QT_TRANSLATE_NOOP("text", "the step is negative"),
+        QT_TRANSLATE_NOOP(
+            "text", "The path goes from start to end and back, so the step has no direction."),
+        QT_TRANSLATE_NOOP(
+            "text", "Enter a step of 1 or more; to reverse the direction, swap start and end.")},
+    RefusalText{"step-too-long",
+                QT_TRANSLATE_NOOP("text", "the step is larger than the distance from start to end"),
+                QT_TRANSLATE_NOOP("text", "Start and end are closer together than one step."),
+                QT_TRANSLATE_NOOP("text", "Use a smaller step or a longer travel.")},
+    RefusalText{"no-points", QT_TRANSLATE_NOOP("text", "the list has fewer than two goals"),
+                QT_TRANSLATE_NOOP("text", "A test moves the servo between at least two positions."),
+                QT_TRANSLATE_NOOP("text", "Put at least two goals in the file, one per line.")},
+    RefusalText{
+        "no-pause", QT_TRANSLATE_NOOP("text", "the delay is 0"),
+        QT_TRANSLATE_NOOP("text", "The servo would be sent back before it has moved."),
+        QT_TRANSLATE_NOOP(
+            "text", "Enter a delay longer than one move takes, or use a dwell after arrival.")},
     RefusalText{"no-end", QT_TRANSLATE_NOOP("text", "the test would never end"),
-                QT_TRANSLATE_NOOP("text", "Neither cycles nor a duration are given."),
-                QT_TRANSLATE_NOOP("text", "Give a number of cycles or a duration.")},
-    RefusalText{"no-period", QT_TRANSLATE_NOOP("text", "the sine has no period"),
-                QT_TRANSLATE_NOOP("text", "Nothing says how fast it is to be followed."),
-                QT_TRANSLATE_NOOP("text", "Give the seconds of one period.")},
+                QT_TRANSLATE_NOOP("text", "Neither a number of cycles nor a duration is set."),
+                QT_TRANSLATE_NOOP("text", "Set a number of cycles or a duration.")},
+    RefusalText{"no-period", QT_TRANSLATE_NOOP("text", "the period of the sine wave is not set"),
+                QT_TRANSLATE_NOOP("text", "The speed of the movement is undefined."),
+                QT_TRANSLATE_NOOP("text", "Enter the period in seconds.")},
     RefusalText{"no-size", QT_TRANSLATE_NOOP("text", "the step is 0"),
-                QT_TRANSLATE_NOOP("text", "There would be nothing to answer to."),
-                QT_TRANSLATE_NOOP("text", "Give a step of 1 or more, or a negative one.")},
-    RefusalText{"no-hold", QT_TRANSLATE_NOOP("text", "the time from goal to goal is out of reach"),
-                QT_TRANSLATE_NOOP("text", "Every reading of a response is kept, for ten seconds "
-                                          "at most."),
-                QT_TRANSLATE_NOOP("text", "Give up to ten seconds, or none: then it is worked "
-                                          "out.")},
-    RefusalText{"no-repeats", QT_TRANSLATE_NOOP("text", "the number of repeats is out of reach"),
-                QT_TRANSLATE_NOOP("text", "Every reading is kept, of fifty steps there and back "
-                                          "at most."),
-                QT_TRANSLATE_NOOP("text", "Give 1 to 50.")},
-    RefusalText{"no-gain", QT_TRANSLATE_NOOP("text", "this register is none that can be tried"),
-                QT_TRANSLATE_NOOP("text", "A trial sets gains, startup force, integral limit and "
-                                          "dead zones, as far as the servo has them."),
-                QT_TRANSLATE_NOOP("text", "Write other registers in the memory table.")},
-    RefusalText{"nothing-read", QT_TRANSLATE_NOOP("text", "nothing is being read"),
-                QT_TRANSLATE_NOOP("text", "There is nothing that could be recorded."),
-                QT_TRANSLATE_NOOP("text", "Connect, select a servo and choose curves first.")},
+                QT_TRANSLATE_NOOP("text", "There would be no step to respond to."),
+                QT_TRANSLATE_NOOP("text", "Enter a nonzero step; it may be negative.")},
+    RefusalText{
+        "no-hold", QT_TRANSLATE_NOOP("text", "the time between goals is out of range"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "All readings of a response are stored, so the time is limited to ten seconds."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Enter ten seconds or less, or leave the field empty to use the calculated time.")},
+    RefusalText{
+        "no-repeats", QT_TRANSLATE_NOOP("text", "the number of repeats is out of range"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "All readings are stored, so a run is limited to fifty steps in each direction."),
+        QT_TRANSLATE_NOOP("text", "Enter 1 to 50.")},
+    RefusalText{"no-gain", QT_TRANSLATE_NOOP("text", "this register cannot be used in a trial"),
+                QT_TRANSLATE_NOOP("text", "A trial can set gains, startup force, integral limit "
+                                          "and dead zones, if the servo has them."),
+                QT_TRANSLATE_NOOP("text", "Use the memory table to write other registers.")},
+    RefusalText{"nothing-read", QT_TRANSLATE_NOOP("text", "no data is being read"),
+                QT_TRANSLATE_NOOP("text", "There is nothing to record."),
+                QT_TRANSLATE_NOOP("text", "Connect, select a servo and choose channels first.")},
 };
 
 constexpr std::array held{
-    RefusalText{"test", QT_TRANSLATE_NOOP("text", "a test has the bus to itself"),
-                QT_TRANSLATE_NOOP("text", "Anything else on the wire would spoil what is being "
-                                          "measured."),
-                QT_TRANSLATE_NOOP("text", "Wait until the test has ended, or stop it.")},
+    RefusalText{"test", QT_TRANSLATE_NOOP("text", "a test is using the bus exclusively"),
+                QT_TRANSLATE_NOOP("text", "Other communication on the bus would distort the "
+                                          "measurement."),
+                QT_TRANSLATE_NOOP("text", "Wait until the test ends, or stop it.")},
     RefusalText{"other-program",
-                QT_TRANSLATE_NOOP("text", "this change is still under way in another program"),
-                QT_TRANSLATE_NOOP("text", "The program that began it is still running."),
-                QT_TRANSLATE_NOOP("text", "Wait until that program has finished. If it is stopped "
-                                          "before, the change can be finished or undone here.")},
+                QT_TRANSLATE_NOOP("text", "another program is still working on this change"),
+                QT_TRANSLATE_NOOP("text", "The program that started the change is still running."),
+                QT_TRANSLATE_NOOP("text", "Wait until the other program has finished. If it exits "
+                                          "early, you can finish or undo the change here.")},
 };
 
 constexpr std::array preempted{
     RefusalText{"torque-first",
-                QT_TRANSLATE_NOOP("text", "the emergency stop keeps it from moving"),
-                QT_TRANSLATE_NOOP("text", "Torque was taken off the whole bus and has not been "
-                                          "switched on again since."),
-                QT_TRANSLATE_NOOP("text", "Make sure that nothing can move, switch torque on "
-                                          "first, then start again.")},
+                QT_TRANSLATE_NOOP("text", "movement is blocked after the emergency stop"),
+                QT_TRANSLATE_NOOP("text", "Torque was turned off on the whole bus and has not "
+                                          "been turned on again."),
+                QT_TRANSLATE_NOOP("text", "Make sure that nothing can move unexpectedly, turn "
+                                          "torque on, then start again.")},
 };
 
 constexpr std::array consent{
-    RefusalText{"turns", QT_TRANSLATE_NOOP("text", "writing this turns the shaft at once"),
-                QT_TRANSLATE_NOOP("text", "The servo follows the new value as soon as it has it."),
-                QT_TRANSLATE_NOOP("text", "Keep clear of the mechanism, then repeat the write with "
-                                          "your explicit consent.")},
-    RefusalText{"release-moves", QT_TRANSLATE_NOOP("text", "releasing this alarm moves the shaft"),
-                QT_TRANSLATE_NOOP("text", "An overload is released by a goal away from the "
-                                          "stall, and by nothing else."),
-                QT_TRANSLATE_NOOP("text", "Keep clear of the mechanism, then ask again with your "
-                                          "explicit consent.")},
+    RefusalText{
+        "turns", QT_TRANSLATE_NOOP("text", "writing this value moves the shaft immediately"),
+        QT_TRANSLATE_NOOP("text", "The servo follows the new value immediately."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Keep clear of the mechanism, then repeat the write and confirm it explicitly.")},
+    RefusalText{
+        "release-moves", QT_TRANSLATE_NOOP("text", "clearing this alarm moves the shaft"),
+        QT_TRANSLATE_NOOP("text", "Only a goal away from the stalled position clears an overload."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Keep clear of the mechanism, then repeat this action and confirm it explicitly.")},
     RefusalText{"release-energises",
-                QT_TRANSLATE_NOOP("text", "releasing this alarm switches torque on"),
-                QT_TRANSLATE_NOOP("text", "An overcurrent is released by a new goal, and by "
-                                          "nothing else."),
+                QT_TRANSLATE_NOOP("text", "clearing this alarm turns torque on"),
+                QT_TRANSLATE_NOOP("text", "Only a new goal clears an overcurrent."),
                 QT_TRANSLATE_NOOP("text", "Remove the cause and keep clear of the mechanism, then "
-                                          "ask again with your explicit consent.")},
-    RefusalText{"alarm-changed",
-                QT_TRANSLATE_NOOP("text", "the alarm is no longer the one you agreed to clear"),
-                QT_TRANSLATE_NOOP("text", "The servo's state has changed in between."),
-                QT_TRANSLATE_NOOP("text", "Look at the alarm again, then decide.")},
+                                          "repeat this action and confirm it explicitly.")},
+    RefusalText{
+        "alarm-changed",
+        QT_TRANSLATE_NOOP("text", "the alarm has changed since you confirmed clearing it"),
+        QT_TRANSLATE_NOOP("text", "The servo's state has changed since then."),
+        QT_TRANSLATE_NOOP("text", "Check the alarm again, then decide whether to clear it.")},
 };
 
 constexpr std::array refused{
-    RefusalText{"not-restarted", QT_TRANSLATE_NOOP("text", "it did not restart"),
-                QT_TRANSLATE_NOOP("text", "It answers, and its RAM is unchanged: it ignores the "
-                                          "restart command, or never received it."),
-                QT_TRANSLATE_NOOP("text", "Switch its supply off and on.")},
-    RefusalText{"restart-acknowledged",
-                QT_TRANSLATE_NOOP("text", "it acknowledged the restart but did not restart"),
-                QT_TRANSLATE_NOOP("text", "It answers, and its RAM is unchanged."),
-                QT_TRANSLATE_NOOP("text", "Switch its supply off and on.")},
-    RefusalText{"restart-unproven",
-                QT_TRANSLATE_NOOP("text", "it could not be proven that it restarted"),
-                QT_TRANSLATE_NOOP("text", "It answers, but nothing shows a restart: it ignored "
-                                          "the command, or started too quickly to be noticed."),
-                QT_TRANSLATE_NOOP("text", "Switch its supply off and on to be sure.")},
-    RefusalText{"no-start", QT_TRANSLATE_NOOP("text", "it did not reach the start of the test"),
-                QT_TRANSLATE_NOOP("text", "It is blocked, too weak or too slow, or its limits "
-                                          "lie before that place."),
-                QT_TRANSLATE_NOOP("text", "Free its way, then look at torque limit, speed and "
-                                          "alarms.")},
-    RefusalText{"trial-lost", QT_TRANSLATE_NOOP("text", "it restarted before its first step"),
-                QT_TRANSLATE_NOOP("text", "Its power failed for a moment, and with that the values "
-                                          "on trial were gone: it moved with its own."),
-                QT_TRANSLATE_NOOP("text", "Look at plug and supply, then run the step again.")},
-    RefusalText{"mode-changed", QT_TRANSLATE_NOOP("text", "its operating mode is another one now"),
-                QT_TRANSLATE_NOOP("text", "Something else has switched it. In the new mode this "
-                                          "goal would mean something else."),
-                QT_TRANSLATE_NOOP("text", "Look at the mode shown now, then give a goal for it.")},
-    RefusalText{"forget-held",
-                QT_TRANSLATE_NOOP("text", "a goal that waits in the servo could not be removed"),
-                QT_TRANSLATE_NOOP("text", "The next Execute would start it, whoever sends it."),
-                QT_TRANSLATE_NOOP("text", "Switch the servo off and on, then it has forgotten "
-                                          "the goal.")},
-    RefusalText{"too-many-turns",
-                QT_TRANSLATE_NOOP("text", "this step would lead beyond ±7.5 turns"),
-                QT_TRANSLATE_NOOP("text", "The servo counts no further; the steps made since it "
-                                          "was connected are added up here."),
-                QT_TRANSLATE_NOOP("text", "Step back the other way.")},
+    RefusalText{"not-restarted", QT_TRANSLATE_NOOP("text", "the servo did not reboot"),
+                QT_TRANSLATE_NOOP("text", "The servo replies, and its RAM is unchanged: it ignored "
+                                          "or did not receive the reboot command."),
+                QT_TRANSLATE_NOOP("text", "Turn the power supply off and on.")},
+    RefusalText{
+        "restart-acknowledged",
+        QT_TRANSLATE_NOOP("text", "the servo acknowledged the reboot command but did not reboot"),
+        QT_TRANSLATE_NOOP("text", "The servo replies, and its RAM is unchanged."),
+        QT_TRANSLATE_NOOP("text", "Turn the power supply off and on.")},
+    RefusalText{"restart-unproven", QT_TRANSLATE_NOOP("text", "the reboot could not be confirmed"),
+                QT_TRANSLATE_NOOP("text",
+                                  "The servo replies but shows no sign of a reboot: it ignored the "
+                                  "command, or rebooted too quickly to be noticed."),
+                QT_TRANSLATE_NOOP("text", "To be sure, turn the power supply off and on.")},
+    RefusalText{
+        "no-start",
+        QT_TRANSLATE_NOOP("text", "the servo did not reach the start position of the test"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The servo is blocked, too weak or too slow, or its limits prevent the movement."),
+        QT_TRANSLATE_NOOP("text",
+                          "Remove the obstacle, then check the torque limit, speed and alarms.")},
+    RefusalText{
+        "trial-lost", QT_TRANSLATE_NOOP("text", "the servo rebooted before its first step"),
+        QT_TRANSLATE_NOOP("text", "The power supply was interrupted and the trial values were "
+                                  "lost: the servo moved with its old values."),
+        QT_TRANSLATE_NOOP(
+            "text", "Check the plug and the power supply, then measure the step response again.")},
+    RefusalText{
+        "mode-changed", QT_TRANSLATE_NOOP("text", "the servo's operating mode has changed"),
+        QT_TRANSLATE_NOOP("text", "Another program has changed the mode. In the new mode, this "
+                                  "goal has a different meaning."),
+        QT_TRANSLATE_NOOP("text", "Check the mode now shown, then send a goal for that mode.")},
+    RefusalText{
+        "forget-held",
+        QT_TRANSLATE_NOOP("text", "a goal waiting in the servo could not be removed"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The next Execute command, from any program, will move the servo to this goal."),
+        QT_TRANSLATE_NOOP("text", "Turn the servo off and on to discard this goal.")},
+    RefusalText{"too-many-turns", QT_TRANSLATE_NOOP("text", "this step would go beyond ±7.5 turns"),
+                QT_TRANSLATE_NOOP("text", "The servo cannot count beyond ±7.5 turns. The displayed "
+                                          "total covers all steps since connecting."),
+                QT_TRANSLATE_NOOP("text", "Step in the opposite direction.")},
 };
 
 constexpr std::array uncertain{
-    RefusalText{"restarted",
-                QT_TRANSLATE_NOOP("text", "it restarted or was exchanged in the middle, so it is "
-                                          "unknown whether the value is kept"),
-                QT_TRANSLATE_NOOP("text", "Its supply failed for a moment, or another servo was "
-                                          "plugged in under this ID."),
-                QT_TRANSLATE_NOOP("text", "Check plug and supply, connect the servo that was "
-                                          "written to, then look at the open change (%recover).")},
-    RefusalText{"nothing-changed",
-                QT_TRANSLATE_NOOP("text", "it did not acknowledge, and every value is as before, "
-                                          "so it is unknown whether it did it"),
-                QT_TRANSLATE_NOOP("text", "Its firmware ignores this command, or its settings "
-                                          "were the defaults already."),
-                QT_TRANSLATE_NOOP("text", "Compare its memory table with the defaults, and write "
-                                          "what differs.")},
+    RefusalText{
+        "restarted",
+        QT_TRANSLATE_NOOP("text", "the servo rebooted or was replaced during the write, so it is "
+                                  "unknown whether the value was saved"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The power supply was interrupted, or another servo with this ID was connected."),
+        QT_TRANSLATE_NOOP("text", "Check the plug and the power supply, connect the original "
+                                  "servo, then check the unfinished change (%recover).")},
+    RefusalText{
+        "nothing-changed",
+        QT_TRANSLATE_NOOP("text", "the servo did not acknowledge the command, and all values are "
+                                  "unchanged, so it is unknown whether the command was executed"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The firmware ignores this command, or all settings already had their default values."),
+        QT_TRANSLATE_NOOP("text", "Compare the servo's memory table with the defaults, and write "
+                                  "the values that differ.")},
 };
 
-template <typename List>
-const RefusalText* findIn(const List& list, const QString& detail)
-{
-    for (const RefusalText& words : list) {
-        if (detail == QLatin1String(words.detail))
-            return &words;
-    }
-    return nullptr;
-}
 } // namespace
 
 QString heldByStop(const base::Error& error)
@@ -267,21 +297,21 @@ const RefusalText* refusalText(const base::Error& error)
     if (const RefusalText* words = historyText(error))
         return words;
     if (error.code == base::ErrorCode::NotSupported)
-        return findIn(notSupported, error.detail);
+        return entryFor(notSupported, error.detail);
     if (error.code == base::ErrorCode::NeedsConsent)
-        return findIn(consent, error.detail);
+        return entryFor(consent, error.detail);
     if (error.code == base::ErrorCode::Refused)
-        return findIn(refused, heldGoals(error).isEmpty()
-                                   ? error.detail
-                                   : error.detail.section(QLatin1Char(' '), 0, 0));
+        return entryFor(refused, heldGoals(error).isEmpty()
+                                     ? error.detail
+                                     : error.detail.section(QLatin1Char(' '), 0, 0));
     if (error.code == base::ErrorCode::Uncertain)
-        return findIn(uncertain, error.detail);
+        return entryFor(uncertain, error.detail);
     if (error.code == base::ErrorCode::Preempted)
-        return findIn(preempted, error.detail.section(QLatin1Char(' '), 0, 0));
+        return entryFor(preempted, error.detail.section(QLatin1Char(' '), 0, 0));
     if (error.code == base::ErrorCode::Held)
-        return findIn(held, error.detail);
+        return entryFor(held, error.detail);
     if (error.code == base::ErrorCode::BadArgument)
-        return findIn(badArgument, error.detail);
+        return entryFor(badArgument, error.detail);
     return nullptr;
 }
 } // namespace text

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/server_text.h"
 
-#include "text/translate.h"
+#include "text/text_table.h"
 
 #include <array>
 
@@ -9,132 +9,152 @@ namespace text {
 namespace {
 constexpr std::array serverKinds{
     RefusalText{"away", QT_TRANSLATE_NOOP("text", "the history server cannot be reached"),
-                QT_TRANSLATE_NOOP("text", "It is switched off or restarting, the network is "
-                                          "down, or its name or port is misspelt."),
-                QT_TRANSLATE_NOOP("text", "Nothing is lost: what it missed is sent when it is "
-                                          "back. Check host and port of the connection string.")},
-    RefusalText{"hung", QT_TRANSLATE_NOOP("text", "the history server does not answer"),
-                QT_TRANSLATE_NOOP("text", "Something takes connections there and says nothing: "
-                                          "a server that hangs, a firewall, or no PostgreSQL."),
-                QT_TRANSLATE_NOOP("text", "Nothing is lost: what it missed is sent when it "
-                                          "answers again. Check the server, host and port.")},
-    RefusalText{"password",
-                QT_TRANSLATE_NOOP("text", "the history server does not take this password"),
+                QT_TRANSLATE_NOOP("text", "The server is turned off or restarting, the network is "
+                                          "down, or the host name or port is wrong."),
+                QT_TRANSLATE_NOOP("text",
+                                  "No data is lost: pending data is sent when the server is back. "
+                                  "Check the host and port in the connection string.")},
+    RefusalText{"hung", QT_TRANSLATE_NOOP("text", "the history server does not respond"),
+                QT_TRANSLATE_NOOP("text",
+                                  "The server accepts connections but does not reply: it hangs, a "
+                                  "firewall blocks it, or it is not a PostgreSQL server."),
+                QT_TRANSLATE_NOOP("text", "No data is lost: pending data is sent when the "
+                                          "server responds again. Check the server, host and "
+                                          "port.")},
+    RefusalText{"password", QT_TRANSLATE_NOOP("text", "the history server rejects this password"),
                 QT_TRANSLATE_NOOP("text", "The password is wrong or missing, or there is no "
                                           "such user."),
                 QT_TRANSLATE_NOOP("text", "Check the user in the connection string, and the "
                                           "password in ~/.pgpass (a line "
                                           "HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600).")},
-    RefusalText{"database", QT_TRANSLATE_NOOP("text", "the history server has no such database"),
-                QT_TRANSLATE_NOOP("text", "Its name is misspelt, or nobody has made it yet."),
-                QT_TRANSLATE_NOOP("text", "Have it made on the server: \"createdb -E UTF8 -O "
-                                          "USER DATABASE\".")},
-    RefusalText{"rights", QT_TRANSLATE_NOOP("text", "the history server does not permit this"),
-                QT_TRANSLATE_NOOP("text", "This user may not log in from here, or may only read, "
-                                          "or may not make tables in this database."),
-                QT_TRANSLATE_NOOP("text", "Have the database's owner permit it (GRANT, "
+    RefusalText{
+        "database", QT_TRANSLATE_NOOP("text", "the history server has no such database"),
+        QT_TRANSLATE_NOOP(
+            "text", "The database name is misspelled, or the database has not been created yet."),
+        QT_TRANSLATE_NOOP(
+            "text", "Create the database on the server: \"createdb -E UTF8 -O USER DATABASE\".")},
+    RefusalText{"rights", QT_TRANSLATE_NOOP("text", "the history server does not allow this"),
+                QT_TRANSLATE_NOOP("text", "This user cannot log in from here, has only read "
+                                          "permission, or cannot create tables in this database."),
+                QT_TRANSLATE_NOOP("text", "Ask the owner of the database for permission (GRANT, "
                                           "pg_hba.conf), or use another user.")},
-    RefusalText{"tls",
-                QT_TRANSLATE_NOOP("text", "the history server and this computer cannot agree on "
-                                          "encryption"),
-                QT_TRANSLATE_NOOP("text", "One side requires TLS and the other does not offer "
-                                          "it. Servers on other computers must use TLS "
-                                          "(sslmode=verify-full) unless sslmode says otherwise."),
-                QT_TRANSLATE_NOOP("text", "Enable TLS on the server (ssl = on). On a trusted "
-                                          "network, sslmode=disable in the connection string "
-                                          "sends everything unencrypted.")},
-    RefusalText{"certificate",
-                QT_TRANSLATE_NOOP("text", "the certificate of the history server cannot be "
-                                          "verified"),
-                QT_TRANSLATE_NOOP("text", "It is not issued by an authority this computer "
-                                          "trusts, it has expired, or another computer is "
-                                          "answering in the server's place."),
-                QT_TRANSLATE_NOOP("text", "Save the authority's certificate as "
-                                          "~/.postgresql/root.crt, or name its file with "
-                                          "sslrootcert=FILE in the connection string. "
-                                          "sslmode=require encrypts without verification.")},
+    RefusalText{
+        "tls",
+        QT_TRANSLATE_NOOP("text", "the history server and this computer cannot agree on "
+                                  "encryption"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "One side requires TLS and the other does not offer it. Servers on other computers "
+            "must use TLS (sslmode=verify-full) unless sslmode specifies otherwise."),
+        QT_TRANSLATE_NOOP("text", "Enable TLS on the server (ssl = on). On a trusted network, you "
+                                  "can use sslmode=disable in the connection string instead; all "
+                                  "data is then sent unencrypted.")},
+    RefusalText{
+        "certificate",
+        QT_TRANSLATE_NOOP("text", "the certificate of the history server cannot be "
+                                  "verified"),
+        QT_TRANSLATE_NOOP("text", "The certificate has expired, this computer does not trust its "
+                                  "issuer, or another computer is posing as the server."),
+        QT_TRANSLATE_NOOP("text",
+                          "Save the certificate of the issuing authority as "
+                          "~/.postgresql/root.crt, or specify its file with sslrootcert=FILE in "
+                          "the connection string. sslmode=require encrypts without verification.")},
     RefusalText{"host-name",
                 QT_TRANSLATE_NOOP("text", "the certificate of the history server is for another "
                                           "host name"),
-                QT_TRANSLATE_NOOP("text", "The connection string names the server differently, "
-                                          "or another computer is answering in its place."),
-                QT_TRANSLATE_NOOP("text", "Use the host name in the certificate, or have a "
-                                          "certificate issued for this one. sslmode=verify-ca "
-                                          "checks only who issued it.")},
-    RefusalText{"secret", QT_TRANSLATE_NOOP("text", "the connection string contains a password"),
-                QT_TRANSLATE_NOOP("text", "Others could read it in the settings and in the list "
-                                          "of processes, so it is neither used nor saved."),
-                QT_TRANSLATE_NOOP("text", "Remove it from the string and store it in ~/.pgpass: "
-                                          "a line HOST:PORT:DATABASE:USER:PASSWORD, file mode "
-                                          "0600.")},
-    RefusalText{"parameter",
-                QT_TRANSLATE_NOOP("text", "the connection string contains a parameter that is "
-                                          "not accepted"),
-                QT_TRANSLATE_NOOP("text", "It is misspelled, or it is none of the parameters "
-                                          "that are known to hold no password."),
-                QT_TRANSLATE_NOOP("text", "Use host, hostaddr, port, dbname, user, service, "
-                                          "connect_timeout, application_name, "
-                                          "target_session_attrs and the parameters that begin "
-                                          "with ssl, gss or keepalives.")},
-    RefusalText{"secret-removed",
-                QT_TRANSLATE_NOOP("text", "the password of the history server was removed from "
-                                          "the settings"),
-                QT_TRANSLATE_NOOP("text", "An earlier version saved it there as plain text."),
-                QT_TRANSLATE_NOOP("text", "Store it in ~/.pgpass: a line "
-                                          "HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. "
-                                          "Change it if others could read the settings.")},
-    RefusalText{"refused", QT_TRANSLATE_NOOP("text", "the history server lets nobody in"),
-                QT_TRANSLATE_NOOP("text", "It gives its reason in its own language."),
-                QT_TRANSLATE_NOOP("text", "Check user, password and database of the connection "
-                                          "string, and the server's log.")},
+                QT_TRANSLATE_NOOP("text", "The connection string uses another name for the server, "
+                                          "or another computer is posing as the server."),
+                QT_TRANSLATE_NOOP("text", "Use the host name in the certificate, or get a "
+                                          "certificate for this host name. sslmode=verify-ca "
+                                          "checks only the issuer.")},
+    RefusalText{
+        "secret", QT_TRANSLATE_NOOP("text", "the connection string contains a password"),
+        QT_TRANSLATE_NOOP("text", "Other users could read the password in the settings and in the "
+                                  "process list, so it is neither used nor saved."),
+        QT_TRANSLATE_NOOP("text", "Remove the password from the string and store it in ~/.pgpass: "
+                                  "a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600.")},
+    RefusalText{
+        "parameter",
+        QT_TRANSLATE_NOOP("text", "the connection string contains a parameter that is "
+                                  "not accepted"),
+        QT_TRANSLATE_NOOP("text", "The parameter is misspelled, or it might contain a password."),
+        QT_TRANSLATE_NOOP("text", "Use host, hostaddr, port, dbname, user, service, "
+                                  "connect_timeout, application_name, "
+                                  "target_session_attrs and the parameters that begin "
+                                  "with ssl, gss or keepalives.")},
+    RefusalText{
+        "secret-removed",
+        QT_TRANSLATE_NOOP("text", "the password of the history server was removed from "
+                                  "the settings"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "An earlier version of this program saved the password in the settings as plain text."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Store the password in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode "
+            "0600. If other users could read the settings, change the password.")},
+    RefusalText{"refused", QT_TRANSLATE_NOOP("text", "the history server rejects the login"),
+                QT_TRANSLATE_NOOP("text", "The server states the reason in its own language."),
+                QT_TRANSLATE_NOOP("text", "Check the user, password and database in the connection "
+                                          "string, and check the server's log.")},
     RefusalText{"driver",
-                QT_TRANSLATE_NOOP("text", "this computer cannot talk to PostgreSQL servers"),
-                QT_TRANSLATE_NOOP("text", "Qt's driver for them is not installed."),
-                QT_TRANSLATE_NOOP("text", "Install it, on Debian with \"sudo apt install "
-                                          "libqt6sql6-psql\", then start the program again.")},
-    RefusalText{"newer",
-                QT_TRANSLATE_NOOP("text", "the history server belongs to a newer version of this "
-                                          "program"),
-                QT_TRANSLATE_NOOP("text", "Another bench has been brought up to date, and has "
-                                          "changed the tables there."),
-                QT_TRANSLATE_NOOP("text", "Bring this program up to date as well. Until then "
-                                          "everything is kept on this computer.")},
-    RefusalText{"older",
-                QT_TRANSLATE_NOOP("text", "the history server belongs to an older version of "
-                                          "this program"),
-                QT_TRANSLATE_NOOP("text", "Its tables are brought up to date by the first bench "
-                                          "of this version that sends something."),
-                QT_TRANSLATE_NOOP("text", "Let a bench with this version send its history "
-                                          "there.")},
-    RefusalText{"empty",
-                QT_TRANSLATE_NOOP("text", "nothing has ever been sent to this history server"),
-                QT_TRANSLATE_NOOP("text", "No bench uses this database yet, or this is another "
-                                          "one."),
-                QT_TRANSLATE_NOOP("text", "Set the connection string at the benches, then look "
-                                          "again.")},
-    RefusalText{"encoding", QT_TRANSLATE_NOOP("text", "this database cannot keep every language"),
-                QT_TRANSLATE_NOOP("text", "Its encoding is not UTF8."),
-                QT_TRANSLATE_NOOP("text", "Make another one: \"createdb -E UTF8 -T template0 "
-                                          "DATABASE\".")},
-    RefusalText{"busy", QT_TRANSLATE_NOOP("text", "the history server is too busy"),
-                QT_TRANSLATE_NOOP("text", "It has as many connections as it allows, or somebody "
-                                          "holds the tables."),
-                QT_TRANSLATE_NOOP("text", "Nothing is lost, and it is tried again by itself. If "
-                                          "it stays so, look at the server.")},
+                QT_TRANSLATE_NOOP("text", "this computer cannot connect to PostgreSQL servers"),
+                QT_TRANSLATE_NOOP("text", "Qt's PostgreSQL driver is not installed."),
+                QT_TRANSLATE_NOOP("text", "Install the driver (Debian: \"sudo apt install "
+                                          "libqt6sql6-psql\"), then restart the program.")},
+    RefusalText{
+        "newer",
+        QT_TRANSLATE_NOOP(
+            "text", "the database on the history server is from a newer version of this program"),
+        QT_TRANSLATE_NOOP("text", "Another bench uses a newer version, which has "
+                                  "updated the tables on the server."),
+        QT_TRANSLATE_NOOP("text", "Update this program as well. Until then, all data is "
+                                  "kept on this computer.")},
+    RefusalText{
+        "older",
+        QT_TRANSLATE_NOOP(
+            "text", "the database on the history server is from an older version of this program"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The tables are updated when a bench with this version sends data for the first time."),
+        QT_TRANSLATE_NOOP("text", "Send data from a bench that uses this version.")},
+    RefusalText{
+        "empty", QT_TRANSLATE_NOOP("text", "no data has been sent to this history server yet"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "No bench uses this database yet, or the connection string names the wrong one."),
+        QT_TRANSLATE_NOOP("text", "Set the connection string on the benches, then try "
+                                  "again.")},
+    RefusalText{
+        "encoding",
+        QT_TRANSLATE_NOOP("text", "this database cannot store text in all "
+                                  "languages"),
+        QT_TRANSLATE_NOOP("text", "The encoding of the database is not UTF8."),
+        QT_TRANSLATE_NOOP("text",
+                          "Create another database: \"createdb -E UTF8 -T template0 DATABASE\".")},
+    RefusalText{
+        "busy", QT_TRANSLATE_NOOP("text", "the history server is too busy"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The server has reached its maximum number of connections, or the tables are locked."),
+        QT_TRANSLATE_NOOP("text", "No data is lost; the program tries again "
+                                  "automatically. If this continues, check the server.")},
     RefusalText{"full", QT_TRANSLATE_NOOP("text", "the disk of the history server is full"),
-                QT_TRANSLATE_NOOP("text", "There is no room left for its tables."),
-                QT_TRANSLATE_NOOP("text", "Make room there. Until then everything is kept on "
-                                          "this computer, and sent afterwards.")},
-    RefusalText{"string", QT_TRANSLATE_NOOP("text", "this is no connection string of PostgreSQL"),
-                QT_TRANSLATE_NOOP("text", "It is neither postgresql://USER@HOST/DATABASE nor "
-                                          "host=HOST dbname=DATABASE user=USER, or has a part "
-                                          "that is not known."),
-                QT_TRANSLATE_NOOP("text", "Correct it; PostgreSQL's manual describes it under "
-                                          "\"Connection Strings\".")},
+                QT_TRANSLATE_NOOP("text", "There is no space left for the database tables."),
+                QT_TRANSLATE_NOOP("text", "Free some space on the server. Until then, data is kept "
+                                          "on this computer and sent later.")},
+    RefusalText{
+        "string", QT_TRANSLATE_NOOP("text", "this is not a valid PostgreSQL connection string"),
+        QT_TRANSLATE_NOOP("text",
+                          "The string has neither the form postgresql://USER@HOST/DATABASE nor "
+                          "host=HOST dbname=DATABASE user=USER, or part of it is not recognized."),
+        QT_TRANSLATE_NOOP("text", "Correct the string; the PostgreSQL manual describes its format "
+                                  "under \"Connection Strings\".")},
     RefusalText{"server", QT_TRANSLATE_NOOP("text", "the history server reports an error"),
-                QT_TRANSLATE_NOOP("text", "Something there is not as this program expects it."),
-                QT_TRANSLATE_NOOP("text", "Nothing is lost, and it is tried again by itself. If "
-                                          "it stays so, look at the server's log.")},
+                QT_TRANSLATE_NOOP("text", "The server is not in the state this program expects."),
+                QT_TRANSLATE_NOOP("text", "No data is lost; the program tries again "
+                                          "automatically. If this continues, check the server's "
+                                          "log.")},
 };
 
 const QLatin1StringView between(": ");
@@ -145,11 +165,7 @@ const RefusalText* serverText(const base::Error& error)
     if (error.operation != QLatin1String("history-server"))
         return nullptr;
     const QString kind = error.detail.left(error.detail.indexOf(between));
-    for (const RefusalText& words : serverKinds) {
-        if (kind == QLatin1String(words.detail))
-            return &words;
-    }
-    return nullptr;
+    return entryFor(serverKinds, kind);
 }
 
 QString serverMessage(const base::Error& error)

@@ -14,16 +14,16 @@ QString intentLabel(base::IntentKind kind, bool temporary, bool ownDefaults)
     case IntentKind::SetId:
         return translate("History", "change ID");
     case IntentKind::SetBaud:
-        return translate("History", "change rate");
+        return translate("History", "change baud rate");
     case IntentKind::Mode:
-        return translate("History", "switch mode");
+        return translate("History", "change mode");
     case IntentKind::Calibrate:
-        return translate("History", "centre");
+        return translate("History", "set midpoint");
     case IntentKind::Restore:
-        return ownDefaults ? translate("History", "restore defaults")
+        return ownDefaults ? translate("History", "reset to factory defaults")
                            : translate("History", "restore");
     case IntentKind::Identify:
-        return translate("History", "identify");
+        return translate("History", "blink LED");
     case IntentKind::Trial:
         return translate("History", "trial");
     case IntentKind::Undo:
@@ -35,7 +35,7 @@ QString intentLabel(base::IntentKind kind, bool temporary, bool ownDefaults)
 QString writeOutcomeLabel(const QString& outcome)
 {
     if (outcome.isEmpty())
-        return translate("History", "not ended"); // under way still, or interrupted
+        return translate("History", "unfinished"); // running or interrupted
     if (outcome == QLatin1StringView("done"))
         return translate("History", "done");
     if (outcome == QLatin1StringView("undone"))
@@ -43,7 +43,7 @@ QString writeOutcomeLabel(const QString& outcome)
     if (outcome == QLatin1StringView("failed"))
         return translate("History", "failed");
     if (outcome == QLatin1StringView("abandoned"))
-        return translate("History", "left as it was");
+        return translate("History", "not changed");
     return outcomeLabel(outcome);
 }
 } // namespace text

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of the history of writes in words, for window and command line. Pure look-up, any thread.
+// The texts of the history of writes, for window and command line. Pure look-up; any thread.
 #pragma once
 
 #include "base/journal.h"
@@ -7,8 +7,8 @@
 #include <QString>
 
 namespace text {
-/// `ownDefaults`: no new value was known beforehand, the servo took its own defaults.
+/// `ownDefaults`: the servo has reset itself, so the new values were not known beforehand.
 QString intentLabel(base::IntentKind kind, bool temporary, bool ownDefaults);
-/// The outcome of a register, or of the whole intent where only that is known; empty: it is open.
+/// The outcome of a register, or of the whole write if only that is known; empty: unfinished.
 QString writeOutcomeLabel(const QString& outcome);
 } // namespace text

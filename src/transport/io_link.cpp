@@ -64,8 +64,8 @@ base::Result<bool> IoLink::waitForReadyRead(base::Duration span)
     return readable;
 }
 
-// Qt counts in milliseconds. The rest is slept, then looked at once: waiting out a started
-// millisecond would cost a search a tenth of a second.
+// Qt counts in milliseconds. The rest is slept, followed by one read: rounding up to
+// whole milliseconds would make a search slower by a tenth of a second.
 bool IoLink::waitForData(base::Duration span)
 {
     const auto wholeMs = std::chrono::floor<std::chrono::milliseconds>(span);

@@ -17,7 +17,7 @@ public:
     QString name() const override { return m_name; }
 
 protected:
-    /// The most that Qt keeps of what has come; the rest waits in the system, whoever sends.
+    /// The maximum that Qt buffers; further bytes wait in the system.
     static constexpr qint64 readBufferSize = 16'384;
 
     IoLink(QIODevice& device, QString name);

@@ -9,7 +9,7 @@
 namespace transport {
 namespace {
 // Linux creates ttyS0… whether or not there is a chip behind them; type 0 means none was found. In
-// a container they may stand in /sys without a device to open.
+// a container they may be listed in /sys without a device to open.
 bool isPhantom(const QSerialPortInfo& port)
 {
     if (!QFile::exists(port.systemLocation()))

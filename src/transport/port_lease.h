@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may use a port: one name for each device however it is reached, one user inside this process,
-// and who holds it outside. A symbolic link opens the same port under another name, and root passes
-// TIOCEXCL; hence names are made canonical before anything is opened. Any thread.
+// Exclusive use of a port: one canonical name per device, one user inside this process,
+// and the program that holds it outside. A symbolic link opens the same port under another name,
+// and root passes TIOCEXCL; hence names are made canonical before anything is opened. Any thread.
 #pragma once
 
 #include "base/error.h"
@@ -13,7 +13,7 @@ namespace transport {
 /// nowhere is returned as it is.
 QString canonicalPath(const QString& name);
 
-/// While it lives nobody else in this process can open the port. Movable value.
+/// While it exists, no other code in this process can open the port. Movable value.
 class PortLease {
 public:
     /// PortBusy if this process has the port already.

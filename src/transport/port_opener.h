@@ -5,12 +5,7 @@
 
 #include "transport/link.h"
 
-#include <functional>
-
 namespace transport {
-using LinkOpener =
-    std::function<base::Result<std::unique_ptr<Link>>(const PortSpec&, base::Clock&)>;
-
 /// Serial device path or tcp://host:port. Errors: PortMissing, PortBusy, PortPermission,
 /// PortFailed, RateUnsupported.
 base::Result<std::unique_ptr<Link>> openPort(const PortSpec& spec, base::Clock& clock);

@@ -28,7 +28,7 @@ base::Result<std::unique_ptr<Link>> PortReconnector::open()
     if (!link)
         return link;
     m_opened = true;
-    // Listing takes a while, and what has no device file has no adapter either.
+    // Listing takes time, and a port without a device file has no adapter.
     if (m_spec.name.contains(QLatin1Char(':')))
         return link;
     const QString path = canonicalPath(m_spec.name);
@@ -51,7 +51,7 @@ base::Result<std::unique_ptr<Link>> PortReconnector::reopen()
         candidates.end());
     auto found = std::find_if(candidates.begin(), candidates.end(),
                               [&](const PortInfo& port) { return port.path == m_adapter->path; });
-    // Cheap adapters carry no serial number: two of a kind can only be told apart by their names.
+    // Cheap adapters have no serial number: only their names distinguish two of a kind.
     const bool uniqueMatch = !m_adapter->serialNumber.isEmpty() && candidates.size() == 1;
     if (found == candidates.end() && uniqueMatch)
         found = candidates.begin();

@@ -33,7 +33,7 @@ bool lockExclusively(int descriptor)
     return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
-// A hang-up without input pending is not among the things QSerialPort waits for.
+// QSerialPort does not wait for a hang-up without pending input.
 bool isHungUp(int descriptor)
 {
     pollfd state{descriptor, POLLIN, 0};
@@ -47,7 +47,7 @@ std::optional<int> actualBaud(const QSerialPort& port)
 #else
 bool lockExclusively(QSerialPort::Handle)
 {
-    return true; // the system itself opens a port once only
+    return true; // the system itself opens a port only once
 }
 
 bool isHungUp(QSerialPort::Handle)

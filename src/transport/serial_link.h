@@ -8,7 +8,7 @@
 namespace transport {
 base::Result<std::unique_ptr<Link>> openSerial(const PortSpec& spec);
 
-/// Why the system refused a device file: in use (`accessible`, the detail says by whom) or not
+/// Why the system refused a device file: in use (`accessible`, the detail names the program) or not
 /// allowed (the detail names the group that is).
 base::Error accessDeniedError(const QString& path, bool accessible);
 } // namespace transport

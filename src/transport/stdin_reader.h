@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines that somebody types or pipes into standard input, looked for without waiting. One owner,
+// Lines typed or piped into standard input, read without waiting. One owner,
 // one thread. A program in the background of a terminal does not ask it (that would stop the
 // program). Where the system has no poll() nothing is ever read.
 #pragma once

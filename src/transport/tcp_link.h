@@ -6,6 +6,6 @@
 
 namespace transport {
 /// "tcp://host:port". BadArgument for anything else; PortMissing for an unknown host; PortFailed
-/// with the system's message when nobody accepts within three seconds.
+/// with the system's message when no server accepts within three seconds.
 base::Result<std::unique_ptr<Link>> openTcp(const PortSpec& spec);
 } // namespace transport

@@ -102,7 +102,8 @@ struct Fixture {
             << " MiB, filled at " << double(store.count()) / since(start) / 1000
             << " M/s, the values' own cost included\n";
         for (base::Duration at{}; at < length; at += 20s)
-            marks.push_back({at, record::MarkKind::Write, 1, QStringLiteral("position_p 32 → 40")});
+            marks.push_back(
+                {at, recording::MarkKind::Write, 1, QStringLiteral("position_p 32 → 40")});
         chart.resize(1600, 900);
         chart.setStore(&store);
         chart.setChannels(channels);
@@ -197,9 +198,9 @@ struct Fixture {
             QTest::mouseRelease(plot->viewport(), Qt::MiddleButton, Qt::NoModifier, from);
     }
 
-    record::SampleStore store;
+    recording::SampleStore store;
     std::vector<ui::TrendChannel> channels;
-    std::vector<record::Mark> marks;
+    std::vector<recording::Mark> marks;
     base::Duration now{};
     ui::TrendChart chart;
     QGraphicsView* plot = nullptr;

@@ -17,11 +17,11 @@ int main(int argc, char** argv)
     }
     double worst = 0;
     for (std::size_t i = 0; i < line.spans.size() && i < line.batch.rows.size(); ++i) {
-        const record::CommissionRow& row = line.batch.rows[i];
+        const results::CommissionRow& row = line.batch.rows[i];
         const double seconds = std::chrono::duration<double>(line.spans[i]).count();
         worst = std::max(worst, seconds);
         std::printf("%zu %-10s %7d baud  %-9s %6.2f s\n", i + 1, qPrintable(row.servo.model),
-                    row.oldBaud, qPrintable(record::verdictName(row.verdict)), seconds);
+                    row.oldBaud, qPrintable(results::verdictName(row.verdict)), seconds);
     }
     std::printf("slowest: %.2f s (goal 10 s), clicks: 0\n", worst);
     return worst <= 10 ? 0 : 1;

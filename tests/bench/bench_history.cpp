@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 namespace {
-using record::HistoryFilter;
+using history::HistoryFilter;
 
 constexpr double wanted = 200; ///< ms
 constexpr int servoCount = 40;
@@ -35,7 +35,7 @@ bool isRareServo(qint64 intent)
     return intent % 1000 == 500;
 }
 
-bool insertOne(const record::HistoryFile& file, qint64 intent)
+bool insertOne(const history::HistoryFile& file, qint64 intent)
 {
     const int servo = isRareServo(intent) ? servoCount : 1 + int(intent % (servoCount - 1));
     const qint64 at = start.toMSecsSinceEpoch() + intent * between;
@@ -66,7 +66,7 @@ bool insertOne(const record::HistoryFile& file, qint64 intent)
 
 bool fill(const QString& path, qint64 writes)
 {
-    const auto history = record::History::open(path);
+    const auto history = history::History::open(path);
     if (!history)
         return false;
     for (int id = 1; id <= servoCount; ++id) {
@@ -111,11 +111,11 @@ void ask(const char* name, const Question& question)
 void queryPages(const QString& path, qint64 writes)
 {
     const auto page = [&](const HistoryFilter& filter) -> std::int64_t {
-        const auto history = record::History::open(path);
+        const auto history = history::History::open(path);
         return std::int64_t((*history)->log().writes(filter)->size());
     };
     const auto count = [&](const HistoryFilter& filter) {
-        const auto history = record::History::open(path);
+        const auto history = history::History::open(path);
         return (*history)->log().countWrites(filter).value();
     };
     const qint64 span = writes / perIntent * between;
@@ -140,7 +140,7 @@ void queryPages(const QString& path, qint64 writes)
     HistoryFilter old;
     old.until = when(0.001);
     HistoryFilter deep;
-    deep.after = record::PageCursor{when(0.5), writes / 2};
+    deep.after = history::PageCursor{when(0.5), writes / 2};
     HistoryFilter trouble = model;
     trouble.onlyProblems = true;
     ask("open, first page", [&] { return page(all); });
@@ -158,14 +158,14 @@ void queryPages(const QString& path, qint64 writes)
     ask("open, count one servo", [&] { return count(servo); });
     ask("open, count a register", [&] { return count(key); });
     ask("open, the servos", [&] {
-        const auto history = record::History::open(path);
+        const auto history = history::History::open(path);
         return std::int64_t((*history)->log().servos()->size());
     });
     ask("open, the keys of all", [&] {
-        const auto history = record::History::open(path);
+        const auto history = history::History::open(path);
         return std::int64_t((*history)->log().writtenKeys()->size());
     });
-    const record::HistoryJournal journal(path, QStringLiteral("bench"));
+    const history::HistoryJournal journal(path, QStringLiteral("bench"));
     ask("journal: what is open", [&] { return std::int64_t(journal.open()->size()); });
     ask("journal: 1000 entries of a servo", [&] {
         const base::ServoIdentity identity{7, 9, 3, 3, 10, QStringLiteral("sts-sms"), {}, 1000000};
@@ -199,7 +199,7 @@ void writeCost(const QString& path, const QString& baseline)
     intent.items = {{QStringLiteral("position_p"), 21, 32, 40}};
     QElapsedTimer timer;
     {
-        record::HistoryJournal journal(path, QStringLiteral("bench"));
+        history::HistoryJournal journal(path, QStringLiteral("bench"));
         (void)journal.end(journal.begin(intent).value(), {QStringLiteral("done"), {}});
         timer.start();
         for (int i = 0; i < times; ++i)
@@ -212,7 +212,7 @@ void writeCost(const QString& path, const QString& baseline)
     timer.start();
     constexpr int anew = 20;
     for (int i = 0; i < anew; ++i) {
-        record::HistoryJournal journal(path, QStringLiteral("bench"));
+        history::HistoryJournal journal(path, QStringLiteral("bench"));
         (void)journal.begin(intent).value();
     }
     const double opening = double(timer.nsecsElapsed()) / 1e6 / anew;

@@ -42,8 +42,12 @@ FrameStats watch(const QString& port, QTextStream& out)
     bench.window->start({.port = session::PortRequest{.name = port, .baud = 1'000'000},
                          .page = QStringLiteral("operate")});
     const bool searched = QTest::qWaitFor(
-        [&] { return bench.desk().lastSearch() && !bench.desk().isSearching(); }, 30000);
-    if (!searched || bench.desk().servos().size() != servos || !bench.choose(1))
+        [&] {
+            return bench.workbench().search().lastReport() &&
+                   !bench.workbench().search().isSearching();
+        },
+        30000);
+    if (!searched || bench.workbench().registry().order().size() != servos || !bench.choose(1))
         qFatal("not all servos were found");
     bench::runEventLoop(500);
     auto* chart = bench.find<ui::TrendChart>("trendChart");
@@ -53,9 +57,9 @@ FrameStats watch(const QString& port, QTextStream& out)
             view->viewport()->installEventFilter(&frames);
     }
     std::vector<base::Duration> answered;
-    const session::ServoRef first = bench.desk().servos().front();
-    QObject::connect(&bench.desk(), &session::Desk::readingsReceived, &frames,
-                     [&](const std::vector<session::Reading>& batch) {
+    const session::ServoRef first = bench.workbench().registry().order().front();
+    QObject::connect(&bench.workbench().polling(), &session::PollController::readingsReceived,
+                     &frames, [&](const std::vector<session::Reading>& batch) {
                          for (const session::Reading& reading : batch) {
                              const bool whole = reading.values.size() > 6;
                              if (reading.answered && reading.servo == first && whole)

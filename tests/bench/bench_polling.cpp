@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window's feed makes of a paced wire: six STS servos by sync read at 1 Mbaud through Desk
-// with an event loop on the main thread, against a bare write/poll/read loop on the same
+// What the window's feed makes of a paced wire: six STS servos by sync read at 1 Mbaud through
+// Workbench with an event loop on the main thread, against a bare write/poll/read loop on the same
 // pseudo-terminal. Interleaved pairs; prints every ratio and the median (wanted: 0.93), what the
-// main thread spent on it, and how soon the first stop frame left after Desk::emergencyStop().
+// main thread spent on it, and how soon the first stop frame left after Workbench::emergencyStop().
 // POSIX, since the bare loop is.
 #include "bench/baseline_sync.h"
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "support/temporary_data_folder.h"
 
 #include <QCoreApplication>
@@ -54,29 +54,29 @@ struct FeedMeasurement {
     std::uint64_t missed = 0;
 };
 
-FeedMeasurement feedRate(session::Desk& desk, const QStringList& keys)
+FeedMeasurement feedRate(session::Workbench& workbench, const QStringList& keys)
 {
     session::Subscription subscription;
-    for (const session::ServoRef ref : desk.servos())
+    for (const session::ServoRef ref : workbench.registry().order())
         subscription.parts.push_back({ref, keys});
     std::vector<Duration> answered;
     FeedMeasurement measured;
-    const session::ServoRef first = desk.servos().front();
+    const session::ServoRef first = workbench.registry().order().front();
     const auto readingsConnection =
-        QObject::connect(&desk, &session::Desk::readingsReceived, &desk,
-                         [&](const std::vector<session::Reading>& batch) {
+        QObject::connect(&workbench.polling(), &session::PollController::readingsReceived,
+                         &workbench, [&](const std::vector<session::Reading>& batch) {
                              for (const session::Reading& reading : batch) {
                                  measured.missed += reading.answered ? 0 : 1;
                                  if (reading.answered && reading.servo == first)
                                      answered.push_back(reading.at);
                              }
                          });
-    desk.subscribe(user, subscription);
-    const Duration until = desk.now() + span;
+    workbench.polling().subscribe(user, subscription);
+    const Duration until = workbench.now() + span;
     const double cpu = threadCpu();
-    runUntil([&] { return desk.now() >= until; });
+    runUntil([&] { return workbench.now() >= until; });
     measured.cpu = (threadCpu() - cpu) / std::chrono::duration<double>(span).count();
-    desk.subscribe(user, {});
+    workbench.polling().subscribe(user, {});
     QObject::disconnect(readingsConnection);
     if (answered.size() < 2)
         qFatal("the feed was not answered");
@@ -85,48 +85,49 @@ FeedMeasurement feedRate(session::Desk& desk, const QStringList& keys)
     return measured;
 }
 
-bool open(session::Desk& desk, const QString& path)
+bool open(session::Workbench& workbench, const QString& path)
 {
-    desk.connectTo({.name = path, .baud = 1'000'000});
+    workbench.link().connectTo({.name = path, .baud = 1'000'000});
     runUntil([&] {
-        return desk.state() == session::LinkState::Open || desk.state() == session::LinkState::Off;
+        return workbench.link().state() == session::LinkState::Open ||
+               workbench.link().state() == session::LinkState::Off;
     });
-    return desk.state() == session::LinkState::Open;
+    return workbench.link().state() == session::LinkState::Open;
 }
 
-void close(session::Desk& desk)
+void close(session::Workbench& workbench)
 {
-    desk.disconnectFrom();
-    runUntil([&] { return desk.state() == session::LinkState::Off; });
+    workbench.closing().disconnectFrom();
+    runUntil([&] { return workbench.link().state() == session::LinkState::Off; });
 }
 
 /// Worst time from the call to the first byte of the broadcast, while the feed runs.
-Duration stopDelay(session::Desk& desk, const QStringList& keys)
+Duration stopDelay(session::Workbench& workbench, const QStringList& keys)
 {
     session::Subscription subscription;
-    for (const session::ServoRef ref : desk.servos())
+    for (const session::ServoRef ref : workbench.registry().order())
         subscription.parts.push_back({ref, keys});
-    desk.subscribe(user, subscription);
+    workbench.polling().subscribe(user, subscription);
     Duration worst{};
     for (int i = 0; i < stops; ++i) {
-        const Duration until = desk.now() + 70ms + i * 1ms;
-        runUntil([&] { return desk.now() >= until; });
-        desk.connection()->bus().takeTrace();
-        const Duration callTime = desk.now();
-        desk.emergencyStop();
+        const Duration until = workbench.now() + 70ms + i * 1ms;
+        runUntil([&] { return workbench.now() >= until; });
+        workbench.link().connection()->bus().takeTrace();
+        const Duration callTime = workbench.now();
+        workbench.emergencyStop().trigger();
         std::optional<Duration> sent;
         runUntil([&] {
-            for (const bus::TraceEntry& entry : desk.connection()->bus().takeTrace()) {
+            for (const bus::TraceEntry& entry : workbench.link().connection()->bus().takeTrace()) {
                 const bool broadcast = entry.kind == bus::TraceKind::Sent &&
                                        entry.bytes.size() > 2 && entry.bytes[2] == 0xFE;
                 if (broadcast && !sent)
                     sent = entry.at;
             }
-            return sent && !desk.isBusy();
+            return sent && !workbench.tasks().isBusy();
         });
         worst = std::max(worst, *sent - callTime);
     }
-    desk.subscribe(user, {});
+    workbench.polling().subscribe(user, {});
     return worst;
 }
 } // namespace
@@ -150,21 +151,21 @@ int main(int argc, char* argv[])
 
     support::TemporaryDataFolder place;
     session::Session session;
-    session::Desk desk(session);
-    if (!open(desk, simulator.port()))
+    session::Workbench workbench(session);
+    if (!open(workbench, simulator.port()))
         qFatal("the port does not open");
-    desk.search({.firstId = 1, .lastId = servos, .bauds = {}});
-    runUntil([&] { return !desk.isSearching() && !desk.isBusy(); });
-    if (desk.servos().size() != servos)
+    workbench.search().start({.firstId = 1, .lastId = servos, .bauds = {}});
+    runUntil([&] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); });
+    if (workbench.registry().order().size() != servos)
         qFatal("not all servos were found");
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
-        close(desk);
+        close(workbench);
         const double baseline =
             bench::baselineSyncRate(simulator.port(), servos, feedback, feedbackBytes, span);
-        if (!open(desk, simulator.port()))
+        if (!open(workbench, simulator.port()))
             qFatal("the port does not open again");
-        const FeedMeasurement feed = feedRate(desk, keys);
+        const FeedMeasurement feed = feedRate(workbench, keys);
         ratios.push_back(feed.rounds / baseline);
         out << QStringLiteral("sync read of six: bare %1/s, feed %2/s, ratio %3; main thread %4 % "
                               "of a core, %5 missed\n")
@@ -180,8 +181,8 @@ int main(int argc, char* argv[])
                .arg(ratios[pairs / 2], 0, 'f', 3)
                .arg(wanted, 0, 'f', 2);
     out << QStringLiteral("first stop frame after %1 ms at worst of %2 (wanted: 50)\n")
-               .arg(double(stopDelay(desk, keys).count()) / 1000, 0, 'f', 1)
+               .arg(double(stopDelay(workbench, keys).count()) / 1000, 0, 'f', 1)
                .arg(stops);
-    close(desk);
+    close(workbench);
     return 0;
 }

@@ -16,7 +16,7 @@
 
 namespace {
 using Steady = std::chrono::steady_clock;
-using record::RecordingRow;
+using recording::RecordingRow;
 
 constexpr int servos = 6;
 constexpr int totalSamples = servos * 200 * 3600 * 6;
@@ -41,11 +41,11 @@ double residentMegabytes()
     return double(resident) * double(::sysconf(_SC_PAGESIZE)) / megabyte;
 }
 
-record::RecorderSpec specFor(const QString& path)
+recording::RecorderSpec specFor(const QString& path)
 {
-    record::RecorderSpec spec;
+    recording::RecorderSpec spec;
     spec.path = path;
-    spec.format = record::recordingFormatOf(path);
+    spec.format = recording::recordingFormatOf(path);
     spec.head.started = QDateTime(QDate(2026, 1, 1), QTime(0, 0), Qt::UTC);
     for (int servo = 0; servo < servos; ++servo) {
         for (const char* key : {"position", "speed", "load", "voltage", "temperature", "current"})
@@ -74,11 +74,11 @@ struct MemoryUsage {
 };
 
 /// Seconds; ends the program when the recorder says that something went wrong.
-double recordRows(record::Recorder& recorder, int count, MemoryUsage& memory)
+double recordRows(recording::Recorder& recorder, int count, MemoryUsage& memory)
 {
     const auto start = Steady::now();
     std::vector<RecordingRow> rows;
-    std::vector<record::Mark> marks;
+    std::vector<recording::Mark> marks;
     for (int i = 0; i < count;) {
         for (int end = std::min(i + batchRows, count); i < end; ++i)
             rows.push_back(rowAt(i));
@@ -134,13 +134,14 @@ double baselineSeconds(const QString& path, const QString& copy, double bytes)
 
 const char* nameOf(const QString& path)
 {
-    return record::recordingFormatOf(path) == record::RecordingFormat::Csv ? "CSV" : "JSON lines";
+    return recording::recordingFormatOf(path) == recording::RecordingFormat::Csv ? "CSV"
+                                                                                 : "JSON lines";
 }
 
 bool benchmarkRecorder(const QString& path, int count)
 {
     MemoryUsage memory;
-    auto recorder = record::Recorder::start(specFor(path));
+    auto recorder = recording::Recorder::start(specFor(path));
     if (!recorder)
         qFatal("%s", qPrintable(recorder.error().detail));
     const int headLines = countRows(path).first;
@@ -168,10 +169,10 @@ bool benchmarkRecorder(const QString& path, int count)
 
 bool benchmarkLoading(const QString& path, int count)
 {
-    record::SampleStore store;
+    recording::SampleStore store;
     const base::StopToken stop;
     const auto start = Steady::now();
-    const auto loaded = record::loadRecording(path, store, stop);
+    const auto loaded = recording::loadRecording(path, store, stop);
     const double seconds = secondsSince(start);
     if (!loaded)
         qFatal("%s", qPrintable(loaded.error().detail));

@@ -7,6 +7,7 @@
 #include "gui/five_register_write.h"
 #include "gui/main_window_fixture.h"
 #include "session/motion/motion_controller.h"
+#include "session/sweep/sweep_test.h"
 #include "sim/host/sim_link.h"
 #include "ui/charts/trend_chart.h"
 
@@ -80,9 +81,10 @@ void show(const ServoList& scene, const QString& language, session::Theme look, 
         QTextStream(stderr) << scene.name << ": no servo\n";
         return;
     }
-    session::MotionController& drive = fixture.context.motion;
+    session::MotionController& drive = fixture.context.workbench.motion();
     const auto waitForServos = [&] {
-        return QTest::qWaitFor([&] { return !drive.isBusy() && !fixture.desk().isBusy(); }, 5000);
+        return QTest::qWaitFor(
+            [&] { return !drive.isBusy() && !fixture.workbench().tasks().isBusy(); }, 5000);
     };
     QObject::connect(&drive, &session::MotionController::failed, &drive,
                      [&](const base::Error& error) {
@@ -121,7 +123,7 @@ void show(const SweepScene& scene, const QString& language, session::Theme look,
         QTextStream(stderr) << scene.name << ": no servo\n";
         return;
     }
-    session::SweepTest& test = fixture.context.sweepTest;
+    session::SweepTest& test = fixture.context.workbench.sweepTest();
     static const char* const shapes[] = {"sweep", "stairs", "both-sides", "sine"};
     fixture
         .find<QAbstractButton>(
@@ -214,7 +216,8 @@ void show(const ChangeScene& scene, const QString& language, session::Theme look
         return;
     }
     const auto write = [&](const char* key, std::int64_t raw) {
-        fixture.desk().write(fixture.selection().current(), {{{QString::fromLatin1(key), raw}}});
+        fixture.workbench().writes().write(fixture.selection().current(),
+                                           {{{QString::fromLatin1(key), raw}}});
         fixture.waitUntilIdle();
     };
     if (auto* take = fixture.find<QAbstractButton>("snapshotTake"))
@@ -298,14 +301,15 @@ struct ErrorScene {
 template <typename Action>
 void onTheWire(gui::MainWindowFixture& fixture, Action&& action)
 {
-    fixture.desk().connection()->simulation()->with(std::forward<Action>(action));
+    fixture.workbench().link().connection()->simulation()->with(std::forward<Action>(action));
 }
 
 void leaveServoTurning(gui::MainWindowFixture& fixture)
 {
-    session::MotionController& drive = fixture.context.motion;
+    session::MotionController& drive = fixture.context.workbench.motion();
     const auto waitForServos = [&] {
-        return QTest::qWaitFor([&] { return !drive.isBusy() && !fixture.desk().isBusy(); }, 5000);
+        return QTest::qWaitFor(
+            [&] { return !drive.isBusy() && !fixture.workbench().tasks().isBusy(); }, 5000);
     };
     drive.setServos({fixture.selection().current()});
     drive.switchMode(QStringLiteral("speed"));
@@ -320,7 +324,7 @@ void leaveServoTurning(gui::MainWindowFixture& fixture)
 /// The servo falls silent in the middle of a write of five rows.
 void interruptWrite(gui::MainWindowFixture& fixture)
 {
-    fixture.desk().write(fixture.selection().current(), gui::fiveRegisterWrite());
+    fixture.workbench().writes().write(fixture.selection().current(), gui::fiveRegisterWrite());
     const auto mute = [&](std::vector<int> ids) {
         onTheWire(fixture, [&](sim::VirtualBus& wire) { wire.config().faults.muteIds = ids; });
     };
@@ -357,7 +361,8 @@ void exchange(gui::MainWindowFixture& fixture)
         wire.unplug(0);
         wire.plug(1);
     });
-    fixture.desk().write(fixture.selection().current(), {{{QStringLiteral("max_voltage"), 100}}});
+    fixture.workbench().writes().write(fixture.selection().current(),
+                                       {{{QStringLiteral("max_voltage"), 100}}});
     fixture.waitUntilIdle();
 }
 
@@ -380,7 +385,7 @@ void show(const ErrorScene& scene, const QString& language, session::Theme look,
             wire.unplug(1); // a spare one
     });
     fixture.action(ui::Command::Search)->trigger();
-    (void)QTest::qWaitFor([&] { return !fixture.desk().isSearching(); }, 20'000);
+    (void)QTest::qWaitFor([&] { return !fixture.workbench().search().isSearching(); }, 20'000);
     if (!fixture.choose(1))
         QTextStream(stderr) << scene.name << ": no servo\n";
     scene.happen(fixture);

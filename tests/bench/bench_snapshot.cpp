@@ -90,7 +90,7 @@ void compareTables(QTextStream& out)
             registers.push_back(&reg);
         for (const bus::PollSpan& span : device::planSpans(*servo.profile, registers))
             reads.push_back(protocol::Request::read(1, span.address, span.count));
-        file = record::encodeSnapshot(jobs::snapshotOf(servo, QStringLiteral("bench")));
+        file = snapshot::encodeSnapshot(jobs::snapshotOf(servo, QStringLiteral("bench")));
     }
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
@@ -109,8 +109,8 @@ void compareTables(QTextStream& out)
         auto servo = device::identify(host.context(), 1);
         const Duration start = wallClock.now();
         const auto table = jobs::takeSnapshot(host.context(), *servo, QStringLiteral("bench"));
-        const auto other = record::decodeSnapshot(file);
-        const auto comparison = record::compareSnapshots({&*table, &*other});
+        const auto other = snapshot::decodeSnapshot(file);
+        const auto comparison = snapshot::compareSnapshots({&*table, &*other});
         const double ours = seconds(wallClock.now() - start);
         ratios.push_back(ours / bare);
         out << QStringLiteral("difference of %1 rows: bare reads %2 ms, with the file %3 ms, "
@@ -138,10 +138,10 @@ support::TableValues rowsToChange(const device::Servo& servo)
     return all;
 }
 
-record::Snapshot targetSnapshot(const device::Servo& servo, const support::TableValues& rows)
+snapshot::Snapshot targetSnapshot(const device::Servo& servo, const support::TableValues& rows)
 {
-    record::Snapshot snapshot = jobs::snapshotOf(servo, QStringLiteral("bench"));
-    for (record::SnapshotRegister& reg : snapshot.registers) {
+    snapshot::Snapshot snapshot = jobs::snapshotOf(servo, QStringLiteral("bench"));
+    for (snapshot::SnapshotRegister& reg : snapshot.registers) {
         const auto row = rows.find(reg.key);
         if (row != rows.end())
             reg.raw = row->second;
@@ -149,10 +149,10 @@ record::Snapshot targetSnapshot(const device::Servo& servo, const support::Table
     return snapshot;
 }
 
-jobs::RestorePlan planOf(const device::Servo& servo, const record::Snapshot& snapshot)
+jobs::RestorePlan planOf(const device::Servo& servo, const snapshot::Snapshot& snapshot)
 {
     jobs::RestoreChoice choice;
-    choice.dangerous = true;
+    choice.consent = device::Consent::confirmed();
     return jobs::planRestore(servo, snapshot, choice);
 }
 
@@ -166,7 +166,7 @@ std::vector<QByteArray> epromFrames(const QString& servos)
         const auto plan = planOf(servo, targetSnapshot(servo, rowsToChange(servo)));
         fixture.clearFrames();
         jobs::RestoreOptions options;
-        options.dangerous = true;
+        options.consent = device::Consent::confirmed();
         if (!jobs::restore(fixture.context(), servo, plan, options))
             qFatal("restore");
         for (const base::Bytes& frame : fixture.tap().written) {
@@ -210,7 +210,7 @@ void restoreRows(QTextStream& out)
             rows += jobs::plannedWrites(plans.back()).size();
         }
         jobs::RestoreOptions options;
-        options.dangerous = true;
+        options.consent = device::Consent::confirmed();
         const Duration start = wallClock.now();
         for (std::size_t i = 0; i < bothServos.size(); ++i) {
             const auto outcome = jobs::restore(host.context(), bothServos[i], plans[i], options);

@@ -30,7 +30,7 @@ double valueAt(int sample)
     return 90 * std::sin(sample * 0.001) + (sample % 1009 * 7919 % 13) * 0.088;
 }
 
-double fill(record::SampleStore& store)
+double fill(recording::SampleStore& store)
 {
     for (int i = 0; i < channelCount; ++i)
         store.open();
@@ -47,7 +47,7 @@ double fill(record::SampleStore& store)
 
 double baselineRate()
 {
-    std::vector<std::vector<record::SamplePoint>> baseline(channelCount);
+    std::vector<std::vector<recording::SamplePoint>> baseline(channelCount);
     const double start = seconds();
     for (int i = 0; i < samplesPerChannel; ++i) {
         for (auto& channel : baseline)
@@ -66,27 +66,29 @@ double secondsPerFrame(Duration length, const Function& ask)
     for (int i = 0; i < frames; ++i) {
         const Duration end = last - std::chrono::milliseconds(33) * (frames - i);
         for (int channel = 0; channel < channelCount; ++channel)
-            ask(channel, record::TimeSpan{std::max(end - length, Duration(0)), end});
+            ask(channel, recording::TimeSpan{std::max(end - length, Duration(0)), end});
     }
     return (seconds() - start) * 1000 / frames;
 }
 
-void benchmarkQueries(const record::SampleStore& store)
+void benchmarkQueries(const recording::SampleStore& store)
 {
     for (const int shown : {1, 10, 60, 600, 3600}) {
         const Duration length = std::chrono::seconds(shown);
-        std::vector<record::SampleColumn> columns;
+        std::vector<recording::SampleColumn> columns;
         std::size_t got = 0;
-        const double columnTime = secondsPerFrame(length, [&](int channel, record::TimeSpan span) {
-            store.columns(channel, span, 1600, columns);
-            got = columns.size();
-        });
+        const double columnTime =
+            secondsPerFrame(length, [&](int channel, recording::TimeSpan span) {
+                store.columns(channel, span, 1600, columns);
+                got = columns.size();
+            });
         double sum = 0;
-        const double rangeTime = secondsPerFrame(length, [&](int channel, record::TimeSpan span) {
-            sum += store.range(channel, span)->first;
-        });
+        const double rangeTime =
+            secondsPerFrame(length, [&](int channel, recording::TimeSpan span) {
+                sum += store.range(channel, span)->first;
+            });
         const double statisticsTime =
-            secondsPerFrame(length, [&](int channel, record::TimeSpan span) {
+            secondsPerFrame(length, [&](int channel, recording::TimeSpan span) {
                 sum += store.statistics(channel, span).sigma;
             });
         std::printf("%5d s shown, 8 channels: columns %.3f ms (%zu each), range %.3f ms, "
@@ -99,7 +101,7 @@ void benchmarkQueries(const record::SampleStore& store)
 
 int main()
 {
-    record::SampleStore store;
+    recording::SampleStore store;
     const double rate = fill(store);
     const double used = double(store.bytes()) / megabyte;
     std::printf("%llu samples: %.1f MB (wanted <= %.0f)\n",
@@ -108,7 +110,7 @@ int main()
                 minRate / 1e6, baselineRate() / 1e6);
     benchmarkQueries(store);
 
-    record::SampleStore small(store.bytes() / 10);
+    recording::SampleStore small(store.bytes() / 10);
     const double thinRate = fill(small);
     std::printf("with a tenth of the room: %.1f MB, %.1f M samples/s, all %s there\n",
                 double(small.bytes()) / megabyte, thinRate / 1e6,

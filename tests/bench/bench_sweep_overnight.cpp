@@ -56,7 +56,7 @@ struct NightSpec {
 };
 
 struct SavedRun {
-    record::SweepRun run;
+    results::SweepRun run;
     std::unique_ptr<jobs::SweepRecording> readings;
     bool fine = false;
 };
@@ -74,7 +74,7 @@ jobs::SweepRequest orderOf(const NightSpec& night, const std::vector<device::Ser
     jobs::SweepRequest order;
     order.spec.range = {text("1800"), text("2300")};
     order.spec.speed = text("3000");
-    order.spec.pace = record::SweepPace::Delay;
+    order.spec.pace = results::SweepPace::Delay;
     order.spec.pause = night.pause;
     order.spec.cycles = night.cycles;
     order.spec.length = night.length;
@@ -82,7 +82,7 @@ jobs::SweepRequest orderOf(const NightSpec& night, const std::vector<device::Ser
     order.simulated = true;
     for (const device::Servo& servo : servos)
         order.limits.push_back(
-            record::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
+            results::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
     return order;
 }
 
@@ -99,7 +99,7 @@ SavedRun measure(const NightSpec& night, const QString& report)
     const jobs::SweepRequest order = orderOf(night, servos);
     SavedRun kept;
     jobs::SweepCallbacks watch;
-    watch.onBegin = [&](const record::SweepRun& run) -> std::optional<base::Error> {
+    watch.onBegin = [&](const results::SweepRun& run) -> std::optional<base::Error> {
         auto made = jobs::SweepRecording::start(run, session::sweepReadingsPath(report));
         if (!made)
             return made.error();
@@ -132,7 +132,7 @@ SavedRun measure(const NightSpec& night, const QString& report)
         return kept;
     }
     kept.run = std::move(*done);
-    kept.fine = kept.run.end == record::SweepEnd::Finished;
+    kept.fine = kept.run.end == results::SweepEnd::Finished;
     return kept;
 }
 
@@ -151,7 +151,7 @@ double write(const SavedRun& kept, session::SweepFormat format, const QString& p
 
 bool readable(const SavedRun& kept, const QString& path)
 {
-    const auto read = record::loadSweepRun(path);
+    const auto read = results::loadSweepRun(path);
     if (!read || read->servos.size() != kept.run.servos.size())
         return false;
     for (std::size_t i = 0; i < read->servos.size(); ++i) {
@@ -185,7 +185,7 @@ bool night(int hours, int baud)
                 double(QFileInfo(session::sweepReadingsPath(page)).size()) / (1 << 20),
                 static_cast<unsigned long long>(kept.readings->lost()));
     timer.restart();
-    const auto number = record::saveRun(dir.filePath(text("history.sqlite")), kept.run);
+    const auto number = history::saveRun(dir.filePath(text("history.sqlite")), kept.run);
     std::printf("  in the history after %.2f s\n", double(timer.elapsed()) / 1000);
     const double peakMegabytes = megabytes("VmHWM:");
     const bool flat = peakMegabytes <= maxMegabytes;

@@ -6,6 +6,7 @@
 // memory after that. Wanted: 250 ms, 100 ms, p99 16 ms, 150 MB.
 #include "bench/stall_probe.h"
 #include "gui/main_window_fixture.h"
+#include "support/test_paths.h"
 
 #include <QProcess>
 #include <QTextStream>
@@ -52,15 +53,16 @@ void benchmarkTable()
     if (!bench.connectTo(QStringLiteral("sim:demo")))
         qFatal("no simulated bus");
     std::vector<double> times;
-    for (const session::ServoRef ref : bench.desk().servos()) {
+    for (const session::ServoRef ref : bench.workbench().registry().order()) {
         bench.waitUntilIdle();
         const auto start = Clock::now();
         bench.selection().select(ref);
         QEventLoop loop;
-        QObject::connect(&bench.desk(), &session::Desk::tableChanged, &loop, [&] {
-            if (bench.desk().servo(ref)->hasFullTable)
-                loop.quit();
-        });
+        QObject::connect(&bench.workbench().registry(), &session::ServoRegistry::tableChanged,
+                         &loop, [&] {
+                             if (bench.workbench().registry().servo(ref)->hasFullTable)
+                                 loop.quit();
+                         });
         loop.exec();
         bench.window->repaint();
         times.push_back(since(start));
@@ -73,16 +75,17 @@ void benchmarkUnavailablePort()
 {
     gui::MainWindowFixture bench;
     bench.window->start({.port = session::PortRequest{.name = QStringLiteral("sim:sts3215@1")}});
-    if (!QTest::qWaitFor([&] { return bench.desk().state() == session::LinkState::Open; }))
+    if (!QTest::qWaitFor(
+            [&] { return bench.workbench().link().state() == session::LinkState::Open; }))
         qFatal("no simulated bus");
     StallProbe probe;
     jobs::ScanSpec all;
     all.firstId = 100;
     all.bauds = {1'000'000, 500'000, 115'200};
     bench.waitUntilIdle();
-    bench.desk().search(all);
+    bench.workbench().search().start(all);
     runEventLoop(5000);
-    bench.desk().stopSearch();
+    bench.workbench().search().stop();
     bench.waitUntilIdle();
     probe.report(out, "searching where nobody is");
 }
@@ -108,12 +111,13 @@ void benchmarkLive()
     QStringList keys;
     for (const catalog::Register& reg : bench.entry().servo.profile->registers)
         keys << reg.key;
-    bench.desk().subscribe(QStringLiteral("bench"), {{{ref, keys}}, {}});
+    bench.workbench().polling().subscribe(QStringLiteral("bench"), {{{ref, keys}}, {}});
     runEventLoop(500);
     const double before = residentMb();
     StallProbe probe;
     for (int i = 0; i < 60; ++i) {
-        bench.desk().write(ref, {{{QStringLiteral("position_p"), 30 + i % 10}}, true, false});
+        bench.workbench().writes().write(ref,
+                                         {{{QStringLiteral("position_p"), 30 + i % 10}}, true, {}});
         runEventLoop(100);
     }
     probe.report(out, "polling the whole table at full speed, a write every 100 ms");

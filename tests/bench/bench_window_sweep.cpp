@@ -4,6 +4,7 @@
 #include "bench/baseline_sync.h"
 #include "bench/stall_probe.h"
 #include "gui/main_window_fixture.h"
+#include "session/sweep/sweep_test.h"
 
 #include <QAbstractButton>
 
@@ -13,16 +14,16 @@ namespace {
 constexpr int servos = 6;
 constexpr int length = 30; // s
 
-session::SweepTestRequest orderForServo(session::Desk& desk)
+session::SweepTestRequest orderForServo(session::Workbench& workbench)
 {
     session::SweepTestRequest order;
     order.spec.range = {QStringLiteral("1500"), QStringLiteral("2500")};
     order.spec.pause = 600ms;
     order.spec.cycles = 10'000;
-    order.servos = desk.servos();
+    order.servos = workbench.registry().order();
     for (const session::ServoRef ref : order.servos) {
-        const auto& profile = *desk.servo(ref)->servo.profile;
-        order.limits.push_back(record::builtInSweepLimits(profile.modelName, profile.series));
+        const auto& profile = *workbench.registry().servo(ref)->servo.profile;
+        order.limits.push_back(results::builtInSweepLimits(profile.modelName, profile.series));
     }
     return order;
 }
@@ -48,11 +49,15 @@ int main(int argc, char* argv[])
     bench.window->start({.port = session::PortRequest{.name = simulator.port(), .baud = 1'000'000},
                          .page = QStringLiteral("sweep")});
     const bool searched = QTest::qWaitFor(
-        [&] { return bench.desk().lastSearch() && !bench.desk().isSearching(); }, 30000);
-    if (!searched || bench.desk().servos().size() != servos || !bench.choose(1))
+        [&] {
+            return bench.workbench().search().lastReport() &&
+                   !bench.workbench().search().isSearching();
+        },
+        30000);
+    if (!searched || bench.workbench().registry().order().size() != servos || !bench.choose(1))
         qFatal("not all servos were found");
-    session::SweepTest& test = bench.context.sweepTest;
-    const bool started = test.start(orderForServo(bench.desk()));
+    session::SweepTest& test = bench.context.workbench.sweepTest();
+    const bool started = test.start(orderForServo(bench.workbench()));
     const bool legs = QTest::qWaitFor(
         [&] { return test.run() != nullptr && test.run()->servos[0].legs.size() > 3; }, 30000);
     if (!started || !legs)

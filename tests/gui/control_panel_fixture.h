@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The control panel on a real desk and a simulated bus, without the rest of the window. Its widgets
-// are worked as a user does; what the servos really do is asked of the simulation, past the wire.
-// Main thread.
+// The control panel on a real workbench and a simulated bus, without the rest of the window. Its
+// widgets are used as a user does; the real state of the servos is read from the simulation, not
+// over the bus. Main thread.
 #pragma once
 
 #include "gui/press_clock.h"
+#include "session/motion/motion_controller.h"
 #include "sim/host/sim_link.h"
 #include "support/temporary_data_folder.h"
 #include "ui/app/program.h"
@@ -23,7 +24,7 @@
 namespace gui {
 class ControlPanelFixture {
 public:
-    /// `data`: a folder that outlives the bench, for what is remembered between starts.
+    /// `data`: a folder that outlives the fixture, for what is remembered between starts.
     explicit ControlPanelFixture(const QString& data = {})
         : session(sessionWithData(data.isEmpty() ? dataFolder.path() : data))
     {
@@ -34,18 +35,21 @@ public:
 
     bool connectTo(const QString& port)
     {
-        desk.connectTo({.name = port});
-        return QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; }, 10000);
+        workbench.link().connectTo({.name = port});
+        return QTest::qWaitFor(
+            [this] { return workbench.link().state() == session::LinkState::Open; }, 10000);
     }
     bool search(int first, int last)
     {
-        desk.search({.firstId = first, .lastId = last, .bauds = {}});
-        return QTest::qWaitFor([this] { return !desk.isSearching() && !desk.isBusy(); }, 30000);
+        workbench.search().start({.firstId = first, .lastId = last, .bauds = {}});
+        return QTest::qWaitFor(
+            [this] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); },
+            30000);
     }
     session::ServoRef ref(int id) const
     {
-        for (const session::ServoRef one : desk.servos()) {
-            if (desk.servo(one)->servo.id == id)
+        for (const session::ServoRef one : workbench.registry().order()) {
+            if (workbench.registry().servo(one)->servo.id == id)
                 return one;
         }
         return 0;
@@ -56,7 +60,7 @@ public:
         for (const int id : ids)
             refs.push_back(ref(id));
         selection.setSelected(refs);
-        return waitUntilIdle() && desk.servo(refs.front())->hasFullTable && shown();
+        return waitUntilIdle() && workbench.registry().servo(refs.front())->hasFullTable && shown();
     }
     /// Connected, found and chosen; the first one's panel is filled.
     bool ready(const QString& port, const std::vector<int>& ids)
@@ -65,9 +69,10 @@ public:
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk.isBusy() && !drive.isBusy(); }, 20000);
+        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy() && !drive.isBusy(); },
+                               20000);
     }
-    /// What the desk knows has come into the widgets.
+    /// What the workbench knows has come into the widgets.
     bool shown()
     {
         QSignalSpy spy(&panel, &ui::ControlPanel::goalStateChanged);
@@ -76,12 +81,12 @@ public:
         QCoreApplication::processEvents(); // new widgets have got their places
         return come;
     }
-    const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
+    const session::ServoEntry& entry() { return *workbench.registry().servo(selection.current()); }
 
     template <typename Function>
     decltype(auto) withBus(Function&& function)
     {
-        return desk.connection()->simulation()->with(std::forward<Function>(function));
+        return workbench.link().connection()->simulation()->with(std::forward<Function>(function));
     }
     /// What the servo really holds.
     std::int64_t raw(int id, const char* key)
@@ -94,13 +99,13 @@ public:
         withBus(
             [&](sim::VirtualBus& wire) { wire.servo(id)->poke(QString::fromLatin1(key), raw); });
     }
-    /// Of the shaft, now. The simulation goes on when somebody listens.
+    /// Of the shaft, now. The simulation advances when it is asked.
     double degrees(int id)
     {
-        const bool idle = !desk.isBusy() && !desk.isSearching();
+        const bool idle = !workbench.tasks().isBusy() && !workbench.search().isSearching();
         return withBus([&](sim::VirtualBus& wire) {
             if (idle)
-                wire.hostReads(desk.now());
+                wire.hostReads(workbench.now());
             return wire.servo(id)->shaftDegrees();
         });
     }
@@ -108,21 +113,21 @@ public:
     bool isAtRest(int id)
     {
         double before = degrees(id);
-        base::Duration since = desk.now();
+        base::Duration since = workbench.now();
         return QTest::qWaitFor(
             [&] {
                 const double now = degrees(id);
                 if (std::abs(now - before) > 0.05)
-                    since = desk.now();
+                    since = workbench.now();
                 before = now;
-                return desk.now() - since > std::chrono::milliseconds(250);
+                return workbench.now() - since > std::chrono::milliseconds(250);
             },
             30000);
     }
-    /// The desk's copy of these registers, fresh.
+    /// The list's copy of these registers, fresh.
     bool read()
     {
-        desk.readTable(selection.current());
+        workbench.writes().readTable(selection.current());
         return waitUntilIdle() && shown();
     }
 
@@ -209,7 +214,7 @@ public:
     }
     ui::ControlSlider* slider() { return find<ui::ControlSlider>("goalSlider"); }
 
-    QString confirmationText; ///< what the latest question said
+    QString confirmationText; ///< text of the latest question
 
 private:
     /// The session looks for its folder once, when it is made.
@@ -224,10 +229,10 @@ public:
     support::TemporaryDataFolder dataFolder; ///< before the session
     session::Settings settings{dataFolder.folder.filePath(QStringLiteral("servodesk.ini"))};
     session::Session session; ///< in its folder
-    session::Desk desk{session};
+    session::Workbench workbench{session};
     ui::Selection selection;
-    ui::Commands commands{desk, selection};
-    session::MotionController drive{desk};
-    ui::ControlPanel panel{desk, commands, selection, settings, drive};
+    ui::Commands commands{workbench, selection};
+    session::MotionController& drive = workbench.motion();
+    ui::ControlPanel panel{workbench, commands, selection, settings, drive};
 };
 } // namespace gui

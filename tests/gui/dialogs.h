@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dialogs as a user reads and works them. Main thread.
+// Reads and operates dialogs as a user does. Main thread.
 #pragma once
 
 #include <QLabel>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A write that takes long enough to be broken off: five registers of an STS3215 behind its lock.
+// A write that takes long enough to be interrupted: five registers of an STS3215 behind its lock.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "sim/servo/virtual_servo.h"
 
 namespace gui {
@@ -15,7 +15,7 @@ inline session::WriteRequest fiveRegisterWrite()
                                    {"position_p", 20},
                                    {"overload_torque", 70}})
         order.items.push_back({QString::fromLatin1(key), raw});
-    order.dangerous = true;
+    order.consent = device::Consent::confirmed();
     return order;
 }
 

@@ -18,7 +18,7 @@
 #include <optional>
 
 namespace gui {
-/// For init(): any warning fails, but for what the platform without a screen says of itself.
+/// For init(): any warning fails, except those of the offscreen platform about itself.
 inline void failOnWarnings()
 {
     QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
@@ -45,7 +45,7 @@ public:
         window->show();
     }
 
-    session::Desk& desk() { return context.desk; }
+    session::Workbench& workbench() { return context.workbench; }
     ui::Selection& selection() { return context.selection; }
     QAction* action(ui::Command command) { return context.commands.action(command); }
 
@@ -60,21 +60,30 @@ public:
     {
         window->start({.port = session::PortRequest{.name = port}, .page = page});
         return QTest::qWaitFor(
-            [this] { return desk().lastSearch().has_value() && !desk().isSearching(); }, 30000);
+            [this] {
+                return workbench().search().lastReport().has_value() &&
+                       !workbench().search().isSearching();
+            },
+            30000);
     }
     bool choose(int id)
     {
-        for (const session::ServoRef ref : desk().servos()) {
-            if (desk().servo(ref)->servo.id == id)
+        for (const session::ServoRef ref : workbench().registry().order()) {
+            if (workbench().registry().servo(ref)->servo.id == id)
                 selection().select(ref);
         }
         return selection().current() != 0 && waitUntilIdle() && entry().hasFullTable;
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk().isBusy() && !desk().isSearching(); }, 20000);
+        return QTest::qWaitFor(
+            [this] { return !workbench().tasks().isBusy() && !workbench().search().isSearching(); },
+            20000);
     }
-    const session::ServoEntry& entry() { return *desk().servo(selection().current()); }
+    const session::ServoEntry& entry()
+    {
+        return *workbench().registry().servo(selection().current());
+    }
     std::optional<std::int64_t> raw(const char* key)
     {
         return entry().servo.raw(QString::fromLatin1(key));

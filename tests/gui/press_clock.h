@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clock of ui::PressGuard in tests. AdvancingClock: whatever moved did so long ago, so that a
-// test may press what it has just opened. ManualPressClock: stands still until the test lets time
-// pass.
+// The clock of ui::PressGuard in tests. AdvancingClock: every movement was long ago, so that a test
+// can press what it has just opened. ManualPressClock: stops until the test lets time pass.
 #pragma once
 
 #include "ui/widgets/press_guard.h"

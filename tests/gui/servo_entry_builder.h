@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A servo entry as the desk would hold it, filled by hand: registers of a built-in model with the
-// numbers a test gives them. No bus.
+// A servo entry as the workbench would hold it, filled by hand: registers of a built-in model with
+// the numbers a test gives them. No bus.
 #pragma once
 
 #include "catalog/catalog.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <map>
 

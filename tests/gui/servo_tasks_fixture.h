@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The servo menu on a real desk and a simulated bus, without the rest of the window. Dialogs are
-// found and worked as a user does, by mouse and keyboard. Main thread.
+// The servo menu on a real workbench and a simulated bus, without the rest of the window. Dialogs
+// are found and used as a user does, by mouse and keyboard. Main thread.
 #pragma once
 
 #include "gui/dialogs.h"
@@ -24,23 +24,26 @@ public:
     bool connectTo(const char* port) { return connectTo(QString::fromLatin1(port)); }
     bool connectTo(const QString& port)
     {
-        desk.connectTo({.name = port});
-        return QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; });
+        workbench.link().connectTo({.name = port});
+        return QTest::qWaitFor(
+            [this] { return workbench.link().state() == session::LinkState::Open; });
     }
     bool search(int first, int last)
     {
-        desk.search({.firstId = first, .lastId = last, .bauds = {}});
-        return QTest::qWaitFor([this] { return !desk.isSearching() && !desk.isBusy(); }, 30000);
+        workbench.search().start({.firstId = first, .lastId = last, .bauds = {}});
+        return QTest::qWaitFor(
+            [this] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); },
+            30000);
     }
     bool choose(int id)
     {
-        for (const session::ServoRef ref : desk.servos()) {
-            if (desk.servo(ref)->servo.id == id)
+        for (const session::ServoRef ref : workbench.registry().order()) {
+            if (workbench.registry().servo(ref)->servo.id == id)
                 selection.select(ref);
         }
         if (selection.current() == 0)
             return false;
-        desk.readTable(selection.current());
+        workbench.writes().readTable(selection.current());
         return waitUntilIdle();
     }
     bool ready(const char* port, int first, int last, int id)
@@ -49,14 +52,14 @@ public:
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk.isBusy(); }, 20000);
+        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy(); }, 20000);
     }
 
-    const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
+    const session::ServoEntry& entry() { return *workbench.registry().servo(selection.current()); }
     template <typename Function>
     decltype(auto) withBus(Function&& function)
     {
-        return desk.connection()->simulation()->with(std::forward<Function>(function));
+        return workbench.link().connection()->simulation()->with(std::forward<Function>(function));
     }
     /// What the servo really holds, past the wire.
     std::int64_t raw(int id, const char* key)
@@ -86,11 +89,11 @@ public:
 
     support::TemporaryDataFolder dataFolder; ///< before the session
     session::Session session;
-    session::Desk desk{session};
+    session::Workbench workbench{session};
     ui::Selection selection;
-    ui::Commands commands{desk, selection};
+    ui::Commands commands{workbench, selection};
     QWidget window;
-    ui::ServoTasks* tasks = new ui::ServoTasks(desk, commands, selection, &window);
+    ui::ServoTasks* tasks = new ui::ServoTasks(workbench, commands, selection, &window);
 };
 
 /// How the task ended, in its own words; empty while it runs.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A trend chart with two channels on a store of its own, and hands: places are shares of the plot,
-// 0 … 1 from its lower left. Answers what has been painted. Main thread.
+// A trend chart with two channels on a store of its own, and input. Positions are fractions of the
+// plot, 0 … 1 from its lower left. Checks what has been painted. Main thread.
 #pragma once
 
 #include "ui/charts/palette.h"
@@ -57,7 +57,15 @@ public:
             put(channel, at, value(double(at.count()) / 1e6));
     }
 
-    /// Until every frame that was asked for has been made.
+    /// Draws the channel as value × scale + offset.
+    void setScale(std::size_t channel, double scale, double offset)
+    {
+        channels[channel].scale = scale;
+        channels[channel].offset = offset;
+        chart.setChannels(channels);
+    }
+
+    /// Until every requested frame has been painted.
     void waitForFrames()
     {
         chart.flush();
@@ -126,9 +134,9 @@ public:
                std::abs(qBlue(one) - qBlue(other)) < 70;
     }
 
-    record::SampleStore store;
-    std::vector<record::ChannelId> ids;
-    std::vector<record::SamplePoint> sent[2];
+    recording::SampleStore store;
+    std::vector<recording::ChannelId> ids;
+    std::vector<recording::SamplePoint> sent[2];
     std::vector<ui::TrendChannel> channels;
     ui::TrendChart chart;
     ui::TrendPlot* plot = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A desk with what widgets need beside it, and ports that are plugged by the test. One at a time;
+// A workbench with what widgets need besides it, and ports that the test plugs in. One at a time;
 // main thread.
 #pragma once
 
@@ -17,7 +17,7 @@
 #include <mutex>
 
 namespace gui {
-/// All but what the screenless platform says of itself when something pops up.
+/// All except those of the offscreen platform about itself when a popup opens.
 inline void failOnWarnings()
 {
     QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
@@ -76,18 +76,19 @@ public:
     {
         session::PortRequest request;
         request.name = port;
-        desk.connectTo(request);
-        return QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; }, 10000);
+        workbench.link().connectTo(request);
+        return QTest::qWaitFor(
+            [this] { return workbench.link().state() == session::LinkState::Open; }, 10000);
     }
     bool search(const jobs::ScanSpec& spec = {})
     {
-        desk.search(spec);
-        return QTest::qWaitFor([this] { return !desk.isSearching(); }, 60000);
+        workbench.search().start(spec);
+        return QTest::qWaitFor([this] { return !workbench.search().isSearching(); }, 60000);
     }
     session::ServoRef ref(int id) const
     {
-        for (const session::ServoRef one : desk.servos()) {
-            if (desk.servo(one)->servo.id == id)
+        for (const session::ServoRef one : workbench.registry().order()) {
+            if (workbench.registry().servo(one)->servo.id == id)
                 return one;
         }
         return 0;
@@ -103,8 +104,8 @@ public:
     session::PortWatcher ports{nullptr, portList.lister()};
     support::TemporaryDataFolder dataFolder; ///< before the session
     session::Session session;
-    session::Desk desk{session};
+    session::Workbench workbench{session};
     ui::Selection selection;
-    ui::Commands commands{desk, selection};
+    ui::Commands commands{workbench, selection};
 };
 } // namespace gui

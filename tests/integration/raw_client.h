@@ -4,6 +4,7 @@
 #pragma once
 
 #include "support/simulator_priority.h"
+#include "support/test_paths.h"
 
 #include <QProcess>
 #include <QStringList>

@@ -6,22 +6,22 @@
 #include "jobs/sweep/sweep.h"
 
 namespace sweep_support {
-inline base::Result<record::SweepRun> run(const device::Context& context,
-                                          std::vector<device::Servo>& servos,
-                                          const record::SweepSpec& spec,
-                                          const jobs::SweepCallbacks& watch = {})
+inline base::Result<results::SweepRun> run(const device::Context& context,
+                                           std::vector<device::Servo>& servos,
+                                           const results::SweepSpec& spec,
+                                           const jobs::SweepCallbacks& watch = {})
 {
     jobs::SweepRequest order;
     order.spec = spec;
     for (const device::Servo& servo : servos)
         order.limits.push_back(
-            record::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
+            results::builtInSweepLimits(servo.profile->modelName, servo.profile->series));
     return jobs::sweep(context, servos, order, watch);
 }
 
-inline std::optional<double> metric(const record::SweepServo& servo, const char* key)
+inline std::optional<double> metric(const results::SweepServo& servo, const char* key)
 {
-    for (const record::SweepMetric& one : servo.metrics) {
+    for (const results::SweepMetric& one : servo.metrics) {
         if (one.key == QLatin1String(key))
             return one.value;
     }

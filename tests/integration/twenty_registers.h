@@ -35,11 +35,11 @@ inline const TableValues& twentyRegisters()
 }
 
 /// Of a servo that has them.
-inline record::Snapshot twentyRegisterSnapshot()
+inline snapshot::Snapshot twentyRegisterSnapshot()
 {
     SimFixture fixture(QStringLiteral("sts3215@1"));
     pokeAllPersistent(fixture, twentyRegisters());
-    record::Snapshot snapshot =
+    snapshot::Snapshot snapshot =
         jobs::snapshotOf(identifyWithTable(fixture), QStringLiteral("test 1"));
     snapshot.at = QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC);
     return snapshot;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes every connection on 127.0.0.1, waits for the first bytes, says what it was made with and
-// hangs up: whatever else may answer at the port of a server. A thread of its own.
+// Takes every connection on 127.0.0.1, waits for the first bytes, sends the reply given to it and
+// closes the connection: some other program at the port of a server. A thread of its own.
 #pragma once
 
 #include "support/port_endpoints.h"

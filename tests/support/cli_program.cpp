@@ -65,7 +65,7 @@ void CliProgram::collect()
 
 bool CliProgram::waitFor(const QByteArray& seen, const QByteArray& text)
 {
-    // In slices, because what comes on the other channel wakes nobody.
+    // In slices, because data on the other channel does not end the wait.
     constexpr int sliceMs = 50;
     for (int waited = 0; waited < timeoutMs; waited += sliceMs) {
         collect();

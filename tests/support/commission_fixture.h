@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A commissioning line on simulated time with a hand that plugs servos in and out as the line asks,
-// and that may be told to do otherwise. One thread.
+// and that can be changed by the test. One thread.
 #pragma once
 
 #include "jobs/commission/commission.h"
@@ -11,16 +11,16 @@
 
 namespace support {
 /// A template with these values, from a servo of this model.
-inline record::Snapshot templateOf(const char* model,
-                                   const std::vector<std::pair<const char*, std::int64_t>>& values)
+inline snapshot::Snapshot
+templateOf(const char* model, const std::vector<std::pair<const char*, std::int64_t>>& values)
 {
     SimFixture other(QString::fromLatin1(model) + QStringLiteral("@1"));
     auto context = other.context();
     device::Servo servo = other.servo(1);
-    record::Snapshot snapshot = *jobs::takeSnapshot(context, servo, QStringLiteral("test"));
-    std::vector<record::SnapshotRegister> rows;
+    snapshot::Snapshot snapshot = *jobs::takeSnapshot(context, servo, QStringLiteral("test"));
+    std::vector<snapshot::SnapshotRegister> rows;
     for (const auto& value : values) {
-        record::SnapshotRegister row = *snapshot.find(QString::fromLatin1(value.first));
+        snapshot::SnapshotRegister row = *snapshot.find(QString::fromLatin1(value.first));
         row.raw = value.second;
         rows.push_back(row);
     }
@@ -48,15 +48,15 @@ public:
     /// Until the bag is empty, the line ends by itself, or `hand` requests a stop.
     base::Result<jobs::CommissionEnd> run()
     {
-        auto opened = record::openCommissionBatch(csv());
+        auto opened = results::openCommissionBatch(csv());
         if (!opened)
             return tl::unexpected(opened.error());
         batch = *opened;
         jobs::CommissionCallbacks callbacks;
         callbacks.onChange = [this](const jobs::CommissionView& view) { changed(view); };
-        callbacks.onRow = [this](const record::CommissionRow&) {
-            // What is told is on the disk already.
-            const auto kept = record::openCommissionBatch(csv());
+        callbacks.onRow = [this](const results::CommissionRow&) {
+            // A reported step is on the disk already.
+            const auto kept = results::openCommissionBatch(csv());
             savedInTime = savedInTime && kept && kept->rows == batch.rows;
         };
         callbacks.answer = [this] { return answer ? answer() : jobs::CommissionAnswer::None; };
@@ -67,7 +67,7 @@ public:
             if (!savesSnapshotFiles)
                 return name;
             const QString file = folder.filePath(name);
-            return record::saveSnapshot(jobs::snapshotOf(servo, QStringLiteral("test")), file)
+            return snapshot::saveSnapshot(jobs::snapshotOf(servo, QStringLiteral("test")), file)
                 .map([&] { return file; });
         };
         callbacks.name = name;
@@ -127,7 +127,7 @@ public:
     SimFixture fixture;
     QTemporaryDir folder;
     jobs::CommissionSpec spec;
-    record::CommissionBatch batch;
+    results::CommissionBatch batch;
     std::vector<jobs::CommissionView> views;
     std::vector<base::Duration> spans; ///< plugged in to "unplug"
     std::vector<int> saved;            ///< IDs of servos whose table was saved

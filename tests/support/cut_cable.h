@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cable between a program and the simulator's terminal that can be cut: a terminal of its own,
 // which hangs up, or a TCP bridge, whose link drops. The servos keep their power. The terminal has
-// a name of its own, since that of the system is given at once to whoever asks next. It counts the
-// Feetech frames of the program that change something. A thread of its own; everything else from
-// the test's. POSIX only.
+// a name of its own, because the system gives its own name at once to the next program that asks.
+// It counts the Feetech frames of the program that change something. A thread of its own;
+// everything else from the test's. POSIX only.
 #pragma once
 
 #include "support/port_endpoints.h"
@@ -42,10 +42,10 @@ public:
     CutCable& operator=(const CutCable&) = delete;
 
     QString port() const { return m_port; }
-    /// Frames so far that neither ask for a servo nor read.
+    /// Frames so far that are neither a PING nor a read.
     int writes() const { return m_writes; }
 
-    /// Lets go of the servos' side too: whoever reads there from now on gets every byte.
+    /// Also releases the servos' side: a reader there gets every byte from now on.
     void cut()
     {
         const std::lock_guard lock(m_mutex);
@@ -53,7 +53,7 @@ public:
     }
     /// Cuts instead of passing on the frame of that number among those writes() counts from now.
     void cutAtWrite(int number) { m_cutAt = m_writes + number; }
-    /// The program is not heard any more; the line stays up.
+    /// The program's bytes are dropped from now on; the line stays up.
     void dropAll() { m_dropAll = true; }
     /// Frames with this instruction are lost from now on; 0: none.
     void dropInstruction(int instruction) { m_lost = instruction; }

@@ -16,11 +16,11 @@ using namespace std::chrono_literals;
 struct Bench {
     QTemporaryDir folder;
     QString path = folder.filePath(QStringLiteral("history.sqlite"));
-    record::HistoryJournal journal{path, QStringLiteral("ServoDesk 0.1.0")};
+    history::HistoryJournal journal{path, QStringLiteral("ServoDesk 0.1.0")};
 
-    std::unique_ptr<record::History> open() const
+    std::unique_ptr<history::History> open() const
     {
-        return std::move(record::History::open(path).value());
+        return std::move(history::History::open(path).value());
     }
 };
 
@@ -39,7 +39,7 @@ inline base::ServoIdentity servo(int id, const char* model = "STS3215")
 }
 
 /// Two registers; `outcome` empty: interrupted.
-inline QString write(record::HistoryJournal& journal, int id, std::int64_t value,
+inline QString write(history::HistoryJournal& journal, int id, std::int64_t value,
                      const char* outcome = "done")
 {
     base::Intent intent;
@@ -57,9 +57,9 @@ inline QString write(record::HistoryJournal& journal, int id, std::int64_t value
     return uuid;
 }
 
-inline record::Snapshot snapshot(int id, const char* note)
+inline snapshot::Snapshot snapshot(int id, const char* note)
 {
-    record::Snapshot snapshot;
+    snapshot::Snapshot snapshot;
     snapshot.program = QStringLiteral("ServoDesk 0.1.0");
     snapshot.at = QDateTime({2026, 5, 1}, {8, id % 60, 3}, Qt::UTC);
     snapshot.note = QString::fromUtf8(note);
@@ -84,14 +84,14 @@ inline void fill(Bench& bench)
     write(bench.journal, 3, 78, "");
     requireOk(bench.journal.saveServoValues(servo(1), QStringLiteral("limits"), {1, -2}));
     const auto history = bench.open();
-    const record::HistoryLog log = history->log();
-    (void)log.addSnapshot(snapshot(1, "磨损 'worn'"), record::SnapshotReason::Automatic).value();
-    (void)log.addSnapshot(snapshot(7, ""), record::SnapshotReason::Manual).value();
+    const history::HistoryLog log = history->log();
+    (void)log.addSnapshot(snapshot(1, "磨损 'worn'"), history::SnapshotReason::Automatic).value();
+    (void)log.addSnapshot(snapshot(7, ""), history::SnapshotReason::Manual).value();
     const QDateTime at({2026, 5, 2}, {9, 0, 0, 250}, Qt::UTC);
     requireOk(log.recordAlarmStart(servo(2), QStringLiteral("overload"), false, at));
     requireOk(log.recordAlarmEnd(servo(2), QStringLiteral("overload"), at.addSecs(9)));
     requireOk(log.recordAlarmStart(servo(1), QStringLiteral("voltage"), true, at.addSecs(1)));
-    record::HistoryRecording recording;
+    history::HistoryRecording recording;
     recording.at = at;
     recording.length = 12s;
     recording.file = QStringLiteral("/tmp/r.csv");
@@ -108,11 +108,12 @@ inline QString isoText(const QDateTime& at)
     return at.toString(Qt::ISODateWithMs);
 }
 
-inline QStringList writes(const record::History& history, const record::HistoryFilter& filter = {})
+inline QStringList writes(const history::History& history,
+                          const history::HistoryFilter& filter = {})
 {
     QStringList lines;
     const auto all = history.log().writes(filter).value();
-    for (const record::HistoryWrite& one : all)
+    for (const history::HistoryWrite& one : all)
         lines << QStringLiteral("%1/%2 %3 %4 %5 %6 %7 %8@%9")
                          .arg(one.intentUuid)
                          .arg(one.place)
@@ -131,11 +132,12 @@ inline QStringList writes(const record::History& history, const record::HistoryF
     return lines;
 }
 
-inline QStringList servos(const record::History& history, const record::HistoryFilter& filter = {})
+inline QStringList servos(const history::History& history,
+                          const history::HistoryFilter& filter = {})
 {
     QStringList lines;
     const auto all = history.log().servos(filter).value();
-    for (const record::HistoryServo& one : all)
+    for (const history::HistoryServo& one : all)
         lines << QStringLiteral("%1 %2 %3 %4 %5 %6 %7")
                          .arg(one.uuid)
                          .arg(one.identity.id)
@@ -145,28 +147,29 @@ inline QStringList servos(const record::History& history, const record::HistoryF
     return lines;
 }
 
-inline QStringList snapshots(const record::History& history,
-                             const record::HistoryFilter& filter = {})
+inline QStringList snapshots(const history::History& history,
+                             const history::HistoryFilter& filter = {})
 {
     QStringList lines;
     const auto all = history.log().snapshots(filter).value();
-    for (const record::HistorySnapshot& one : all)
+    for (const history::HistorySnapshot& one : all)
         lines << QStringLiteral("%1 %2 %3 %4 %5 %6 %7 %8")
                          .arg(one.uuid)
                          .arg(one.servoId)
                          .arg(one.model, one.firmware, one.label, one.note,
-                              record::snapshotReasonName(one.reason))
+                              history::snapshotReasonName(one.reason))
                          .arg(one.registers) +
                      QString::fromUtf8(
-                         record::encodeSnapshot(history.log().snapshot(one.number).value()));
+                         snapshot::encodeSnapshot(history.log().snapshot(one.number).value()));
     return lines;
 }
 
-inline QStringList alarms(const record::History& history, const record::HistoryFilter& filter = {})
+inline QStringList alarms(const history::History& history,
+                          const history::HistoryFilter& filter = {})
 {
     QStringList lines;
     const auto all = history.log().alarms(filter).value();
-    for (const record::HistoryAlarm& one : all)
+    for (const history::HistoryAlarm& one : all)
         lines << QStringLiteral("%1 %2 %3 %4 %5 %6")
                      .arg(one.uuid)
                      .arg(one.servoId)
@@ -176,12 +179,12 @@ inline QStringList alarms(const record::History& history, const record::HistoryF
     return lines;
 }
 
-inline QStringList recordings(const record::History& history,
-                              const record::HistoryFilter& filter = {})
+inline QStringList recordings(const history::History& history,
+                              const history::HistoryFilter& filter = {})
 {
     QStringList lines;
     const auto all = history.log().recordings(filter).value();
-    for (const record::HistoryRecording& one : all) {
+    for (const history::HistoryRecording& one : all) {
         QString line = QStringLiteral("%1 %2 %3 %4 %5")
                            .arg(one.uuid, isoText(one.at), one.file)
                            .arg(one.rows)
@@ -193,15 +196,15 @@ inline QStringList recordings(const record::History& history,
     return lines;
 }
 
-inline QStringList runs(const record::History& history, const record::RunFilter& filter = {})
+inline QStringList runs(const history::History& history, const history::RunFilter& filter = {})
 {
     QStringList lines;
     const auto all = history.runs(filter).value();
-    for (const record::TestRun& one : all) {
+    for (const history::TestRun& one : all) {
         QString line = QStringLiteral("%1 %2 %3 %4 %5")
                            .arg(one.uuid, one.kind, isoText(one.at), one.operatorName, one.note) +
                        one.files.join(u',');
-        for (const record::TestServo& servo : one.servos)
+        for (const history::TestServo& servo : one.servos)
             line += QStringLiteral(" %1:%2:%3:%4")
                         .arg(servo.id)
                         .arg(servo.model, servo.label)
@@ -212,7 +215,7 @@ inline QStringList runs(const record::History& history, const record::RunFilter&
 }
 
 /// Everything there is to see.
-inline QStringList everything(const record::History& history)
+inline QStringList everything(const history::History& history)
 {
     return servos(history) + writes(history) + snapshots(history) + alarms(history) +
            recordings(history) + runs(history) + history.log().writtenKeys().value();

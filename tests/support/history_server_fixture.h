@@ -31,13 +31,13 @@ protected:
 
     QString address() const { return m_pg.address(m_database); }
 
-    std::unique_ptr<record::History> browse() const
+    std::unique_ptr<history::History> browse() const
     {
         auto server =
-            record::connectHistoryServer(address(), record::HistoryServer::Purpose::Browse);
+            history::connectHistoryServer(address(), history::HistoryServer::Purpose::Browse);
         if (!server)
             qCritical("%s", qPrintable(server.error().detail));
-        return std::make_unique<record::History>(std::move(*server));
+        return std::make_unique<history::History>(std::move(*server));
     }
 
     Postgres m_pg;

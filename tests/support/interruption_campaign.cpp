@@ -278,7 +278,7 @@ public:
         return witness.read(servo.id, place);
     }
 
-    /// What `recover` says it has done, against what is there now and after a power cycle.
+    /// Compares the report of `recover` with the values now and after a power cycle.
     int falseClaims(bool powerCycled)
     {
         int wrong = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Campaigns against servodesk-cli and servodesk-sim as programs: every command that writes is
 // killed (SIGKILL) or its cable is cut while it changes something, then `recover` runs until it
-// says that no change is open. What the servos hold is read with raw frames, never through the
+// reports that no change is open. What the servos hold is read with raw frames, never through the
 // program under test. The test and the bench differ in the count only. One thread; takes seconds
 // per round.
 #pragma once
@@ -16,7 +16,7 @@ struct CampaignTotals {
     int rounds = 0;
     int broken = 0;          ///< ended by the kill or the cut, not by itself
     int openChanges = 0;     ///< of those: the journal knew of a change
-    int unlocked = 0;        ///< servos whose lock is open after `recover` said nothing is
+    int unlocked = 0;        ///< servos whose lock is open although `recover` reported none
     int lost = 0;            ///< servos that do not answer at any ID or rate
     int falseClaimCount = 0; ///< claims of the programs that the raw frames disprove
     int unrecovered = 0;     ///< changes still open after many tries

@@ -18,7 +18,7 @@ struct LinkTap {
     std::function<void()> onWait; ///< about to wait for an answer
     std::function<void()> onOpen; ///< about to try
     std::set<int> refusedRates;
-    /// What a device that is none of the simulator's makes of a frame: the bytes that come back,
+    /// The reply of a device outside the simulator to a frame: the bytes that come back,
     /// maybe none. nullopt: the frame goes to the simulator.
     std::function<std::optional<base::Bytes>(const base::Bytes&)> replyOverride;
 };

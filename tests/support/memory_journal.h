@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A journal that lives as long as the test: outlasts reconnects and power cycles of the bench, as
-// the file does. Can be told to refuse, as a full disk would. One thread.
+// the file does. Can be set to refuse, as with a full disk. One thread.
 #pragma once
 
 #include "base/journal.h"

@@ -21,7 +21,7 @@ inline void makeRaw(int terminal)
     tcsetattr(terminal, TCSANOW, &settings);
 }
 
-/// While `slave` is open the rate can be asked for, and no program that leaves hangs it up.
+/// While `slave` is open the rate can be read, and the line stays up when a program leaves.
 struct Terminal {
     int master = -1;
     int slave = -1;

@@ -44,7 +44,7 @@ const passwd* serverUser()
     return geteuid() == 0 ? getpwnam("postgres") : getpwuid(geteuid());
 }
 
-/// One that nobody listens at now.
+/// A port without a listener.
 quint16 freePort()
 {
     const int socket = ::socket(AF_INET, SOCK_STREAM, 0);

@@ -20,11 +20,11 @@ public:
 
     /// Before start(): connections may use TLS, with these PEM files; copies are made.
     bool enableTls(const QString& certificate, const QString& key);
-    /// The cluster is made the first time. False: why() says it.
+    /// The cluster is made the first time. False: why() has the reason.
     bool start();
     void stop();    ///< orderly, at once
     void kill();    ///< as if the power had failed
-    void suspend(); ///< it accepts connections and says nothing
+    void suspend(); ///< it accepts connections and does not answer
     void resume();
     QString errorString() const { return m_errorString; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A wire with responders that know only bytes: each has 128 of them, answers PING, READ and WRITE
-// of the Feetech language, and nothing else. What two of them say at once runs into one another, or
+// of the Feetech protocol, and nothing else. Simultaneous replies of two of them collide, or
 // comes one after the other. Shares nothing with the simulator. One thread, on a manual clock.
 #pragma once
 
@@ -28,7 +28,7 @@ struct RawServoLine {
     ReplyTiming replies = ReplyTiming::Simultaneous;
     base::Duration adapterLatency{};
     bool echo = false;                              ///< the adapter returns what the host sends
-    base::Duration secondReplyDelay{};              ///< the second reply comes so much later
+    base::Duration secondReplyDelay{};              ///< how much later the second reply comes
     std::function<void(int, base::Bytes&)> spoil{}; ///< may change the n-th reply
     std::vector<base::Bytes> frames;                ///< what the host has sent
     int asked = 0;

@@ -22,7 +22,7 @@ public:
     /// Of each connection's bytes from the client; negative: all.
     void limitTo(qint64 bytes, LimitAction then);
     void removeLimit() { limitTo(-1, LimitAction::Cut); }
-    /// At most so many bytes every millisecond in each direction.
+    /// The most bytes every millisecond in each direction.
     void setRateLimit(int bytes) { m_rateLimit = bytes; }
 
     quint16 port() const { return m_port; }

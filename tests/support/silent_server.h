@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes every connection on 127.0.0.1 and never says a word, like a server that hangs or a firewall
+// Takes every connection on 127.0.0.1 and never answers, like a server that hangs or a firewall
 // that swallows. Lives in the kernel: no event loop has to run for it.
 #pragma once
 

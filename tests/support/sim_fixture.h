@@ -31,11 +31,10 @@ enum Instruction : std::uint8_t {
     SyncWrite = 0x83,
 };
 
-/// The firmware that is hardest on a host: it loses what is said to it while it writes its EPROM,
-/// acknowledges an ID change with the new ID, and runs to an old goal when its torque is switched
-/// on. Tests of the host use it, so that they prove that the host copes. With
-/// SERVODESK_TEST_FIRMWARE=default they use the simulator's default; tests/CMakeLists.txt names
-/// those that are run both ways.
+/// The firmware that is hardest for a host: it loses requests while it writes its EPROM,
+/// acknowledges an ID change with the new ID, and runs to an old goal when its torque is turned on.
+/// Tests of the host use it to prove that the host copes. With SERVODESK_TEST_FIRMWARE=default they
+/// use the simulator's default; tests/CMakeLists.txt names those that are run both ways.
 sim::FirmwareBehavior strictFirmware();
 
 struct SimFixtureOptions {
@@ -72,7 +71,7 @@ public:
     void poke(int id, const QString& key, std::int64_t raw);
     sim::WireConfig& wireConfig();
 
-    void runFor(base::Duration span); ///< nobody speaks
+    void runFor(base::Duration span); ///< without any traffic
     void powerCycle();                ///< of the servos; the port stays open
     void cutLink();
     void restoreLink(); ///< the plug is back: a bus that awaits it finds it
@@ -90,7 +89,7 @@ public:
     /// True when nothing was sent that could change a servo.
     bool onlyReadsSent() const;
 
-    /// Reads who answers at `id`, with its settings; the test fails hard if nobody does.
+    /// The servo at `id`, with its settings read; the test fails hard if none answers.
     device::Servo servo(int id, base::Protocol protocol = base::Protocol::Feetech);
 
 private:

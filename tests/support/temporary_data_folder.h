@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A data folder of the test's own as long as this lives: journal and saved tables of the user stay
-// untouched, whatever the environment says. Make it before the session.
+// untouched, with any environment. Make it before the session.
 #pragma once
 
 #include <QTemporaryDir>

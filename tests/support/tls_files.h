@@ -8,7 +8,7 @@
 namespace support {
 class TlsAuthority {
 public:
-    /// False: why() says it.
+    /// False: why() has the reason.
     bool make();
     /// For a server of this name; made again if it was made before.
     bool issue(const QString& host);

@@ -23,13 +23,13 @@ AboutDialog::AboutDialog(QWidget* parent)
     text->setMinimumWidth(460);
     const QStringList paragraphs{
         QStringLiteral("<h2>ServoDesk %1</h2>").arg(QCoreApplication::applicationVersion()),
-        tr("Bench program for serial bus servos: Feetech SCS, STS, SMS, HLS, SMS over Modbus-RTU "
-           "and Hiwonder LX."),
+        tr("Setup and test program for serial bus servos: Feetech SCS, STS, SMS and HLS, SMS over "
+           "Modbus-RTU, and Hiwonder LX."),
         tr("Free software under the GNU General Public License, version 3 or later, without any "
            "warranty. Icons: Breeze, by the KDE Visual Design Group, LGPL 3 or later. Built with "
            "Qt %1.")
             .arg(QLatin1String(qVersion())),
-        tr("Journal and saved tables: %1")
+        tr("Journal and snapshots: %1")
             .arg(QDir::toNativeSeparators(session::dataFolder()).toHtmlEscaped()),
         tr("Your own servo models (JSON files): %1")
             .arg(QDir::toNativeSeparators(session::modelFolder()).toHtmlEscaped()),

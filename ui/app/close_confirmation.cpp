@@ -9,13 +9,15 @@ namespace ui {
 using session::MotionOnClose;
 using session::MovingServo;
 
-CloseConfirmation::CloseConfirmation(session::Desk& desk, QWidget* window)
+CloseConfirmation::CloseConfirmation(session::Workbench& workbench, QWidget* window)
     : QObject(window)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_window(window)
 {
-    connect(&desk, &session::Desk::motionDetected, this, &CloseConfirmation::handleMotion);
-    connect(&desk, &session::Desk::openWritesFound, this, &CloseConfirmation::confirmOpenWrites);
+    connect(&workbench.closing(), &session::CloseSequence::motionDetected, this,
+            &CloseConfirmation::handleMotion);
+    connect(&workbench.closing(), &session::CloseSequence::openWritesFound, this,
+            &CloseConfirmation::confirmOpenWrites);
 }
 
 void CloseConfirmation::disconnectPort()
@@ -34,7 +36,7 @@ void CloseConfirmation::requestClose(CloseTarget target)
         return;
     m_target = target;
     m_lock = session::LockOnClose::CloseOrKeepOpen;
-    if (const auto holds = m_desk.testHoldsTorque())
+    if (const auto holds = m_workbench.tasks().testHoldsTorque())
         confirmTest(*holds);
     else
         proceed();
@@ -46,8 +48,8 @@ void CloseConfirmation::confirmTest(bool holds)
     Question question;
     question.title = closes ? tr("A test is running. Stop it and close?")
                             : tr("A test is running. Stop it and disconnect?");
-    question.text = holds ? tr("Its servos then hold their position with torque on.")
-                          : tr("Its servos then have no torque.");
+    question.text = holds ? tr("The servos will then hold their position with torque on.")
+                          : tr("Torque will then be turned off.");
     question.acceptText = closes ? tr("Stop and close") : tr("Stop and disconnect");
     question.acceptIsDefault = true;
     question.guard = this;
@@ -57,7 +59,7 @@ void CloseConfirmation::confirmTest(bool holds)
 
 void CloseConfirmation::proceed()
 {
-    m_desk.findOpenWrites();
+    m_workbench.closing().findOpenWrites();
 }
 
 /// Without them there is no question.
@@ -70,41 +72,12 @@ void CloseConfirmation::confirmOpenWrites(const session::OpenWrites& found)
         ids << QString::number(id);
     QStringList open;
     for (const session::ServoRef ref : found.unlocked)
-        open << QString::number(m_desk.servo(ref)->servo.id);
+        open << QString::number(m_workbench.registry().servo(ref)->servo.id);
     if (ids.isEmpty() && open.isEmpty()) {
         confirmMotion();
         return;
     }
-    const bool closes = m_target == CloseTarget::Close;
-    const bool connected = m_desk.state() == session::LinkState::Open;
-    Question question;
-    question.title = closes ? tr("A write is unfinished. Close anyway?")
-                            : tr("A write is unfinished. Disconnect anyway?");
-    if (!ids.isEmpty())
-        question.text = tr("ID %1: the journal still holds the unfinished write. The next "
-                           "connection offers to finish or undo it.")
-                            .arg(ids.join(QStringLiteral(", ")));
-    question.acceptText = closes ? tr("Close") : tr("Disconnect");
-    if (!open.isEmpty()) {
-        const QString which = open.join(QStringLiteral(", "));
-        question.risk =
-            connected ? tr("The EPROM lock of ID %1 is open. It is closed first.").arg(which)
-                      : tr("The EPROM lock of ID %1 is open and cannot be closed now.").arg(which);
-    }
-    if (!found.unlockedElsewhere.isEmpty()) {
-        const QString more =
-            tr("The EPROM lock of the servo with ID %1 was opened and has not been proven "
-               "closed.")
-                .arg(found.unlockedElsewhere.join(QStringLiteral(", ")));
-        question.risk += question.risk.isEmpty() ? more : QLatin1Char(' ') + more;
-    }
-    if (!open.isEmpty() && connected) {
-        question.acceptText = closes ? tr("Lock and close") : tr("Lock and disconnect");
-        question.alternativeText = tr("Leave it open");
-        question.alternativeToolTip =
-            tr("The EPROM lock stays open: settings written by any program are "
-               "kept at power-off.");
-    }
+    Question question = openWritesQuestion(ids, open, found.unlockedElsewhere);
     question.acceptIsDefault = true;
     question.guard = this;
     question.alternativeAction = [this] {
@@ -115,10 +88,45 @@ void CloseConfirmation::confirmOpenWrites(const session::OpenWrites& found)
     ask(m_window, question, [this] { confirmMotion(); });
 }
 
+/// `open`: IDs of servos in the list whose EPROM is unlocked; `openElsewhere`: of other servos.
+Question CloseConfirmation::openWritesQuestion(const QStringList& ids, const QStringList& open,
+                                               const QStringList& openElsewhere) const
+{
+    const bool closes = m_target == CloseTarget::Close;
+    const bool connected = m_workbench.link().state() == session::LinkState::Open;
+    Question question;
+    question.title = closes ? tr("A write is unfinished. Close anyway?")
+                            : tr("A write is unfinished. Disconnect anyway?");
+    if (!ids.isEmpty())
+        question.text = tr("ID %1: the unfinished write is recorded in the journal. The next time "
+                           "you connect, ServoDesk offers to finish or undo it.")
+                            .arg(ids.join(QStringLiteral(", ")));
+    question.acceptText = closes ? tr("Close") : tr("Disconnect");
+    if (!open.isEmpty()) {
+        const QString which = open.join(QStringLiteral(", "));
+        question.risk =
+            connected ? tr("The EPROM of ID %1 is unlocked. It will be locked first.").arg(which)
+                      : tr("The EPROM of ID %1 is unlocked and cannot be locked now.").arg(which);
+    }
+    if (!openElsewhere.isEmpty()) {
+        const QString more = tr("The EPROM of the servo with ID %1 was unlocked, and ServoDesk "
+                                "could not confirm that it was locked again.")
+                                 .arg(openElsewhere.join(QStringLiteral(", ")));
+        question.risk += question.risk.isEmpty() ? more : QLatin1Char(' ') + more;
+    }
+    if (!open.isEmpty() && connected) {
+        question.acceptText = closes ? tr("Lock and close") : tr("Lock and disconnect");
+        question.alternativeText = tr("Leave unlocked");
+        question.alternativeToolTip = tr(
+            "The EPROM stays unlocked: settings written by any program are kept after power-off.");
+    }
+    return question;
+}
+
 void CloseConfirmation::confirmMotion()
 {
-    if (m_desk.state() == session::LinkState::Open)
-        m_desk.detectMotion();
+    if (m_workbench.link().state() == session::LinkState::Open)
+        m_workbench.closing().detectMotion();
     else
         close(MotionOnClose::Stop);
 }
@@ -129,7 +137,7 @@ void CloseConfirmation::handleMotion(const std::vector<MovingServo>& moving)
         return;
     QStringList ids;
     for (const MovingServo& one : moving) {
-        if (const session::ServoEntry* servo = m_desk.servo(one.servo))
+        if (const session::ServoEntry* servo = m_workbench.registry().servo(one.servo))
             ids << QString::number(servo->servo.id);
     }
     if (ids.isEmpty()) {
@@ -149,14 +157,14 @@ void CloseConfirmation::handleMotion(const std::vector<MovingServo>& moving)
         question.title =
             one ? tr("Servo %1 is turning. Stop it before disconnecting?").arg(which)
                 : tr("Servos %1 are turning. Stop them before disconnecting?").arg(which);
-    question.text = tr("Stopping ends the motion; torque stays on where the servo can hold its "
+    question.text = tr("Stopping ends the movement; torque stays on if the servo can hold its "
                        "position.");
-    question.risk = endless ? tr("Left turning, it does not stop by itself, and ServoDesk can no "
-                                 "longer stop it.")
-                            : tr("Left moving, it goes on to its goal, and ServoDesk can no longer "
-                                 "stop it.");
+    question.risk = endless ? tr("A servo that keeps turning does not stop on its own, and "
+                                 "ServoDesk can no longer stop it.")
+                            : tr("A servo that keeps moving continues to its goal, and ServoDesk "
+                                 "can no longer stop it.");
     question.acceptText = closes ? tr("Stop and close") : tr("Stop and disconnect");
-    question.alternativeText = one ? tr("Leave it turning") : tr("Leave them turning");
+    question.alternativeText = tr("Do not stop");
     question.alternativeToolTip = question.risk;
     question.acceptIsDefault = true;
     question.guard = this;
@@ -170,8 +178,8 @@ void CloseConfirmation::close(MotionOnClose how)
     const CloseTarget target = m_target.value_or(CloseTarget::Disconnect);
     m_target.reset();
     if (target == CloseTarget::Close)
-        m_desk.closeForExit(how, m_lock);
+        m_workbench.closing().closeForExit(how, m_lock);
     else
-        m_desk.disconnectFrom(how, m_lock);
+        m_workbench.closing().disconnectFrom(how, m_lock);
 }
 } // namespace ui

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closing the window or the port while servos turn on the program's command asks first: stop them,
-// leave them turning, or stay. Reads before it asks; what does not move closes without a question.
-// A test that moves servos is asked about first: what becomes of their torque is said. Then what
-// the journal still holds is named; an EPROM lock that a write has left open is closed or left on
-// request.
-// Owned by the window; main thread.
+// Asks before the window or the port is closed. Servos that turn on a command of this program: stop
+// them, leave them turning, or cancel; they are read first, and what does not move needs no
+// question. A running test that moves servos: the question says what happens to their torque.
+// Unfinished writes in the journal are named; an EPROM that a write has left unlocked is locked or
+// left, as the user decides. Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
+#include "ui/widgets/question_dialog.h"
 
 #include <QPointer>
 
@@ -20,7 +20,7 @@ class CloseConfirmation final : public QObject {
     Q_OBJECT
 
 public:
-    CloseConfirmation(session::Desk& desk, QWidget* window);
+    CloseConfirmation(session::Workbench& workbench, QWidget* window);
 
     void disconnectPort();
     void closeWindow();
@@ -32,11 +32,13 @@ private:
     void confirmTest(bool holds);
     void proceed();
     void confirmOpenWrites(const session::OpenWrites& found);
+    Question openWritesQuestion(const QStringList& ids, const QStringList& open,
+                                const QStringList& openElsewhere) const;
     void confirmMotion();
     void handleMotion(const std::vector<session::MovingServo>& moving);
     void close(session::MotionOnClose how);
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     QWidget* m_window;
     std::optional<CloseTarget> m_target; ///< asked for, and not decided yet
     session::LockOnClose m_lock = session::LockOnClose::CloseOrKeepOpen;

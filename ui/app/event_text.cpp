@@ -55,9 +55,9 @@ EventText failed(const base::Error& error, const session::ServoEntry* servo)
 QString changeText(const device::WriteResult& write, const session::ServoEntry* servo)
 {
     const catalog::Register* reg = registerOf(servo, write.key);
-    const QString name = reg != nullptr ? reg->name.in(text::isUiChinese()) : write.key;
+    const QString name = reg != nullptr ? text::localized(reg->name) : write.key;
     const QString old = write.oldRaw ? QString::number(*write.oldRaw) : QStringLiteral("–");
-    return text::translate("EventWords", "%1 %2 → %3, %4")
+    return text::translate("EventText", "%1 %2 → %3, %4")
         .arg(name, old, QString::number(write.newRaw),
              text::outcomeLabel(device::outcomeName(write.outcome)));
 }
@@ -74,9 +74,24 @@ Tone toneOf(device::WriteOutcome outcome)
     }
 }
 
-EventText written(const Event& event, const session::Desk& desk)
+QString lockText(device::LockState lock)
 {
-    const session::ServoEntry* servo = desk.servo(event.servo);
+    switch (lock) {
+    case device::LockState::Closed:
+        return text::translate("EventText", ", EPROM locked");
+    case device::LockState::Open:
+        return text::translate("EventText", ", EPROM UNLOCKED");
+    case device::LockState::Unknown:
+        return text::translate("EventText", ", EPROM not confirmed as locked");
+    case device::LockState::None:
+        break;
+    }
+    return {};
+}
+
+EventText written(const Event& event, const session::Workbench& workbench)
+{
+    const session::ServoEntry* servo = workbench.registry().servo(event.servo);
     if (event.error && !event.report)
         return failed(*event.error, servo);
     EventText eventText = good({});
@@ -92,184 +107,180 @@ EventText written(const Event& event, const session::Desk& desk)
     eventText.symbol = eventText.tone == Tone::Good   ? QStringLiteral("✓")
                        : eventText.tone == Tone::Warn ? QStringLiteral("!")
                                                       : QStringLiteral("✗");
-    eventText.message = text::translate("EventWords", "ID %1 · %2")
+    eventText.message = text::translate("EventText", "ID %1 · %2")
                             .arg(event.report->id)
                             .arg(changes.join(QStringLiteral("; ")));
     if (event.isUndo)
-        eventText.message = text::translate("EventWords", "Taken back: %1").arg(eventText.message);
+        eventText.message = text::translate("EventText", "Undone: %1").arg(eventText.message);
     if (event.isRedo)
-        eventText.message = text::translate("EventWords", "Redone: %1").arg(eventText.message);
-    switch (event.report->lock) {
-    case device::LockState::Closed:
-        eventText.message += text::translate("EventWords", ", lock closed");
-        break;
-    case device::LockState::Open:
-        eventText.message += text::translate("EventWords", ", THE LOCK IS OPEN");
+        eventText.message = text::translate("EventText", "Redone: %1").arg(eventText.message);
+    const device::LockState lock = event.report->lock;
+    eventText.message += lockText(lock);
+    if (lock == device::LockState::Open || lock == device::LockState::Unknown)
         eventText.tone = Tone::Bad;
-        break;
-    case device::LockState::Unknown:
-        eventText.message += text::translate("EventWords", ", lock not proven closed");
-        eventText.tone = Tone::Bad;
-        break;
-    case device::LockState::None:
-        break;
-    }
     return eventText;
 }
 
-EventText searchEnded(const Event& event, const session::Desk& desk)
+EventText searchEnded(const Event& event, const session::Workbench& workbench)
 {
     if (event.error)
         return failed(*event.error);
-    const auto& report = desk.lastSearch();
+    const auto& report = workbench.search().lastReport();
     if (!report)
         return {};
-    const QString line = text::translate("EventWords", "Search ended after %2 s, servos found: %1")
-                             .arg(report->found.size())
+    const QString line = text::translate("EventText", "Search ended after %1 s, %n servo(s) found",
+                                         nullptr, int(report->found.size()))
                              .arg(double(report->elapsed.count()) / 1e6, 0, 'f', 1);
     if (event.missing.empty())
         return report->found.empty() ? withWarning(line) : good(line);
     QStringList missing;
     for (const int id : event.missing)
         missing << QString::number(id);
-    EventText eventText = withWarning(line + text::translate("EventWords", ". No answer: ID %1")
-                                                 .arg(missing.join(QStringLiteral(", "))));
-    eventText.details << text::translate("EventWords",
-                                         "These were expected and asked several times.");
+    EventText eventText = withWarning(
+        line +
+        text::translate("EventText", ". No reply: ID %1").arg(missing.join(QStringLiteral(", "))));
+    eventText.details << text::translate(
+        "EventText", "These servos were expected and were queried several times.");
     return eventText;
 }
 
-EventText exchanged(const Event& event, const session::Desk& desk)
+EventText exchanged(const Event& event, const session::Workbench& workbench)
 {
-    const session::ServoEntry* servo = desk.servo(event.servo);
+    const session::ServoEntry* servo = workbench.registry().servo(event.servo);
     const QString model = servo != nullptr && servo->servo.profile
                               ? servo->servo.profile->modelName
-                              : text::translate("EventWords", "unknown model");
+                              : text::translate("EventText", "unknown model");
     EventText eventText =
-        withWarning(text::translate("EventWords", "Another servo answers under ID %1: %2")
+        withWarning(text::translate("EventText", "Another servo replies with ID %1: %2")
                         .arg(event.id)
                         .arg(model));
-    eventText.details << text::translate("EventWords",
-                                         "It takes the place of %1 in the list. Unfinished "
-                                         "writes stay noted for that servo.")
+    eventText.details << text::translate("EventText",
+                                         "The new servo replaces %1 in the list. Unfinished writes "
+                                         "remain assigned to the previous servo.")
                              .arg(event.task);
     return eventText;
 }
 
-QString idsOf(const std::vector<session::ServoRef>& servos, const session::Desk& desk)
+QString idsOf(const std::vector<session::ServoRef>& servos, const session::Workbench& workbench)
 {
     QStringList ids;
     for (const session::ServoRef ref : servos) {
-        if (const session::ServoEntry* servo = desk.servo(ref))
+        if (const session::ServoEntry* servo = workbench.registry().servo(ref))
             ids << QString::number(servo->servo.id);
     }
     return ids.join(QStringLiteral(", "));
 }
 
-/// What reading the torque switches back has shown.
-EventText stopChecked(const Event& event, const session::Desk& desk)
+/// The result of reading the torque switches back.
+EventText stopChecked(const Event& event, const session::Workbench& workbench)
 {
     const session::StopResult& stop = event.stop;
     const auto say = [&](const QString& eventText, const std::vector<session::ServoRef>& servos) {
-        return servos.empty() ? QStringList() : QStringList(eventText.arg(idsOf(servos, desk)));
+        return servos.empty() ? QStringList()
+                              : QStringList(eventText.arg(idsOf(servos, workbench)));
     };
     QStringList bad =
-        say(text::translate("EventWords", "TORQUE IS STILL ON: ID %1"), stop.stillOn) +
-        say(text::translate("EventWords", "no answer: ID %1"), stop.silent) +
-        say(text::translate("EventWords", "at another rate, not reached: ID %1"), stop.otherBaud) +
-        say(text::translate("EventWords", "a goal may still wait for its start: ID %1"),
+        say(text::translate("EventText", "TORQUE IS STILL ON: ID %1"), stop.stillOn) +
+        say(text::translate("EventText", "no reply: ID %1"), stop.silent) +
+        say(text::translate("EventText", "different baud rate, not reached: ID %1"),
+            stop.otherBaud) +
+        say(text::translate("EventText",
+                            "a goal may still be waiting for its start command: ID %1"),
             stop.stillHeld);
     if (bad.isEmpty())
-        return good(text::translate("EventWords", "Stop checked: torque is off, ID %1")
-                        .arg(idsOf(stop.off, desk)));
-    EventText eventText{
-        text::translate("EventWords", "Stop checked: %1").arg(bad.join(QStringLiteral("; "))),
-        {},
-        Tone::Bad,
-        QStringLiteral("✗")};
+        return good(text::translate("EventText", "Emergency stop confirmed: torque is off, ID %1")
+                        .arg(idsOf(stop.off, workbench)));
+    EventText eventText{text::translate("EventText", "Emergency stop check: %1")
+                            .arg(bad.join(QStringLiteral("; "))),
+                        {},
+                        Tone::Bad,
+                        QStringLiteral("✗")};
     if (!stop.stillOn.empty() || !stop.silent.empty())
-        eventText.details << text::translate("EventWords",
-                                             "Keep clear, and switch the supply off if in doubt.");
+        eventText.details << text::translate("EventText",
+                                             "Keep clear. If in doubt, turn off the power supply.");
     return eventText;
 }
 
 QString supplyOff()
 {
-    return text::translate("EventWords", "Servos may still be moving; switch off their supply.");
+    return text::translate("EventText", "Servos may still be moving. Turn off their power supply.");
 }
 
 EventText stopSent(const Event& event)
 {
     if (!event.isPending)
         return withWarning(
-            text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
-    return {text::translate("EventWords", "Not sent yet: the link is lost."),
-            {supplyOff(),
-             text::translate("EventWords", "The stop is sent first when the link is back.")},
-            Tone::Bad,
-            QStringLiteral("✗")};
+            text::translate("EventText", "Emergency stop: torque off sent to all servos"));
+    return {
+        text::translate("EventText", "Emergency stop not sent yet: the connection is lost."),
+        {supplyOff(),
+         text::translate("EventText",
+                         "The emergency stop will be sent first when the connection is restored.")},
+        Tone::Bad,
+        QStringLiteral("✗")};
 }
 
 EventText stopNotSent(const Event& event)
 {
     if (!event.isRepeated)
-        return {text::translate("EventWords", "Not sent: no port is open."),
+        return {text::translate("EventText", "Emergency stop not sent: no port is open."),
                 {supplyOff()},
                 Tone::Bad,
                 QStringLiteral("✗")};
-    return {text::translate("EventWords", "The emergency stop was not sent: no port was open."),
-            {text::translate("EventWords", "Servos may still be moving. Press Esc to stop them "
-                                           "now.")},
+    return {text::translate("EventText", "The emergency stop was not sent: no port was open."),
+            {text::translate("EventText", "Servos may still be moving. Press Esc to stop them "
+                                          "now.")},
             Tone::Bad,
             QStringLiteral("✗")};
 }
 
-EventText stopUnconfirmed(const Event& event, const session::Desk& desk)
+EventText stopUnconfirmed(const Event& event, const session::Workbench& workbench)
 {
-    return {text::translate("EventWords", "Stop sent, but not confirmed yet: ID %1")
-                .arg(idsOf(event.stop.silent, desk)),
-            {text::translate("EventWords", "Keep clear, and switch the supply off if in doubt.")},
+    return {text::translate("EventText", "Emergency stop sent, but not confirmed yet: ID %1")
+                .arg(idsOf(event.stop.silent, workbench)),
+            {text::translate("EventText", "Keep clear. If in doubt, turn off the power supply.")},
             Tone::Bad,
             QStringLiteral("!")};
 }
 
-EventText notLeft(const Event& event, const session::Desk& desk)
+EventText notLeft(const Event& event, const session::Workbench& workbench)
 {
     if (!event.moving.empty())
-        return {
-            text::translate("EventWords", "Not closed: ID %1 could not be stopped.")
-                .arg(idsOf(event.moving, desk)),
-            {text::translate("EventWords", "Press Esc for torque off, or switch off the supply.")},
-            Tone::Bad,
-            QStringLiteral("✗")};
-    return {text::translate("EventWords", "Not closed: the EPROM lock of ID %1 is still open.")
-                .arg(idsOf(event.unlocked, desk)),
-            {text::translate("EventWords", "Check the cable and try again. The unfinished write "
-                                           "stays in the journal.")},
+        return {text::translate("EventText", "Closing canceled: ID %1 could not be stopped.")
+                    .arg(idsOf(event.moving, workbench)),
+                {text::translate("EventText",
+                                 "Press Esc to turn torque off, or turn off the power supply.")},
+                Tone::Bad,
+                QStringLiteral("✗")};
+    return {text::translate("EventText", "Closing canceled: the EPROM of ID %1 is still unlocked.")
+                .arg(idsOf(event.unlocked, workbench)),
+            {text::translate("EventText", "Check the cable and try again. The unfinished write "
+                                          "stays in the journal.")},
             Tone::Bad,
             QStringLiteral("✗")};
 }
 
-EventText disconnected(const Event& event, const session::Desk& desk)
+EventText disconnected(const Event& event, const session::Workbench& workbench)
 {
-    EventText eventText = plain(text::translate("EventWords", "Port closed: %1").arg(event.task));
+    EventText eventText = plain(text::translate("EventText", "Port closed: %1").arg(event.task));
     if (!event.halted.empty())
-        eventText.message +=
-            text::translate("EventWords", ". Stopped before: ID %1").arg(idsOf(event.halted, desk));
+        eventText.message += text::translate("EventText", ". Stopped before closing: ID %1")
+                                 .arg(idsOf(event.halted, workbench));
     if (!event.moving.empty()) {
-        eventText = {eventText.message + text::translate("EventWords", ". STILL MOVING: ID %1")
-                                             .arg(idsOf(event.moving, desk)),
-                     {text::translate("EventWords", "Switch off the supply to stop it.")},
-                     Tone::Bad,
-                     QStringLiteral("✗")};
+        eventText = {
+            eventText.message + text::translate("EventText", ". STILL MOVING: ID %1")
+                                    .arg(idsOf(event.moving, workbench)),
+            {text::translate("EventText", "Turn off the power supply to stop the motion.")},
+            Tone::Bad,
+            QStringLiteral("✗")};
     }
     if (!event.locked.empty())
-        eventText.message += text::translate("EventWords", ". EPROM lock closed: ID %1")
-                                 .arg(idsOf(event.locked, desk));
+        eventText.message += text::translate("EventText", ". EPROM locked: ID %1")
+                                 .arg(idsOf(event.locked, workbench));
     if (!event.unlocked.empty()) {
-        eventText.message += text::translate("EventWords", ". EPROM LOCK STILL OPEN: ID %1")
-                                 .arg(idsOf(event.unlocked, desk));
-        eventText.details << text::translate("EventWords",
+        eventText.message += text::translate("EventText", ". EPROM STILL UNLOCKED: ID %1")
+                                 .arg(idsOf(event.unlocked, workbench));
+        eventText.details << text::translate("EventText",
                                              "Connect again to finish or undo the write.");
         eventText.tone = Tone::Bad;
         eventText.symbol = QStringLiteral("✗");
@@ -279,74 +290,73 @@ EventText disconnected(const Event& event, const session::Desk& desk)
 
 QString about(const Event& event, const QString& what)
 {
-    return event.id < 0 ? what
-                        : text::translate("EventWords", "ID %1 · %2").arg(event.id).arg(what);
+    return event.id < 0 ? what : text::translate("EventText", "ID %1 · %2").arg(event.id).arg(what);
 }
 
-/// A new action takes the place of what was said of the one before.
+/// A new action replaces the message about the previous one.
 EventText moved(const Event& event)
 {
-    return plain(
-        about(event, event.path.isEmpty()
-                         ? text::translate("EventWords", "the goal follows the control")
-                         : text::translate("EventWords", "goal sent: %1").arg(event.path)));
+    return plain(about(event, event.path.isEmpty()
+                                  ? text::translate("EventText", "goal follows the slider")
+                                  : text::translate("EventText", "goal sent: %1").arg(event.path)));
 }
 
-EventText ended(const Event& event, const session::Desk& desk)
+EventText ended(const Event& event, const session::Workbench& workbench)
 {
     if (event.error && event.error->code == base::ErrorCode::Preempted)
-        return {}; // the stop has been said
+        return {}; // the stop has been reported
     if (event.error && event.error->code != base::ErrorCode::Stopped)
-        return failed(*event.error, desk.servo(event.servo));
+        return failed(*event.error, workbench.registry().servo(event.servo));
     return plain(
         event.error
-            ? text::translate("EventWords", "%1: stopped").arg(about(event, taskLabel(event.task)))
-            : text::translate("EventWords", "%1: ended").arg(about(event, taskLabel(event.task))));
+            ? text::translate("EventText", "%1: stopped").arg(about(event, taskLabel(event.task)))
+            : text::translate("EventText", "%1: ended").arg(about(event, taskLabel(event.task))));
 }
 
-EventText sentence(const Event& event, const session::Desk& desk)
+EventText sentence(const Event& event, const session::Workbench& workbench)
 {
     switch (event.kind) {
     case Event::Kind::Connected:
-        return good(text::translate("EventWords", "Connected: %1").arg(event.task));
+        return good(text::translate("EventText", "Connected: %1").arg(event.task));
     case Event::Kind::Disconnected:
-        return disconnected(event, desk);
+        return disconnected(event, workbench);
     case Event::Kind::Replaced:
-        return exchanged(event, desk);
+        return exchanged(event, workbench);
     case Event::Kind::CloseCanceled:
-        return notLeft(event, desk);
+        return notLeft(event, workbench);
     case Event::Kind::StopUnconfirmed:
-        return stopUnconfirmed(event, desk);
+        return stopUnconfirmed(event, workbench);
     case Event::Kind::LinkLost:
         return failed({base::ErrorCode::LinkLost, QStringLiteral("read"), event.task});
     case Event::Kind::SearchEnded:
-        return searchEnded(event, desk);
+        return searchEnded(event, workbench);
     case Event::Kind::TableSaved:
         return plain(
-            text::translate("EventWords", "ID %1 · table saved before the first change: %2")
+            text::translate("EventText", "ID %1 · memory table saved before the first change: %2")
                 .arg(event.id)
                 .arg(QDir::toNativeSeparators(event.path)));
     case Event::Kind::Written:
-        return written(event, desk);
+        return written(event, workbench);
     case Event::Kind::Task:
-        return event.error ? failed(*event.error, desk.servo(event.servo))
-                           : good(text::translate("EventWords", "%1: done")
+        return event.error ? failed(*event.error, workbench.registry().servo(event.servo))
+                           : good(text::translate("EventText", "%1: done")
                                       .arg(about(event, taskLabel(event.task))));
     case Event::Kind::GoalSent:
         return moved(event);
     case Event::Kind::Started:
         return plain(
-            text::translate("EventWords", "%1: running").arg(about(event, taskLabel(event.task))));
+            text::translate("EventText", "%1: running").arg(about(event, taskLabel(event.task))));
     case Event::Kind::Finished:
-        return ended(event, desk);
+        return ended(event, workbench);
     case Event::Kind::Stopped:
         return stopSent(event);
     case Event::Kind::StopNotSent:
         return stopNotSent(event);
     case Event::Kind::StopVerified:
-        return stopChecked(event, desk);
+        return stopChecked(event, workbench);
     case Event::Kind::Failed:
-        return event.error ? failed(*event.error, desk.servo(event.servo)) : EventText{};
+        return event.error ? failed(*event.error, workbench.registry().servo(event.servo))
+                           : EventText{};
     }
     return {};
 }
@@ -355,42 +365,42 @@ EventText sentence(const Event& event, const session::Desk& desk)
 QString taskLabel(const QString& task)
 {
     static const std::pair<const char*, const char*> eventText[] = {
-        {"center", QT_TRANSLATE_NOOP("EventWords", "centre here")},
-        {"reboot", QT_TRANSLATE_NOOP("EventWords", "restart")},
-        {"restore-defaults", QT_TRANSLATE_NOOP("EventWords", "restore defaults")},
-        {"identify", QT_TRANSLATE_NOOP("EventWords", "identify")},
-        {"move", QT_TRANSLATE_NOOP("EventWords", "move")},
-        {"execute", QT_TRANSLATE_NOOP("EventWords", "start the goals that wait")},
-        {"torque", QT_TRANSLATE_NOOP("EventWords", "torque")},
-        {"halt", QT_TRANSLATE_NOOP("EventWords", "halt")},
-        {"mode", QT_TRANSLATE_NOOP("EventWords", "switch the mode")},
-        {"plan-mode", QT_TRANSLATE_NOOP("EventWords", "look at the mode")},
-        {"clear-alarm", QT_TRANSLATE_NOOP("EventWords", "clear alarm")},
-        {"close-lock", QT_TRANSLATE_NOOP("EventWords", "close the EPROM lock")},
-        {"recover", QT_TRANSLATE_NOOP("EventWords", "interrupted writes")},
-        {"read", QT_TRANSLATE_NOOP("EventWords", "read the table")},
-        {"write", QT_TRANSLATE_NOOP("EventWords", "write")},
-        {"sweep", QT_TRANSLATE_NOOP("EventWords", "sweep test")},
-        {"step-response", QT_TRANSLATE_NOOP("EventWords", "step response")},
-        {"commission", QT_TRANSLATE_NOOP("EventWords", "commissioning")},
+        {"center", QT_TRANSLATE_NOOP("EventText", "set midpoint")},
+        {"reboot", QT_TRANSLATE_NOOP("EventText", "reboot")},
+        {"restore-defaults", QT_TRANSLATE_NOOP("EventText", "reset to factory defaults")},
+        {"identify", QT_TRANSLATE_NOOP("EventText", "blink LED")},
+        {"move", QT_TRANSLATE_NOOP("EventText", "move")},
+        {"execute", QT_TRANSLATE_NOOP("EventText", "execute waiting goals")},
+        {"torque", QT_TRANSLATE_NOOP("EventText", "torque")},
+        {"halt", QT_TRANSLATE_NOOP("EventText", "stop motion")},
+        {"mode", QT_TRANSLATE_NOOP("EventText", "change mode")},
+        {"plan-mode", QT_TRANSLATE_NOOP("EventText", "check mode")},
+        {"clear-alarm", QT_TRANSLATE_NOOP("EventText", "clear alarm")},
+        {"close-lock", QT_TRANSLATE_NOOP("EventText", "lock the EPROM")},
+        {"recover", QT_TRANSLATE_NOOP("EventText", "interrupted writes")},
+        {"read", QT_TRANSLATE_NOOP("EventText", "read memory table")},
+        {"write", QT_TRANSLATE_NOOP("EventText", "write")},
+        {"sweep", QT_TRANSLATE_NOOP("EventText", "sweep test")},
+        {"step-response", QT_TRANSLATE_NOOP("EventText", "step response")},
+        {"commission", QT_TRANSLATE_NOOP("EventText", "commissioning")},
     };
     for (const auto& [name, word] : eventText) {
         if (task == QLatin1String(name))
-            return text::translate("EventWords", word);
+            return text::translate("EventText", word);
     }
     return task;
 }
 
-EventText describe(const Event& event, const session::Desk& desk)
+EventText describe(const Event& event, const session::Workbench& workbench)
 {
-    EventText eventText = sentence(event, desk);
+    EventText eventText = sentence(event, workbench);
     for (const base::Notice& notice : event.notices) {
         const QString about =
-            notice.id >= 0 ? text::translate("EventWords", "ID %1: ").arg(notice.id) : QString();
+            notice.id >= 0 ? text::translate("EventText", "ID %1: ").arg(notice.id) : QString();
         eventText.details << about + text::describe(notice);
         if (notice.code != base::NoticeCode::NotRecorded)
             continue;
-        eventText.message += text::translate("EventWords", ", NOT RECORDED");
+        eventText.message += text::translate("EventText", ", NOT RECORDED");
         eventText.symbol = QStringLiteral("✗");
         eventText.tone = Tone::Bad;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened, in a technician's words, for the message line and the log: one sentence, what lies
-// behind it, and how serious it is. In the language of the installed translator. Pure; main thread.
+// An event as text for the message line and the log: one sentence, its details, and how serious it
+// is. In the language of the installed translator. Pure; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/common/theme.h"
 
 #include <QStringList>
@@ -15,7 +15,7 @@ struct EventText {
     Tone tone = Tone::Quiet;
     QString symbol; ///< stands beside the color: "✓", "!", "✗", "·"
 };
-EventText describe(const session::Event& event, const session::Desk& desk);
+EventText describe(const session::Event& event, const session::Workbench& workbench);
 
 /// "set ID" for "set-id": the technical names of tasks and operations.
 QString taskLabel(const QString& task);

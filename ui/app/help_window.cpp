@@ -33,7 +33,7 @@ QString withImages(QString markdown, bool chinese, bool dark)
     return markdown;
 }
 
-/// Code in the program's own letters; markdown asks the desktop for its.
+/// Code in the program's own font; Markdown would use that of the desktop.
 void useCodeFont(QTextDocument& document)
 {
     QTextCharFormat code;

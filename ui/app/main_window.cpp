@@ -1,120 +1,179 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/main_window.h"
 
+#include "session/history/history_sender.h"
 #include "session/history/history_server_choice.h"
+#include "session/history/history_service.h"
 #include "ui/app/about_dialog.h"
+#include "ui/app/appearance_buttons.h"
+#include "ui/app/auto_selection.h"
 #include "ui/app/close_confirmation.h"
 #include "ui/app/help_window.h"
 #include "ui/app/menus.h"
 #include "ui/app/message_line.h"
 #include "ui/app/message_log.h"
-#include "ui/app/redo.h"
+#include "ui/app/pages.h"
 #include "ui/app/shortcuts_dialog.h"
+#include "ui/app/stop_banner.h"
 #include "ui/app/stop_key.h"
-#include "ui/commissioning/commission_page.h"
-#include "ui/common/language_switch.h"
-#include "ui/common/theme.h"
+#include "ui/app/undo_button.h"
+#include "ui/app/undo_redo.h"
 #include "ui/connect/connect_bar.h"
 #include "ui/connect/link_error_banner.h"
-#include "ui/history/history_page.h"
-#include "ui/memory/memory_page.h"
-#include "ui/operate/operate_page.h"
-#include "ui/snapshots/snapshots_page.h"
-#include "ui/step/step_page.h"
+#include "ui/search/search_panel.h"
 #include "ui/sweep/runs_dialog.h"
-#include "ui/sweep/sweep_page.h"
 #include "ui/tasks/servo_tasks.h"
-#include "ui/trends/trend_panel.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/floating_overlay.h"
+#include "ui/widgets/welcome.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QHBoxLayout>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QTabWidget>
-#include <QToolButton>
-
-#include <algorithm>
-#include <utility>
+#include <QStatusBar>
+#include <QToolBar>
 
 namespace ui {
+namespace {
+/// Shows the window's only widget of this type; `make` makes it the first time.
+template <typename Window, typename Make>
+void showSingle(QWidget& parent, Make make)
+{
+    auto* window = parent.findChild<Window*>();
+    if (window == nullptr)
+        window = make();
+    window->show();
+    window->raise();
+    window->activateWindow();
+}
+
+/// What could not be used of the user's own files: it never prevents the start.
+std::vector<base::Error> startupErrors(const session::Session& session, session::Settings& settings)
+{
+    std::vector<base::Error> errors;
+    const auto add = [&](const QString& detail) {
+        errors.push_back({base::ErrorCode::FileFormat, QStringLiteral("start"), detail});
+    };
+    for (const catalog::LoadWarning& warning : session.warnings())
+        add(QStringList{warning.file, warning.where, warning.detail}.join(QStringLiteral(": ")));
+    if (!settings.brokenCopy().isEmpty())
+        add(settings.brokenCopy());
+    if (const auto removed = session::removeStoredPassword(settings))
+        errors.push_back(*removed);
+    return errors;
+}
+} // namespace
+
 MainWindow::MainWindow(AppContext& appContext, session::Settings& settings, ThemeSwitch& theme,
                        LanguageSwitch& language, QWidget* parent)
     : QMainWindow(parent)
     , m_context(appContext)
     , m_settings(settings)
-    , m_theme(theme)
-    , m_language(language)
-    , m_desk(appContext.desk)
-    , m_ports(appContext.ports)
-    , m_selection(appContext.selection)
+    , m_workbench(appContext.workbench)
     , m_commands(appContext.commands)
 {
-    build();
+    build(theme, language);
     connectCommands();
-    connectPages();
-    connectDesk();
-    connectSwitches();
-    new ServoTasks(m_desk, m_commands, m_selection, this);
-    new LinkErrorBanner(m_desk, m_ports, *m_connectBar, *m_banner, this);
+    connectStop();
+    connectWorkbench();
+    connectHistorySender();
+    new StopBanner(m_workbench, m_commands, *m_banner, this);
+    new ServoTasks(m_workbench, m_commands, m_context.selection, this);
+    new LinkErrorBanner(m_workbench, m_context.ports, *m_connectBar, *m_banner, this);
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
     retranslate();
     updateCenter();
     reportStartupErrors();
-    const auto server = session::historyServerChoice(m_settings);
-    m_context.historySender.setServer(server.address, server.bench);
 }
 
-/// Pages that are hidden end their polling and tell of the last readings, upon which others make
-/// widgets: in the destructor of QWidget that crashes.
+/// Pages that are hidden stop polling and deliver the last readings, for which other widgets make
+/// new widgets: in the destructor of QWidget that would crash.
 MainWindow::~MainWindow()
 {
     hide();
 }
 
-/// What could not be used of the user's own files: it costs that row, never the start.
-void MainWindow::reportStartupErrors()
+void MainWindow::build(ThemeSwitch& theme, LanguageSwitch& language)
 {
-    const auto showError = [this](const base::Error& error) {
-        session::Event event;
-        event.at = QDateTime::currentDateTime();
-        event.error = error;
-        m_message->show(event);
-        m_log->add(event);
-    };
-    const auto tell = [&](const QString& detail) {
-        showError({base::ErrorCode::FileFormat, QStringLiteral("start"), detail});
-    };
-    for (const catalog::LoadWarning& warning : m_desk.session().warnings())
-        tell(QStringList{warning.file, warning.where, warning.detail}.join(QStringLiteral(": ")));
-    if (!m_settings.brokenCopy().isEmpty())
-        tell(m_settings.brokenCopy());
-    if (const auto removed = session::removeStoredPassword(m_settings))
-        showError(*removed);
+    setObjectName(QStringLiteral("mainWindow"));
+    setMinimumSize(1024, 700);
+    resize(1280, 800);
+    auto* top = new QToolBar(this);
+    top->setObjectName(QStringLiteral("topBar"));
+    top->setMovable(false);
+    top->toggleViewAction()->setVisible(false);
+    top->addWidget(buildTopBar(theme, language));
+    addToolBar(top);
+    setContextMenuPolicy(Qt::NoContextMenu); // its only entry would hide the bar
+    setCentralWidget(buildCenter());
+    buildDocks();
+    buildStatusBar();
+    m_menus = new Menus(*menuBar(), m_commands,
+                        {m_searchDock->toggleViewAction(), m_commands.action(Command::MessageLog)});
+    // The shortcuts of actions work although no menu with them is open.
+    for (int i = 0; i < static_cast<int>(Command::Count); ++i)
+        addAction(m_commands.action(static_cast<Command>(i)));
 }
 
-void MainWindow::start(const Options& options)
+QWidget* MainWindow::buildTopBar(ThemeSwitch& theme, LanguageSwitch& language)
 {
-    if (options.size.isValid())
-        resize(options.size);
-    m_requestedId = options.select;
-    m_desk.setExpectedId(m_requestedId);
-    m_selectFirst = !options.screenshot.isEmpty() && !options.select;
-    const std::map<QString, QWidget*> pages{
-        {QStringLiteral("operate"), m_operate},     {QStringLiteral("memory"), m_memory},
-        {QStringLiteral("sweep"), m_sweep},         {QStringLiteral("step"), m_step},
-        {QStringLiteral("snapshots"), m_snapshots}, {QStringLiteral("commission"), m_commission},
-        {QStringLiteral("history"), m_history}};
-    if (const auto page = pages.find(options.page); page != pages.end())
-        m_pages->setCurrentWidget(page->second);
-    m_pagesRequested = options.page == QLatin1StringView("snapshots") ||
-                       options.page == QLatin1StringView("history");
-    updateCenter();
-    if (options.port) {
-        m_connectBar->setRequest(*options.port);
-        m_desk.connectTo(*options.port);
-    }
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(4, 4, 4, 4);
+    m_connectBar = new ConnectBar(m_workbench, m_commands, m_settings, m_context.ports, bar);
+    m_appearance = new AppearanceButtons(theme, language, m_commands, m_settings, bar);
+    row->addWidget(m_connectBar, 1);
+    row->addWidget(m_appearance);
+    return bar;
+}
+
+QWidget* MainWindow::buildCenter()
+{
+    auto* center = new QWidget(this);
+    auto* column = new QVBoxLayout(center);
+    column->setContentsMargins(6, 6, 6, 6);
+    m_banner = new Banner(center);
+    m_pages = new Pages(m_context, m_settings, center);
+    m_center = new QStackedWidget(center);
+    m_center->addWidget(new Welcome(m_commands, m_center));
+    m_center->addWidget(m_pages);
+    column->addWidget(m_center, 1);
+    new FloatingOverlay(m_banner, center, FloatingOverlay::Corner::BottomRight);
+    return center;
+}
+
+void MainWindow::buildDocks()
+{
+    m_searchDock = new QDockWidget(this);
+    m_searchDock->setObjectName(QStringLiteral("searchDock"));
+    m_searchDock->setWidget(
+        new SearchPanel(m_workbench, m_commands, m_context.selection, m_settings, m_searchDock));
+    addDockWidget(Qt::LeftDockWidgetArea, m_searchDock);
+    m_logDock = new QDockWidget(this);
+    m_logDock->setObjectName(QStringLiteral("logDock"));
+    m_log = new MessageLog(m_workbench, m_logDock);
+    m_logDock->setWidget(m_log);
+    addDockWidget(Qt::BottomDockWidgetArea, m_logDock);
+    m_logDock->hide();
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_message = new MessageLine(m_workbench, this);
+    auto* undoButton = new UndoButton(m_commands.action(Command::Undo), this);
+    m_stop = new QPushButton(this);
+    m_stop->setObjectName(QStringLiteral("stopButton"));
+    m_stop->setProperty("stopAction", true);
+    m_stop->setFocusPolicy(Qt::NoFocus); // pressing it must not close an editor first
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(0, 3, 8, 3);
+    statusBar()->addWidget(m_message, 1);
+    statusBar()->addPermanentWidget(undoButton);
+    statusBar()->addPermanentWidget(m_stop);
 }
 
 void MainWindow::connectCommands()
@@ -124,212 +183,118 @@ void MainWindow::connectCommands()
     };
     on(Command::Disconnect, [this] { m_closeConfirmation->disconnectPort(); });
     on(Command::PowerCycle, [this] {
-        m_desk.powerCycle();
-        m_desk.readTable(m_selection.current());
+        m_workbench.link().powerCycle();
+        m_workbench.writes().readTable(m_context.selection.current());
     });
-    on(Command::StopSearch, [this] { m_desk.stopSearch(); });
-    on(Command::StopTask, [this] { m_desk.stopTask(); });
-    on(Command::ReadTable, [this] { m_desk.readTable(m_selection.current()); });
-    on(Command::Undo, [this] { undo(); });
-    on(Command::Redo, [this] { redoLast(); });
-    on(Command::TorqueOffAll, [this] { m_desk.emergencyStop(); });
-    on(Command::ThemeSystem, [this] { m_theme.apply(session::Theme::System); });
-    on(Command::ThemeLight, [this] { m_theme.apply(session::Theme::Light); });
-    on(Command::ThemeDark, [this] { m_theme.apply(session::Theme::Dark); });
-    on(Command::English, [this] { m_language.apply(QStringLiteral("en")); });
-    on(Command::Chinese, [this] { m_language.apply(QStringLiteral("zh_CN")); });
+    on(Command::StopSearch, [this] { m_workbench.search().stop(); });
+    on(Command::StopTask, [this] { m_workbench.tasks().stop(); });
+    on(Command::ReadTable,
+       [this] { m_workbench.writes().readTable(m_context.selection.current()); });
+    on(Command::Undo, [this] { undo(m_workbench, m_context.selection); });
+    on(Command::Redo, [this] { redo(m_workbench, m_context.selection, this); });
     on(Command::MessageLog, [this](bool shown) { m_logDock->setVisible(shown); });
-    on(Command::Help, [this] {
-        auto* help = findChild<HelpWindow*>(); // one is enough
-        help = help != nullptr ? help : new HelpWindow(this);
-        help->show();
-        help->raise();
-        help->activateWindow();
-    });
+    on(Command::Help,
+       [this] { showSingle<HelpWindow>(*this, [this] { return new HelpWindow(this); }); });
     on(Command::PreviousTests, [this] {
-        auto* runs = findChild<RunsDialog*>(); // one is enough
-        runs = runs != nullptr ? runs : new RunsDialog(m_context.history, m_settings, this);
-        runs->show();
-        runs->raise();
-        runs->activateWindow();
+        showSingle<RunsDialog>(
+            *this, [this] { return new RunsDialog(m_workbench.history(), m_settings, this); });
     });
-    connect(m_sweep, &SweepPage::previousTestsRequested, m_commands.action(Command::PreviousTests),
-            &QAction::trigger);
     on(Command::Shortcuts, [this] { (new ShortcutsDialog(m_commands, this))->open(); });
     on(Command::About, [this] { (new AboutDialog(this))->open(); });
     on(Command::Quit, [this] { close(); });
     connect(m_logDock, &QDockWidget::visibilityChanged, this,
             [this] { m_commands.action(Command::MessageLog)->setChecked(!m_logDock->isHidden()); });
-    connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.emergencyStop(); });
-    auto* stopKey = new StopKey([this] { return m_desk.isMotionPossible(); }, this);
-    connect(stopKey, &StopKey::pressed, this, [this] { m_desk.emergencyStop(); });
 }
 
-void MainWindow::connectDesk()
+/// The command, the button and the Esc key do the same.
+void MainWindow::connectStop()
 {
-    m_closeConfirmation = new CloseConfirmation(m_desk, this);
-    connect(&m_desk, &session::Desk::eventOccurred, this, &MainWindow::happened);
-    connect(m_banner, &Banner::dismissed, this, [this] { m_stopShown = false; });
-    connect(&m_desk, &session::Desk::linkChanged, this, &MainWindow::linkChanged);
-    connect(&m_desk, &session::Desk::servoChanged, this, &MainWindow::hideCloseCanceled);
-    connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectRequested);
-    connect(&m_desk, &session::Desk::servoAdded, this, [this] { updateCenter(); });
-    connect(&m_desk, &session::Desk::searchChanged, this, [this] {
-        if (!m_desk.isSearching())
-            searchEnded();
-    });
-    connect(&m_desk, &session::Desk::servoRemoved, this,
-            [this](session::ServoRef ref) { m_selection.remove(ref); });
-    connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
-    connect(&m_desk, &session::Desk::closed, this, [this] {
+    const auto stop = [this] { m_workbench.emergencyStop().trigger(); };
+    auto* stopKey = new StopKey([this] { return m_workbench.closing().isMotionPossible(); }, this);
+    connect(m_commands.action(Command::TorqueOffAll), &QAction::triggered, this, stop);
+    connect(m_stop, &QPushButton::clicked, this, stop);
+    connect(stopKey, &StopKey::pressed, this, stop);
+}
+
+void MainWindow::connectWorkbench()
+{
+    m_closeConfirmation = new CloseConfirmation(m_workbench, this);
+    m_autoSelection = new AutoSelection(m_workbench, m_context.selection, this);
+    connect(&m_workbench, &session::Workbench::eventOccurred, this, &MainWindow::report);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &MainWindow::linkChanged);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoAdded, this,
+            &MainWindow::updateCenter);
+    connect(m_pages, &Pages::usableWithoutServo, this, &MainWindow::updateCenter);
+    connect(&m_workbench.closing(), &session::CloseSequence::closed, this, [this] {
         m_canClose = true;
         close();
     });
 }
 
-void MainWindow::happened(const session::Event& event)
+/// What is new in the history is copied to the server.
+void MainWindow::connectHistorySender()
+{
+    session::HistorySender& sender = m_workbench.historySender();
+    connect(&m_workbench.history(), &session::HistoryService::changed, &sender,
+            &session::HistorySender::notifyChanged);
+    connect(&m_workbench, &session::Workbench::eventOccurred, &sender,
+            &session::HistorySender::notifyChanged);
+    const auto server = session::historyServerChoice(m_settings);
+    sender.setServer(server.address, server.bench);
+}
+
+void MainWindow::start(const Options& options)
+{
+    if (options.size.isValid())
+        resize(options.size);
+    m_autoSelection->request(options.select, !options.screenshot.isEmpty());
+    m_pages->open(options.page);
+    if (options.port) {
+        m_connectBar->setRequest(*options.port);
+        m_workbench.link().connectTo(*options.port);
+    }
+}
+
+void MainWindow::reportStartupErrors()
+{
+    for (const base::Error& error : startupErrors(m_workbench.session(), m_settings)) {
+        session::Event event;
+        event.at = QDateTime::currentDateTime();
+        event.error = error;
+        report(event);
+    }
+}
+
+void MainWindow::report(const session::Event& event)
 {
     m_message->show(event);
     m_log->add(event);
-    showStopBanner(event);
 }
 
-/// A stop that has not reached the servos must not be one line among others.
-void MainWindow::showStopBanner(const session::Event& event)
-{
-    using Kind = session::Event::Kind;
-    const bool stops = event.kind == Kind::Stopped || event.kind == Kind::StopNotSent;
-    const bool unsent =
-        event.kind == Kind::StopNotSent || event.isPending || event.kind == Kind::CloseCanceled;
-    if (stops && !unsent && std::exchange(m_stopShown, false))
-        m_banner->hideMessage();
-    if (!unsent)
-        return;
-    m_stopShown = true;
-    m_unlockedShown = event.moving.empty() ? event.unlocked : std::vector<session::ServoRef>{};
-    const QList<QAction*> actions = m_desk.state() == session::LinkState::Open && !event.isPending
-                                        ? QList{m_commands.action(Command::TorqueOffAll)}
-                                        : QList<QAction*>{};
-    m_banner->showMessage(
-        [this, event] {
-            const EventText words = describe(event, m_desk);
-            return BannerText{Tone::Bad, words.message, {}, words.details.join(QLatin1Char(' '))};
-        },
-        actions);
-}
-
-/// Once each lock that it names has been read as closed.
-void MainWindow::hideCloseCanceled()
-{
-    const auto isOpen = [this](session::ServoRef ref) {
-        const session::ServoEntry* entry = m_desk.servo(ref);
-        return entry == nullptr || entry->isLockOpen().value_or(true);
-    };
-    if (!m_stopShown || m_unlockedShown.empty() ||
-        std::any_of(m_unlockedShown.begin(), m_unlockedShown.end(), isOpen))
-        return;
-    m_unlockedShown.clear();
-    m_stopShown = false;
-    m_banner->hideMessage();
-}
-
-/// What is changed back is shown: it may belong to another servo than the one selected.
-void MainWindow::undo()
-{
-    if (const session::UndoStep* step = m_desk.undoStep()) {
-        if (step->servo != m_selection.current())
-            m_selection.select(step->servo);
-        m_desk.undo();
-    }
-}
-
-void MainWindow::redoLast()
-{
-    if (const session::UndoStep* step = m_desk.redoStep()) {
-        if (step->servo != m_selection.current())
-            m_selection.select(step->servo);
-        redo(m_desk, this);
-    }
-}
-
-void MainWindow::connectSwitches()
-{
-    connect(m_languageButton, &QToolButton::clicked, this, [this] {
-        m_language.apply(m_language.chinese() ? QStringLiteral("en") : QStringLiteral("zh_CN"));
-    });
-    connect(m_themeButton, &QToolButton::clicked, this, [this] {
-        m_theme.apply(isDark(palette()) ? session::Theme::Light : session::Theme::Dark);
-    });
-    const auto languageChanged = [this] {
-        m_settings.setLanguage(m_language.chinese() ? QStringLiteral("zh_CN")
-                                                    : QStringLiteral("en"));
-    };
-    connect(&m_language, &LanguageSwitch::changed, this, languageChanged);
-    const auto showSwitches = [this] {
-        m_commands.action(Command::Chinese)->setChecked(m_language.chinese());
-        m_commands.action(Command::English)->setChecked(!m_language.chinese());
-        const session::Theme theme = m_theme.theme();
-        m_commands.action(Command::ThemeSystem)->setChecked(theme == session::Theme::System);
-        m_commands.action(Command::ThemeLight)->setChecked(theme == session::Theme::Light);
-        m_commands.action(Command::ThemeDark)->setChecked(theme == session::Theme::Dark);
-        m_themeButton->setIcon(QIcon::fromTheme(isDark(palette())
-                                                    ? QStringLiteral("weather-clear")
-                                                    : QStringLiteral("weather-clear-night")));
-    };
-    connect(&m_language, &LanguageSwitch::changed, this, showSwitches);
-    connect(&m_theme, &ThemeSwitch::changed, this, [this, showSwitches] {
-        m_settings.setTheme(m_theme.theme());
-        m_commands.updateIcons();
-        showSwitches();
-    });
-    showSwitches();
-}
-
-/// Pages stay as long as there is a servo to show, also after the port was closed.
+/// The pages stay while there is a servo to show, also after the port was closed.
 void MainWindow::updateCenter()
 {
-    const bool something = m_desk.state() == session::LinkState::Open || !m_desk.servos().empty() ||
-                           m_operate->trend()->isReplaying() || m_pagesRequested;
-    m_center->setCurrentIndex(something ? 1 : 0);
+    const bool hasPages = m_workbench.link().state() == session::LinkState::Open ||
+                          !m_workbench.registry().order().empty() ||
+                          m_pages->isUsableWithoutServo();
+    m_center->setCurrentIndex(hasPages ? 1 : 0);
 }
 
 void MainWindow::linkChanged()
 {
-    const bool open = m_desk.state() == session::LinkState::Open;
+    const bool open = m_workbench.link().state() == session::LinkState::Open;
     if (open && !m_wasOpen)
         m_commands.action(Command::Search)->trigger();
     m_wasOpen = open;
     updateCenter();
 }
 
-void MainWindow::selectRequested(session::ServoRef added)
-{
-    const session::ServoEntry* servo = m_desk.servo(added);
-    if (servo == nullptr || m_selection.current() != 0)
-        return;
-    if (m_requestedId ? servo->servo.id == *m_requestedId : m_selectFirst) {
-        m_requestedId.reset();
-        m_desk.setExpectedId(std::nullopt);
-        m_selectFirst = false;
-        m_selection.select(added);
-    }
-}
-
-/// A servo that is alone is the one that is meant, unless another one was asked for.
-void MainWindow::searchEnded()
-{
-    if (m_selection.current() == 0 && !m_requestedId && m_desk.servos().size() == 1)
-        m_selection.select(m_desk.servos().front());
-    const session::ServoEntry* shown = m_desk.servo(m_selection.current());
-    if (shown != nullptr && shown->servo.profile && !shown->hasFullTable)
-        m_desk.readTable(m_selection.current());
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     m_settings.setWindow(saveGeometry(), saveState());
-    const bool nothingToAsk = m_canClose || !m_desk.hasOpenedPort();
-    if (m_desk.state() == session::LinkState::Off && nothingToAsk) {
+    const bool nothingToAsk = m_canClose || !m_workbench.link().hasOpenedPort();
+    if (m_workbench.link().state() == session::LinkState::Off && nothingToAsk) {
         event->accept();
         return;
     }
@@ -337,7 +302,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     m_closeConfirmation->closeWindow();
 }
 
-/// A status tip would hide the latest result behind what the pointer happens to be on.
+/// A status tip would replace the latest result by a text about what is under the pointer.
 bool MainWindow::event(QEvent* event)
 {
     return event->type() == QEvent::StatusTip || QMainWindow::event(event);
@@ -351,5 +316,17 @@ void MainWindow::changeEvent(QEvent* event)
     m_commands.retranslate();
     m_menus->retranslate();
     retranslate();
+}
+
+void MainWindow::retranslate()
+{
+    setWindowTitle(tr("ServoDesk"));
+    m_searchDock->setWindowTitle(tr("Search"));
+    m_logDock->setWindowTitle(tr("Messages"));
+    m_pages->retranslate();
+    m_appearance->retranslate();
+    m_stop->setText(tr("Esc   All torque off"));
+    m_stop->setToolTip(m_commands.action(Command::TorqueOffAll)->toolTip());
+    m_stop->setAccessibleName(tr("Turn torque off on all servos"));
 }
 } // namespace ui

@@ -6,9 +6,9 @@
 #include <QLabel>
 
 namespace ui {
-MessageLine::MessageLine(const session::Desk& desk, QWidget* parent)
+MessageLine::MessageLine(const session::Workbench& workbench, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_symbol(new QLabel(this))
     , m_text(new QLabel(this))
 {
@@ -25,7 +25,7 @@ MessageLine::MessageLine(const session::Desk& desk, QWidget* parent)
 
 void MessageLine::show(const session::Event& event)
 {
-    if (describe(event, m_desk).message.isEmpty())
+    if (describe(event, m_workbench).message.isEmpty())
         return;
     m_event = event;
     fill();
@@ -34,7 +34,7 @@ void MessageLine::show(const session::Event& event)
 void MessageLine::fill()
 {
     m_eventText =
-        m_event ? describe(*m_event, m_desk) : EventText{tr("Ready"), {}, Tone::Quiet, {}};
+        m_event ? describe(*m_event, m_workbench) : EventText{tr("Ready"), {}, Tone::Quiet, {}};
     m_symbol->setText(m_eventText.symbol);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(m_eventText.tone, palette()));
@@ -46,7 +46,7 @@ void MessageLine::fill()
     elide();
 }
 
-/// The remedy stands beside the sentence as far as there is room.
+/// The remedy follows the sentence if there is space.
 void MessageLine::elide()
 {
     const QString all =

@@ -3,7 +3,7 @@
 // tooltip). Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/app/event_text.h"
 
 #include <QWidget>
@@ -15,7 +15,7 @@ class MessageLine final : public QWidget {
     Q_OBJECT
 
 public:
-    explicit MessageLine(const session::Desk& desk, QWidget* parent = nullptr);
+    explicit MessageLine(const session::Workbench& workbench, QWidget* parent = nullptr);
 
     void show(const session::Event& event);
 
@@ -27,7 +27,7 @@ private:
     void fill();
     void elide();
 
-    const session::Desk& m_desk;
+    const session::Workbench& m_workbench;
     std::optional<session::Event> m_event; ///< kept, so that it can be worded in another language
     EventText m_eventText;
     QLabel* m_symbol;

@@ -10,9 +10,9 @@ namespace {
 constexpr std::size_t maxEvents = 1000;
 } // namespace
 
-MessageLog::MessageLog(const session::Desk& desk, QWidget* parent)
+MessageLog::MessageLog(const session::Workbench& workbench, QWidget* parent)
     : QPlainTextEdit(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
 {
     setObjectName(QStringLiteral("messageLog"));
     setReadOnly(true);
@@ -30,7 +30,7 @@ void MessageLog::add(const session::Event& event)
 
 void MessageLog::write(const session::Event& event)
 {
-    const EventText eventText = describe(event, m_desk);
+    const EventText eventText = describe(event, m_workbench);
     if (eventText.message.isEmpty())
         return;
     QString text = QStringLiteral("%1  %2  %3")
@@ -44,8 +44,8 @@ void MessageLog::write(const session::Event& event)
 void MessageLog::retranslate()
 {
     setAccessibleName(tr("Messages"));
-    setToolTip(tr("Everything that was reported since the start"));
-    setPlaceholderText(tr("Nothing has happened yet."));
+    setToolTip(tr("All messages since the program started"));
+    setPlaceholderText(tr("No messages yet."));
     clear();
     for (const session::Event& event : m_events)
         write(event);

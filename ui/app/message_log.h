@@ -3,7 +3,7 @@
 // can be copied. The latest 1000 messages are kept. Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 
 #include <QPlainTextEdit>
 
@@ -14,7 +14,7 @@ class MessageLog final : public QPlainTextEdit {
     Q_OBJECT
 
 public:
-    explicit MessageLog(const session::Desk& desk, QWidget* parent = nullptr);
+    explicit MessageLog(const session::Workbench& workbench, QWidget* parent = nullptr);
 
     void add(const session::Event& event);
 
@@ -25,7 +25,7 @@ private:
     void write(const session::Event& event);
     void retranslate();
 
-    const session::Desk& m_desk;
+    const session::Workbench& m_workbench;
     std::deque<session::Event> m_events;
 };
 } // namespace ui

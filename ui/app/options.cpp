@@ -16,20 +16,20 @@ struct OptionRow {
     const char* value;
 };
 constexpr OptionRow rows[] = {
-    {"port", QT_TRANSLATE_NOOP("Options", "port to open and search: a device, tcp://host:port, sim:demo"), "PORT"},
+    {"port", QT_TRANSLATE_NOOP("Options", "port to open and search: device path, tcp://HOST:PORT or sim:demo"), "PORT"},
     {"baud", QT_TRANSLATE_NOOP("Options", "baud rate of the port, or auto"), "RATE"},
-    {"protocol", QT_TRANSLATE_NOOP("Options", "auto, feetech, modbus or lx"), "NAME"},
+    {"protocol", QT_TRANSLATE_NOOP("Options", "protocol: auto, feetech, modbus or lx"), "NAME"},
     {"lang", QT_TRANSLATE_NOOP("Options", "language of the interface: en or zh_CN"), "LANGUAGE"},
-    {"theme", QT_TRANSLATE_NOOP("Options", "system, light or dark"), "THEME"},
+    {"theme", QT_TRANSLATE_NOOP("Options", "color theme: system, light or dark"), "THEME"},
     {"page", QT_TRANSLATE_NOOP("Options", "page to show: operate, memory, sweep, step, snapshots, commission, history"), "PAGE"},
     {"select", QT_TRANSLATE_NOOP("Options", "ID of the servo to select"), "ID"},
-    {"screenshot", QT_TRANSLATE_NOOP("Options", "write the window to this PNG file and end"), "FILE"},
-    {"size", QT_TRANSLATE_NOOP("Options", "size of the window, such as 1280x800"), "SIZE"},
-    {"after", QT_TRANSLATE_NOOP("Options", "milliseconds until the screenshot"), "MS"},
+    {"screenshot", QT_TRANSLATE_NOOP("Options", "save a screenshot of the window to this PNG file and quit"), "FILE"},
+    {"size", QT_TRANSLATE_NOOP("Options", "window size, for example 1280x800"), "SIZE"},
+    {"after", QT_TRANSLATE_NOOP("Options", "delay before the screenshot in milliseconds"), "MS"},
 };
 // clang-format on
 
-/// A whole number from `min` on; complains otherwise.
+/// A whole number of at least `min`; reports an error otherwise.
 std::optional<int> number(const QCommandLineParser& parser, const char* option, int min,
                           QString& error)
 {
@@ -40,7 +40,7 @@ std::optional<int> number(const QCommandLineParser& parser, const char* option, 
     const int value = given.toInt(&sound);
     if (sound && value >= min)
         return value;
-    error = text::translate("Options", "--%1: \"%2\" is no number that fits")
+    error = text::translate("Options", "--%1: \"%2\" is not a valid number")
                 .arg(QLatin1String(option), given);
     return std::nullopt;
 }
@@ -56,7 +56,7 @@ void takePort(const QCommandLineParser& parser, ParsedOptions& parsed)
         request.protocol = base::protocolFromName(protocol);
         if (!request.protocol)
             parsed.error =
-                text::translate("Options", "--protocol: there is no \"%1\"").arg(protocol);
+                text::translate("Options", "--protocol: unknown value \"%1\"").arg(protocol);
     }
     if (!request.name.isEmpty())
         parsed.options.port = request;
@@ -70,7 +70,7 @@ void takeSize(const QString& size, ParsedOptions& parsed)
         parsed.options.size = {match.captured(1).toInt(), match.captured(2).toInt()};
     else if (!size.isEmpty())
         parsed.error =
-            text::translate("Options", "--size: \"%1\" is no size such as 1280x800").arg(size);
+            text::translate("Options", "--size: \"%1\" is not a size such as 1280x800").arg(size);
 }
 
 void takeTheme(const QString& theme, ParsedOptions& parsed)
@@ -82,7 +82,7 @@ void takeTheme(const QString& theme, ParsedOptions& parsed)
     else if (theme == QLatin1String("dark"))
         parsed.options.theme = session::Theme::Dark;
     else if (!theme.isEmpty())
-        parsed.error = text::translate("Options", "--theme: there is no \"%1\"").arg(theme);
+        parsed.error = text::translate("Options", "--theme: unknown value \"%1\"").arg(theme);
 }
 } // namespace
 
@@ -90,7 +90,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        text::translate("Options", "Bench program for serial bus servos"));
+        text::translate("Options", "Setup and test program for serial bus servos"));
     for (const OptionRow& row : rows)
         parser.addOption({QString::fromLatin1(row.name), text::translate("Options", row.help),
                           QString::fromLatin1(row.value)});
@@ -106,7 +106,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
     else if (parser.isSet(version))
         parsed.print = QStringLiteral("servodesk %1\n").arg(QCoreApplication::applicationVersion());
     if (!parser.positionalArguments().isEmpty())
-        parsed.error = text::translate("Options", "\"%1\" is not understood")
+        parsed.error = text::translate("Options", "unexpected argument \"%1\"")
                            .arg(parser.positionalArguments().front());
     Options& options = parsed.options;
     takeSize(parser.value(QStringLiteral("size")), parsed);
@@ -119,7 +119,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
                             QStringLiteral("snapshots"), QStringLiteral("commission"),
                             QStringLiteral("history"),   QString()};
     if (!pages.contains(options.page))
-        parsed.error = text::translate("Options", "--page: there is no \"%1\"").arg(options.page);
+        parsed.error = text::translate("Options", "--page: unknown value \"%1\"").arg(options.page);
     options.select = number(parser, "select", 0, parsed.error);
     options.screenshot = parser.value(QStringLiteral("screenshot"));
     options.afterMs = number(parser, "after", 0, parsed.error).value_or(options.afterMs);

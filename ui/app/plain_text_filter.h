@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names, labels and notes from files and devices are shown as they are: a label or tooltip whose
-// text looks like HTML is not taken for HTML. What is meant as rich text says so itself
-// (setTextFormat). One object, owned by the application. Main thread.
+// Shows names, labels and notes from files and devices as they are: a label or tooltip whose text
+// looks like HTML is not shown as HTML. Rich text must be declared by setTextFormat(). One object,
+// owned by the application. Main thread.
 #pragma once
 
 #include <QObject>

@@ -43,7 +43,7 @@ void screenshotLater(MainWindow& window, const Options& options)
     });
 }
 
-/// Help and version are asked for where there is no display, too, so not of a QApplication.
+/// Help and version must work without a display, so without a QApplication.
 bool printedHelp(int argc, char* argv[])
 {
     const bool asked = std::any_of(argv + 1, argv + argc, [](const char* word) {
@@ -62,7 +62,7 @@ bool printedHelp(int argc, char* argv[])
     return !parsed.print.isEmpty();
 }
 
-/// The program's own letters in the size that the desktop asks for.
+/// The program's own font in the size of the desktop's font.
 void useOwnFont()
 {
     QFont font = QApplication::font();

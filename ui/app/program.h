@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program servodesk from its command line to its end: options, session, theme, language,
-// window. Main thread. Answers the exit code: 0, or 2 for options that make no sense, 1 for a
-// screenshot that could not be written.
+// window. Main thread. Returns the exit code: 0, 2 for invalid options, 1 for a screenshot that
+// could not be written.
 #pragma once
 
 namespace ui {

@@ -25,17 +25,16 @@ ShortcutsDialog::ShortcutsDialog(const Commands& commands, QWidget* parent)
     auto* list = new QTreeWidget(this);
     list->setObjectName(QStringLiteral("shortcuts"));
     list->setAccessibleName(tr("Keyboard shortcuts"));
-    list->setToolTip(tr("The list of all shortcuts"));
+    list->setToolTip(tr("List all shortcuts"));
     list->setRootIsDecorated(false);
-    list->setHeaderLabels({tr("Keys"), tr("Command"), tr("What it does")});
-    addRow(
-        *list, QStringLiteral("Esc"), tr("Torque off — all"),
-        tr("Takes torque off the whole bus at once, also from a field of the motion panel, which "
-           "then shows the present value again; only in a table cell that is being edited, a "
-           "menu or a dialog does the first Esc cancel that instead; while servos move or "
-           "are jammed, it stops them from a menu or a dialog as well"));
-    addRow(*list, QStringLiteral("Shift+Esc"), tr("Torque off — all"),
-           tr("Takes torque off the whole bus at once, whatever is open"));
+    list->setHeaderLabels({tr("Keys"), tr("Command"), tr("Action")});
+    addRow(*list, QStringLiteral("Esc"), tr("All torque off"),
+           tr("Immediately turns torque off on the whole bus. In a field of the motion panel, Esc "
+              "also shows the present value again. In a table cell being edited, a menu or a "
+              "dialog, the first Esc only cancels the editing or closes the menu or dialog. While "
+              "servos are moving or jammed, Esc stops them even from a menu or a dialog."));
+    addRow(*list, QStringLiteral("Shift+Esc"), tr("All torque off"),
+           tr("Immediately turns torque off on the whole bus; works everywhere"));
     for (int i = 0; i < static_cast<int>(Command::Count); ++i) {
         const QAction* action = commands.action(static_cast<Command>(i));
         if (action->shortcut().isEmpty())

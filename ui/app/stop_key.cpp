@@ -11,7 +11,7 @@
 
 namespace ui {
 namespace {
-/// An editor inside a table: somewhere between it and its window is the viewport of a view.
+/// An editor inside a table: one of its parents is the viewport of a view.
 bool inCellEditor(const QWidget* focus)
 {
     for (const QWidget* widget = focus; widget != nullptr && !widget->isWindow();
@@ -24,7 +24,7 @@ bool inCellEditor(const QWidget* focus)
     return false;
 }
 
-/// `asked`: who got the key.
+/// `asked`: the widget that received the key.
 bool menuOrDialog(const QWidget& target)
 {
     return QApplication::activePopupWidget() != nullptr ||
@@ -42,7 +42,7 @@ StopKey::StopKey(std::function<bool()> driving, QObject* parent)
 
 bool StopKey::eventFilter(QObject* watched, QEvent* event)
 {
-    // Windows see each event first and pass it on; only what reaches a widget counts.
+    // Windows get each event first and pass it on; only events for a widget count.
     if (!watched->isWidgetType())
         return false;
     switch (event->type()) {
@@ -82,8 +82,7 @@ bool StopKey::filterKey(const QKeyEvent& event, const QWidget& target)
     return !cancels;
 }
 
-/// It reaches each parent in turn; the address may be another event's once this one has been dealt
-/// with.
+/// The event reaches each parent in turn; its address may be reused after it has been handled.
 void StopKey::forwardKey(const QKeyEvent& event)
 {
     m_forwarded = &event;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Esc takes torque off from anywhere in the program, as one application event filter, because a
-// shortcut does not fire while a cell editor, menu or dialog is open. The first Esc in the editor
-// of a table's cell, a menu or a dialog cancels that; the next one always stops, and Shift+Esc
-// always does. While servos are driven the first one in a menu or a dialog stops as well. In other
-// fields, such as those of the motion panel, the first one stops. Main thread.
+// Esc turns torque off from anywhere in the program. It is one event filter of the application,
+// because a shortcut does not fire while a cell editor, menu or dialog is open. The first Esc in a
+// cell editor, a menu or a dialog cancels that; the next one always stops, and so does Shift+Esc.
+// While servos are driven, the first one in a menu or a dialog stops as well. In other fields, such
+// as those of the motion panel, the first one stops. Main thread.
 #pragma once
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The range of a y axis that follows its curves without fidgeting: it grows at once when something
-// would leave the picture, and shrinks only after the curves have needed much less for a while. Or
-// it stands where somebody has put it. A value; one thread.
+// The range of a y axis that follows its curves without fidgeting: it grows at once when a curve
+// would leave the chart, and shrinks only after the curves have needed much less for a while. A
+// range that the user has set stays. A value; one thread.
 #pragma once
 
 #include "base/clock.h"

@@ -58,7 +58,7 @@ QString clockText(double seconds, int decimals)
     return (negative ? QStringLiteral("-") : QString()) + head + QLatin1Char(':') + tail;
 }
 
-/// The least height of an axis. A signal that is constant shows as a line, its noise as little.
+/// The minimum height of an axis: a constant signal is a line, and its noise stays small.
 double minHeight(const QString& unit, double middle)
 {
     if (unit == QLatin1String("V"))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an axis is divided and what is written there: round numbers, and times as people read them.
-// Pure functions. Times are seconds; a step is never 0.
+// The ticks of an axis and their labels: round numbers, and times as people read them. Pure
+// functions. Times are seconds; a step is never 0.
 #pragma once
 
 #include <QString>

@@ -21,7 +21,7 @@ namespace ui {
 namespace {
 enum Column { Name, AtA, AtB, Difference, Slope, Mean, Min, Max, Sigma, Count, ColumnCount };
 
-/// How fine the numbers are written: as the larger of what is seen and a thousandth of its height.
+/// Decimals of the numbers follow the larger of the values and a thousandth of their range.
 double sizeOf(const CursorReading& reading)
 {
     const double span = reading.between.max - reading.between.min;
@@ -74,23 +74,23 @@ CursorTable::CursorTable(TrendChart* chart, QWidget* parent)
 void CursorTable::retranslate()
 {
     m_copy->setText(tr("Copy readings"));
-    m_copy->setToolTip(tr("Copy the whole table, for a spreadsheet"));
+    m_copy->setToolTip(tr("Copies the whole table for pasting into a spreadsheet"));
     m_table->setAccessibleName(tr("Readings at the cursors"));
-    m_table->setToolTip(tr("Values at the cursors A and B and of the samples between them"));
+    m_table->setToolTip(
+        tr("Values at cursors A and B, and statistics of the samples between them"));
     m_table->setHorizontalHeaderLabels({tr("Channel"), tr("At A"), tr("At B"), tr("Δ"), tr("Slope"),
                                         tr("Mean"), tr("Min"), tr("Max"), tr("σ"), tr("n")});
     m_table->horizontalHeaderItem(Slope)->setToolTip(
-        tr("Of the least-squares line through the samples, per second"));
-    m_table->horizontalHeaderItem(Sigma)->setToolTip(
-        tr("Standard deviation of the samples themselves"));
+        tr("Slope of the least-squares line through the samples, per second"));
+    m_table->horizontalHeaderItem(Sigma)->setToolTip(tr("Standard deviation of the samples"));
     m_table->horizontalHeaderItem(Count)->setToolTip(
-        tr("Samples between A and B; ≈: part of them is kept as extremes only"));
+        tr("Number of samples between A and B; ≈: for some of them, only the extremes are stored"));
     for (int column = AtA; column < ColumnCount; ++column)
         m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     refresh();
 }
 
-/// As high as its rows, but no more than a few.
+/// As high as its rows, up to a few.
 void CursorTable::fitHeight()
 {
     constexpr int maxRows = 6;
@@ -106,7 +106,7 @@ void CursorTable::refresh()
     m_table->setRowCount(int(readings.size()));
     fitHeight();
     if (!places) {
-        m_times->setText(tr("No cursors. C in the chart shows them; drag A and B."));
+        m_times->setText(tr("No cursors. Press C in the chart to show them, then drag A and B."));
         return;
     }
     const auto seconds = [](base::Duration span) { return double(span.count()) / 1e6; };
@@ -127,7 +127,7 @@ void CursorTable::refresh()
 
 void CursorTable::fillRow(int row, const TrendChannel& channel, const CursorReading& reading)
 {
-    const record::SampleStatistics& between = reading.between;
+    const recording::SampleStatistics& between = reading.between;
     const double size = sizeOf(reading);
     const bool any = between.count > 0;
     const auto number = [&](const std::optional<double>& value) {

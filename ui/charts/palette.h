@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colors of curves that stay apart for color-blind eyes (after Okabe and Ito) and stand out from
-// the plot's ground by at least 3:1, on light and on dark. Pure functions; ask when painting, since
+// Colors of curves that color-blind people can distinguish (after Okabe and Ito), with a contrast
+// of at least 3:1 to the background, light or dark. Pure functions; call them when painting, since
 // the theme may change at any time.
 #pragma once
 

@@ -12,7 +12,7 @@ bool TimeView::advance(Duration now)
     if (!m_following)
         return false;
     const Duration clampedWidth = width();
-    const record::TimeSpan before = m_span;
+    const recording::TimeSpan before = m_span;
     m_span = {now - clampedWidth, now};
     return !(m_span == before);
 }
@@ -24,7 +24,7 @@ void TimeView::setFollowing(bool on)
         advance(m_now);
 }
 
-void TimeView::show(record::TimeSpan span)
+void TimeView::show(recording::TimeSpan span)
 {
     m_following = false;
     if (span.to < span.from)
@@ -32,9 +32,10 @@ void TimeView::show(record::TimeSpan span)
     const Duration requested = span.to - span.from;
     const Duration clampedWidth = std::clamp(requested, minWidth, maxWidth);
     const Duration middle = span.from + requested / 2;
-    m_span = requested == clampedWidth ? span
-                                       : record::TimeSpan{middle - clampedWidth / 2,
-                                                          middle - clampedWidth / 2 + clampedWidth};
+    m_span = requested == clampedWidth
+                 ? span
+                 : recording::TimeSpan{middle - clampedWidth / 2,
+                                       middle - clampedWidth / 2 + clampedWidth};
 }
 
 void TimeView::setWidth(Duration requested)
@@ -57,7 +58,7 @@ void TimeView::zoom(double factor, double place)
               m_following ? m_span.to : from + clampedWidth};
 }
 
-void TimeView::panBy(Duration by, const std::optional<record::TimeSpan>& bounds)
+void TimeView::panBy(Duration by, const std::optional<recording::TimeSpan>& bounds)
 {
     m_following = false;
     const Duration clampedWidth = width();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One curve as it is about to be painted: which samples, how they look and where they go. A value;
-// main thread.
+// One curve as it is about to be painted: its samples, its style and its position. A value; main
+// thread.
 #pragma once
 
 #include "recording/sample_store.h"
@@ -10,7 +10,7 @@
 namespace ui {
 /// From time and value to pixels, of the screen or of the paper.
 struct TraceFrame {
-    record::TimeSpan span;
+    recording::TimeSpan span;
     double low = 0; ///< value at the lower edge
     double high = 1;
     double width = 1; ///< pixels
@@ -25,7 +25,7 @@ struct TraceFrame {
 };
 
 struct TraceStyle {
-    record::ChannelId id = -1;
+    recording::ChannelId id = -1;
     QRgb color = 0xff000000;
     bool steps = false;
     double scale = 1;
@@ -40,6 +40,6 @@ struct TraceStyle {
 /// Its min/max columns in a stretch of time.
 struct Trace {
     TraceStyle style;
-    std::vector<record::SampleColumn> columns;
+    std::vector<recording::SampleColumn> columns;
 };
 } // namespace ui

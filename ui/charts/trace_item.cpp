@@ -10,11 +10,11 @@
 namespace ui {
 namespace {
 constexpr double penWidth = 1.5; ///< logical pixels
-constexpr int partWidth = 768;   ///< device pixels made anew in one go while there is haste
+constexpr int partWidth = 768;   ///< device pixels repainted at once while the view changes
 constexpr int coarseColumn = 2;  ///< pixels
 constexpr int wide = TraceRaster::neighborColumns + 1;
 
-/// Moves the picture, to the left if positive. What comes in is empty.
+/// Moves the image, to the left if positive. The new part is empty.
 void scrollImage(QImage& image, int by)
 {
     const auto width = std::size_t(image.width());
@@ -25,7 +25,7 @@ void scrollImage(QImage& image, int by)
     }
 }
 
-/// The part of a line within the rectangle; SVG files know no clipping here.
+/// The part of a line within the rectangle, because SVG output does not clip it.
 std::optional<QLineF> clipped(const QLineF& line, const QRectF& frame)
 {
     double from = 0;
@@ -53,7 +53,7 @@ public:
 
     void paint()
     {
-        for (const record::SampleColumn& column : m_trace.columns) {
+        for (const recording::SampleColumn& column : m_trace.columns) {
             const bool known = std::isfinite(column.min) && std::isfinite(column.max) &&
                                std::isfinite(column.first) && std::isfinite(column.last);
             if (column.gapBefore || !known)
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    void add(const record::SampleColumn& column)
+    void add(const recording::SampleColumn& column)
     {
         if (m_trace.style.steps && m_at)
             point(column.from, m_last);
@@ -143,8 +143,8 @@ void TraceItem::clear()
     update();
 }
 
-void TraceItem::show(const record::SampleStore* store, const std::vector<TraceStyle>& styles,
-                     const record::TimeSpan& span, double ratio, bool coarseUpdates)
+void TraceItem::show(const recording::SampleStore* store, const std::vector<TraceStyle>& styles,
+                     const recording::TimeSpan& span, double ratio, bool coarseUpdates)
 {
     m_span = span;
     m_ratio = ratio;
@@ -169,7 +169,7 @@ void TraceItem::show(const record::SampleStore* store, const std::vector<TraceSt
         complete(*store, size.width());
 }
 
-void TraceItem::refine(const record::SampleStore& store)
+void TraceItem::refine(const recording::SampleStore& store)
 {
     complete(store, partWidth);
     m_coarse = m_image.missing() > 0;
@@ -182,9 +182,9 @@ base::Duration TraceItem::Image::at(int x) const
     return base::Duration(std::int64_t(std::floor(double(first + x) * perPixel)));
 }
 
-/// Moves what has been painted to its place and sees how much of it still holds.
-void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceStyle>& styles,
-                      const record::TimeSpan& span, const QSize& size)
+/// Moves the painted image to its position and checks how much of it is still valid.
+void TraceItem::shift(const recording::SampleStore& store, const std::vector<TraceStyle>& styles,
+                      const recording::TimeSpan& span, const QSize& size)
 {
     const int width = size.width();
     if (m_image.pixels.size() != size) {
@@ -216,8 +216,8 @@ void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceS
         m_image.latest[i] = store.latest(styles[i].id);
 }
 
-/// The pixels before the sample that was the latest of its channel when the picture was made.
-int TraceItem::upToDate(const record::SampleStore& store) const
+/// The pixels before the last sample of its channel when the image was painted.
+int TraceItem::upToDate(const recording::SampleStore& store) const
 {
     const int width = m_image.pixels.width();
     int to = width;
@@ -235,8 +235,8 @@ int TraceItem::upToDate(const record::SampleStore& store) const
     return to;
 }
 
-/// What is missing at the right, where time goes on, and then at the left.
-void TraceItem::complete(const record::SampleStore& store, int maxColumns)
+/// The missing part at the right, where time advances, and then at the left.
+void TraceItem::complete(const recording::SampleStore& store, int maxColumns)
 {
     const int width = m_image.pixels.width();
     PixelRange& valid = m_image.valid;
@@ -248,7 +248,7 @@ void TraceItem::complete(const record::SampleStore& store, int maxColumns)
     valid.from -= left;
 }
 
-void TraceItem::paintPart(const record::SampleStore& store, PixelRange part)
+void TraceItem::paintPart(const recording::SampleStore& store, PixelRange part)
 {
     if (part.empty())
         return;
@@ -258,9 +258,9 @@ void TraceItem::paintPart(const record::SampleStore& store, PixelRange part)
                    {.width = penWidth * m_ratio}, part);
 }
 
-/// A picture for a moment: at most one pixel a logical one, of whole pixels and columns of two.
-/// The lowest and highest value of each are in it all the same.
-void TraceItem::paintCoarse(const record::SampleStore& store)
+/// The coarse image: at most one pixel per logical pixel, in columns of two. It still contains the
+/// lowest and highest value of each column.
+void TraceItem::paintCoarse(const recording::SampleStore& store)
 {
     const double ratio = std::min(m_ratio, 1.0);
     const QSize size = (m_plot.size() * ratio).toSize();
@@ -276,7 +276,8 @@ void TraceItem::paintCoarse(const record::SampleStore& store)
                    {.width = penWidth * ratio, .smooth = false}, {0, size.width()});
 }
 
-void TraceItem::fetch(const record::SampleStore& store, const record::TimeSpan& span, double pixels)
+void TraceItem::fetch(const recording::SampleStore& store, const recording::TimeSpan& span,
+                      double pixels)
 {
     for (Trace& trace : m_traces)
         store.columns(trace.style.id, span, std::max(int(std::ceil(pixels)), 2), trace.columns);

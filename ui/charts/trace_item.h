@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one item of the chart that paints all curves, clipped to the plot's rectangle. On the screen
-// from an image: while only time goes on it is shifted, and nothing but the new stretch is asked
-// for and painted; a cursor being dragged costs nothing here. Where all of it changes while
-// somebody zooms or pans, a coarse image takes its place, and the fine one is made a part at a time
-// once there is leisure. On paper as lines. Owned by the QChart; main thread.
+// it paints from an image: while only time advances the image is shifted, and only the new part is
+// painted; dragging a cursor costs nothing here. While the user zooms or pans, a coarse image is
+// shown, and the fine one is painted part by part when there is time. On paper it paints lines.
+// Owned by the QChart; main thread.
 #pragma once
 
 #include "ui/charts/trace_raster.h"
@@ -21,12 +21,12 @@ public:
 
     /// Looks into the store. `ratio`: device pixels a logical one. `hasty`: the next change is
     /// expected at once.
-    void show(const record::SampleStore* store, const std::vector<TraceStyle>& styles,
-              const record::TimeSpan& span, double ratio, bool coarseUpdates);
+    void show(const recording::SampleStore* store, const std::vector<TraceStyle>& styles,
+              const recording::TimeSpan& span, double ratio, bool coarseUpdates);
     /// What is seen is the coarse image; sharpen() is wanted.
     bool isCoarse() const { return m_coarse; }
     /// Makes a part of the fine image, of the samples and the view of the latest show().
-    void refine(const record::SampleStore& store);
+    void refine(const recording::SampleStore& store);
 
     QRectF boundingRect() const override { return m_plot; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -38,23 +38,23 @@ private:
         double perPixel = 0;    ///< µs
         std::int64_t first = 0; ///< pixel at its left, counted from instant 0
         std::vector<TraceStyle> styles;
-        std::vector<std::optional<record::SamplePoint>> latest; ///< when it was painted
+        std::vector<std::optional<recording::SamplePoint>> latest; ///< when it was painted
 
         int missing() const { return pixels.width() - (valid.to - valid.from); }
         base::Duration at(int x) const;
     };
 
-    void shift(const record::SampleStore& store, const std::vector<TraceStyle>& styles,
-               const record::TimeSpan& span, const QSize& size);
-    int upToDate(const record::SampleStore& store) const;
-    void complete(const record::SampleStore& store, int maxColumns);
-    void paintPart(const record::SampleStore& store, PixelRange part);
-    void paintCoarse(const record::SampleStore& store);
-    void fetch(const record::SampleStore& store, const record::TimeSpan& span, double pixels);
+    void shift(const recording::SampleStore& store, const std::vector<TraceStyle>& styles,
+               const recording::TimeSpan& span, const QSize& size);
+    int upToDate(const recording::SampleStore& store) const;
+    void complete(const recording::SampleStore& store, int maxColumns);
+    void paintPart(const recording::SampleStore& store, PixelRange part);
+    void paintCoarse(const recording::SampleStore& store);
+    void fetch(const recording::SampleStore& store, const recording::TimeSpan& span, double pixels);
     void paintLines(QPainter* painter) const;
 
     QRectF m_plot;
-    record::TimeSpan m_span;
+    recording::TimeSpan m_span;
     std::vector<Trace> m_traces; ///< what was fetched last; its memory is used again
     Image m_image;
     QImage m_coarseImage;

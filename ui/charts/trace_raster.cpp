@@ -9,7 +9,7 @@
 namespace ui {
 namespace {
 constexpr float nothing = 1e30F;
-constexpr int block = 64; ///< columns painted together: what all curves need of the image stays in
+constexpr int block = 64; ///< columns painted together, so that this part of the image stays in
                           ///< the cache
 constexpr double farAway = 1e7; ///< pixels; more is not drawn either
 
@@ -23,7 +23,7 @@ QRgb blend(QRgb below, QRgb over, int coverage)
     return mix(24) | mix(16) | mix(8) | mix(0);
 }
 
-bool finite(const record::SampleColumn& column)
+bool finite(const recording::SampleColumn& column)
 {
     return std::isfinite(column.min) && std::isfinite(column.max) && std::isfinite(column.first) &&
            std::isfinite(column.last);
@@ -31,7 +31,7 @@ bool finite(const record::SampleColumn& column)
 } // namespace
 
 void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
-                        const record::TimeSpan& span, Pen pen, PixelRange part)
+                        const recording::TimeSpan& span, Pen pen, PixelRange part)
 {
     m_part = {std::max(part.from, 0), std::min(part.to, image.width())};
     m_wide = {std::max(m_part.from - neighborColumns, 0),
@@ -86,9 +86,9 @@ void TraceRaster::collect(Runs& runs, const Trace& trace, const TraceFrame& fram
         return std::clamp(frame.y(trace.style.shown(value)), -farAway, farAway);
     };
     const auto x = [&](base::Duration at) { return frame.x(at) - m_wide.from; };
-    const record::SampleColumn* before = nullptr;
+    const recording::SampleColumn* before = nullptr;
     for (std::size_t i = 0; i < trace.columns.size(); ++i) {
-        const record::SampleColumn& column = trace.columns[i];
+        const recording::SampleColumn& column = trace.columns[i];
         if (!finite(column)) {
             before = nullptr;
             continue;
@@ -112,7 +112,7 @@ void TraceRaster::collect(Runs& runs, const Trace& trace, const TraceFrame& fram
     }
 }
 
-/// A slanted line, cut at the columns' borders.
+/// A slanted line, split at the borders of the columns.
 void TraceRaster::line(Runs& runs, double x0, double y0, double x1, double y1) const
 {
     const double width = m_wide.to - m_wide.from;
@@ -143,7 +143,7 @@ void TraceRaster::extend(Runs& runs, int x, double y0, double y1)
     bottom = std::max(bottom, float(std::max(y0, y1)));
 }
 
-/// Upright lines as thick as level ones.
+/// Vertical lines as thick as horizontal ones.
 void TraceRaster::widen(Runs& runs, int by)
 {
     for (int pass = 0; pass < by; ++pass) {
@@ -160,7 +160,7 @@ void TraceRaster::widen(Runs& runs, int by)
     }
 }
 
-/// Gives the lines their thickness, and says which rows are covered entirely.
+/// Gives the lines their thickness, and returns which rows are covered entirely.
 void TraceRaster::roundOff(Runs& runs, Pen pen, int height)
 {
     const auto halfPen = float(pen.width / 2);
@@ -180,7 +180,7 @@ void TraceRaster::roundOff(Runs& runs, Pen pen, int height)
     }
 }
 
-/// Takes away what curves in front will cover, as far as that is one stretch; two pieces may stay.
+/// Removes the run that curves in front will cover; at most two pieces remain.
 void TraceRaster::updateCover(std::size_t count)
 {
     const auto width = std::size_t(m_wide.to - m_wide.from);
@@ -217,7 +217,7 @@ void TraceRaster::updateCover(std::size_t count)
     }
 }
 
-/// Row by row, which the memory likes, unless there is little to fill.
+/// Row by row, which is fast for the memory, unless there is little to fill.
 void TraceRaster::fill(QImage& image, QRgb color, const Rows& rows, PixelRange range) const
 {
     std::array<int, block> first;

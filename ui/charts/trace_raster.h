@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paints curves into an image, one vertical run a column of pixels, smooth at both ends. QPainter
-// needs several times as long for lines of this width, and far more where an hour of movement
-// becomes a solid band: here what a later curve will cover is not painted at all. Main thread;
-// keeps its buffers between frames. Values that are no numbers are left out like gaps.
+// Paints curves into an image as one vertical run per pixel column, smooth at both ends. QPainter
+// takes several times as long for lines of this width, and far more where an hour of movement
+// becomes a solid band: pixels that a later curve covers are not painted here at all. Keeps its
+// buffers between frames. Values that are not numbers are left out like gaps. Main thread.
 #pragma once
 
 #include "ui/charts/trace.h"
@@ -28,7 +28,7 @@ public:
 
     /// These columns of an ARGB32_Premultiplied image anew, in the order of the traces. `span` is
     /// the time the whole image covers.
-    void paint(QImage& image, const std::vector<Trace>& traces, const record::TimeSpan& span,
+    void paint(QImage& image, const std::vector<Trace>& traces, const recording::TimeSpan& span,
                Pen pen, PixelRange part);
 
 private:

@@ -13,11 +13,11 @@ namespace ui {
 namespace {
 constexpr double gap = 6;            ///< between plot and text
 constexpr double columnGap = 10;     ///< between the texts of two axes
-constexpr double widthStep = 8;      ///< the plot does not twitch for a digit more
+constexpr double widthStep = 8;      ///< the plot does not resize for one more digit
 constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
 constexpr double tallPlot = 420;
 
-/// Each on its own: at no time may there be thousands of ticks.
+/// One by one: there must never be thousands of ticks in between.
 void scaleAxis(QValueAxis* axis, const AxisRange& range, double step)
 {
     const bool sameStep = axis->tickInterval() == step;
@@ -154,16 +154,16 @@ void TrendAxes::showTime(const TimeView& view, base::Duration origin)
     const auto seconds = [&](base::Duration at) { return double((at - zero).count()) / 1e6; };
     const AxisRange range{seconds(view.span().from), seconds(view.span().to)};
     const QFontMetricsF metrics(m_font);
-    int most = 10;
+    int maxTicks = 10;
     double step = 1;
     for (int tries = 0; tries < 4; ++tries) { // the length of the texts depends on the step
-        step = timeStep(range.size(), most);
+        step = timeStep(range.size(), maxTicks);
         const double text = std::max(metrics.horizontalAdvance(timeText(range.low, range, step)),
                                      metrics.horizontalAdvance(timeText(range.high, range, step)));
         const int fitting = std::max(int(m_plot.width() / (text * timeTextRoom)), 1);
-        if (fitting >= most)
+        if (fitting >= maxTicks)
             break;
-        most = fitting;
+        maxTicks = fitting;
     }
     if (range == m_time && step == m_timeStep)
         return;
@@ -184,8 +184,8 @@ void TrendAxes::showValues()
     }
 }
 
-/// Lines for the first axis that is in use; the others share its divisions, and nothing of theirs
-/// is left to Qt Charts.
+/// Grid lines for the first axis in use; the others share its divisions, and Qt Charts draws
+/// nothing for them.
 void TrendAxes::chooseGrid()
 {
     bool drawn = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The axes of a trend chart: time below, one value axis a unit, alternately left and right. Qt
-// Charts keeps the ranges and draws the grid; the texts are painted here by one item, because an
-// axis that lays out its own texts costs milliseconds each time its range moves, and knows no
-// minutes. Owned by the picture; main thread.
+// The axes of a trend chart: time below, one value axis per unit, alternately left and right. Qt
+// Charts keeps the ranges and draws the grid. One item paints the labels, because an axis that lays
+// out its own labels costs milliseconds each time its range changes, and does not know minutes.
+// Owned by the picture; main thread.
 #pragma once
 
 #include "ui/charts/auto_range.h"

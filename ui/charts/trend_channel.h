@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One curve of a trend chart: which samples, and how they look. A value; main thread.
+// One curve of a trend chart: its samples and its style. A value; main thread.
 #pragma once
 
 #include "recording/trigger.h"
@@ -11,7 +11,7 @@
 
 namespace ui {
 struct TrendChannel {
-    record::ChannelId id = -1;
+    recording::ChannelId id = -1;
     QString key;  ///< stable, for presets: "1/present_position"; "error" rows: "1/error"
     QString name; ///< translated: "ID 1 · Present position"
     QString unit; ///< channels of one unit share an axis: "°", "rpm", "V" …; empty: plain number
@@ -23,5 +23,5 @@ struct TrendChannel {
 };
 
 /// What a chart writes beside a mark, in the language of the moment.
-using MarkTextFunction = std::function<QString(const record::Mark&)>;
+using MarkTextFunction = std::function<QString(const recording::Mark&)>;
 } // namespace ui

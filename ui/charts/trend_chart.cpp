@@ -10,7 +10,7 @@
 
 namespace ui {
 using base::Duration;
-using record::TimeSpan;
+using recording::TimeSpan;
 
 TrendChart::TrendChart(QWidget* parent)
     : QWidget(parent)
@@ -29,7 +29,7 @@ TrendChart::TrendChart(QWidget* parent)
 
 TrendChart::~TrendChart() = default;
 
-void TrendChart::setStore(const record::SampleStore* store)
+void TrendChart::setStore(const recording::SampleStore* store)
 {
     m_private->state().store = store;
     m_private->control.clearViewHistory();
@@ -53,7 +53,7 @@ const std::vector<TrendChannel>& TrendChart::channels() const
     return m_private->state().channels;
 }
 
-void TrendChart::setMarks(const std::vector<record::Mark>* marks)
+void TrendChart::setMarks(const std::vector<recording::Mark>* marks)
 {
     m_private->state().marks = marks;
     m_private->scheduleFrame();
@@ -129,7 +129,7 @@ std::vector<CursorReading> TrendChart::cursorReadings() const
     const auto places = cursors();
     if (!places || state.store == nullptr)
         return readings;
-    const auto valueAt = [&](record::ChannelId id, Duration at) -> std::optional<double> {
+    const auto valueAt = [&](recording::ChannelId id, Duration at) -> std::optional<double> {
         const auto point = state.store->at(id, at);
         return point ? std::optional(point->value) : std::nullopt;
     };
@@ -198,16 +198,6 @@ void TrendChart::setChannelVisible(int index, bool visible)
     });
 }
 
-void TrendChart::setChannelScale(int index, double scale, double offset)
-{
-    m_private->changeChannel(index, [scale, offset](TrendChannel& channel) {
-        const bool other = channel.scale != scale || channel.offset != offset;
-        channel.scale = scale;
-        channel.offset = offset;
-        return other;
-    });
-}
-
 void TrendChart::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
@@ -227,12 +217,13 @@ void TrendChart::retranslate()
 {
     m_private->plot->setAccessibleName(tr("Trend chart"));
     m_private->plot->setToolTip(
-        tr("Drag: zoom into a box. Ctrl+drag or middle button: move. Wheel: zoom time; with Shift "
-           "values. Double click or Backspace: back. Arrows, +, -, Y, Home, End, Space, F, C, "
-           "brackets and digits do the same from the keyboard."));
+        tr("Drag: zoom into a box. Ctrl+drag or middle button: pan. Wheel: zoom time; with "
+           "Shift: zoom values. Double-click or Backspace: previous view. Arrows, +, -, Y, "
+           "Home, End, Space, F, C, brackets and digits do the same from the keyboard."));
     m_private->overview->setAccessibleName(tr("Whole recording"));
-    m_private->overview->setToolTip(tr(
-        "Everything there is. Drag the frame to look elsewhere, its edges to see more or less."));
+    m_private->overview->setToolTip(
+        tr("All recorded data. Drag the frame to show another part, or its edges to show more or "
+           "less."));
     m_private->showNotice();
 }
 } // namespace ui

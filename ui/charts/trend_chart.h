@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Trend chart of a sample store: Qt Charts draws axes, grid and legend, one item paints all traces
-// as min/max columns. Follows the newest sample or stands still; zoom by box, wheel and pinch, pan,
-// overview strip below, two cursors, marks. Shows, never changes the store, which it borrows.
-// Repaints at most 30 times a second. Main thread.
+// as min/max columns. Follows the newest sample or is paused; zoom by box, wheel and pinch, pan,
+// overview strip, two cursors, marks. It never changes the store, which must outlive it. Repaints
+// at most 30 times a second. Main thread.
 #pragma once
 
 #include "recording/trigger.h"
@@ -19,7 +19,7 @@ struct CursorReading {
     QString channel; ///< TrendChannel::key
     std::optional<double> a;
     std::optional<double> b;
-    record::SampleStatistics between;
+    recording::SampleStatistics between;
 };
 
 class TrendChart final : public QWidget {
@@ -30,11 +30,11 @@ public:
     ~TrendChart() override;
 
     /// Null: nothing to show. The store must outlive the chart or be taken away first.
-    void setStore(const record::SampleStore* store);
+    void setStore(const recording::SampleStore* store);
     void setChannels(std::vector<TrendChannel> channels);
     const std::vector<TrendChannel>& channels() const;
-    void setMarks(const std::vector<record::Mark>* marks); ///< borrowed, in time order
-    void setMarkTextFunction(MarkTextFunction words);      ///< without: the mark's own text
+    void setMarks(const std::vector<recording::Mark>* marks); ///< borrowed, in time order
+    void setMarkTextFunction(MarkTextFunction words);         ///< without: the mark's own text
     /// Times on the axis count from here: 0 s is `instant` while not following; while following the
     /// right edge is 0 s.
     void setOrigin(base::Duration instant);
@@ -50,9 +50,9 @@ public:
 
     bool isFollowing() const;
     base::Duration width() const; ///< of time shown
-    record::TimeSpan shown() const;
+    recording::TimeSpan shown() const;
     bool areCursorsVisible() const;
-    std::optional<record::TimeSpan> cursors() const; ///< A … B, in order of time
+    std::optional<recording::TimeSpan> cursors() const; ///< A … B, in order of time
     /// A and B as they stand on the time axis: from the origin, or from now while following.
     std::optional<std::pair<base::Duration, base::Duration>> cursorTimes() const;
     std::vector<CursorReading> cursorReadings() const; ///< of the visible channels
@@ -63,14 +63,13 @@ public:
 public Q_SLOTS:
     void setFollowing(bool on); ///< false: pause; the store goes on growing
     void setWidth(base::Duration width);
-    void show(const record::TimeSpan& span);         ///< stops following
-    void setShownSpan(const record::TimeSpan& span); ///< the same, without a step back
-    void zoomToFit();                                ///< everything there is; y too
-    void zoomBack();                                 ///< the view before the last zoom
+    void show(const recording::TimeSpan& span);         ///< stops following
+    void setShownSpan(const recording::TimeSpan& span); ///< the same, without a step back
+    void zoomToFit();                                   ///< everything there is; y too
+    void zoomBack();                                    ///< the view before the last zoom
     void setCursorsShown(bool on);
     void setCursors(base::Duration a, base::Duration b);
     void setChannelVisible(int index, bool visible);
-    void setChannelScale(int index, double scale, double offset); ///< scale is not 0
 
 Q_SIGNALS:
     void playRequested();   ///< Space, while not live

@@ -9,9 +9,9 @@
 namespace ui {
 namespace {
 constexpr int frameMs = 33;
-constexpr int idleMs = 120;     ///< after the last change of the view the picture becomes fine
+constexpr int idleMs = 120;     ///< after the last change of the view the fine image is painted
 constexpr int partMs = 10;      ///< between its parts
-constexpr int readingsMs = 400; ///< of cursors whose stretch still fills
+constexpr int readingsMs = 400; ///< while the span between the cursors still fills
 } // namespace
 
 TrendChart::Private::Private(TrendChart* chart)
@@ -42,7 +42,7 @@ void TrendChart::Private::connectAll()
         Q_EMIT q->cursorsChanged();
     });
     QObject::connect(overview, &TrendOverview::spanRequested, &control,
-                     [this](const record::TimeSpan& span) { control.drag(span); });
+                     [this](const recording::TimeSpan& span) { control.drag(span); });
     QObject::connect(overview, &TrendOverview::dragStarted, &control,
                      [this] { control.pushView(); });
     connectPlot();
@@ -136,7 +136,7 @@ void TrendChart::Private::showNotice()
     const auto& channels = state().channels;
     const bool any = std::any_of(channels.begin(), channels.end(),
                                  [](const TrendChannel& channel) { return channel.visible; });
-    plot->picture().setNotice(channels.empty() ? TrendChart::tr("No channels chosen")
+    plot->picture().setNotice(channels.empty() ? TrendChart::tr("No channels selected")
                               : any            ? QString()
                                                : TrendChart::tr("All channels are hidden"));
 }
@@ -185,7 +185,7 @@ void TrendChart::Private::flush()
         plot->picture().refine();
 }
 
-/// What is read between the cursors changes while samples still come in there.
+/// Statistics between the cursors change while new samples arrive there.
 void TrendChart::Private::updateCursorReadings()
 {
     const auto places = q->cursors();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inside of TrendChart: ties state, plot and overview together and sees to it that not more
-// than 30 frames a second are made, however many wishes come. Main thread.
+// The inside of TrendChart: connects state, plot and overview, and paints at most 30 frames a
+// second, however many changes are requested. Main thread.
 #pragma once
 
 #include "ui/charts/trend_chart.h"
@@ -29,7 +29,7 @@ public:
     void frame();
     /// What waits for its turn, and the fine picture, now.
     void flush();
-    void advanceOverview(); ///< it can wait while somebody zooms or pans
+    void advanceOverview(); ///< it can wait while the user zooms or pans
     void updateCursorReadings();
 
     TrendChart* const q;
@@ -49,6 +49,6 @@ private:
     QElapsedTimer m_sinceFrame;
     QElapsedTimer m_sinceReadings;
     bool m_rangeImmediately = true; ///< the next frame ranges the axes without patience
-    bool m_coarseUpdates = false;   ///< somebody zooms or pans
+    bool m_coarseUpdates = false;   ///< the user zooms or pans
 };
 } // namespace ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything a chart is painted with besides the curves, taken from a palette. A value; made anew
-// when the theme changes, and of the light theme for paper.
+// All colors of a chart except those of the curves, taken from a palette. A value; made again when
+// the theme changes, and from the light theme for paper.
 #pragma once
 
 #include <QColor>

@@ -5,11 +5,11 @@
 
 namespace ui {
 using base::Duration;
-using record::TimeSpan;
+using recording::TimeSpan;
 
 namespace {
 constexpr std::size_t maxStoredViews = 50;
-constexpr qint64 oneTurn = 800; ///< ms; a turn of the wheel is many steps, but one zoom
+constexpr qint64 oneTurn = 800; ///< ms; a turn of the wheel has many steps, but is one zoom
 constexpr double fitMargin = 0.02;
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps what a chart shows and turns wishes (box, wheel, keys, buttons) into another view, with the
-// way back. Draws nothing. Owned by the chart; main thread.
+// Keeps the view of a chart and changes it on request (box, wheel, keys, buttons); keeps the
+// previous views. Draws nothing. Owned by the chart; main thread.
 #pragma once
 
 #include "ui/charts/trend_scene.h"
@@ -20,13 +20,13 @@ public:
 
     void follow(bool on);
     void setWidth(base::Duration width);
-    void show(const record::TimeSpan& span);
+    void show(const recording::TimeSpan& span);
     void zoomToFit();
     void goBack();
     void clearViewHistory() { m_previousViews.clear(); }
 
     void pushView() { remember(Kind::Single); }
-    void drag(const record::TimeSpan& span); ///< show() without a way back of its own
+    void drag(const recording::TimeSpan& span); ///< show() without a way back of its own
     void zoomToBox(const QRectF& shares);
     /// `values` also where an axis still ranges by itself.
     void pan(double x, double y, bool values);
@@ -46,7 +46,7 @@ private:
     enum class Kind : std::uint8_t { Single, Wheel, Values };
     struct View {
         bool following = true;
-        record::TimeSpan span{};
+        recording::TimeSpan span{};
         std::vector<std::pair<QString, AxisRange>> fixed{};
     };
 

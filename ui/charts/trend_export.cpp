@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The chart as a picture file: on white whatever the theme, with legend and time axis, from a chart
-// of its own that nobody sees. Written beside the old file first, so that a full disk leaves no
+// of its own that is not visible. Written beside the old file first, so that a full disk leaves no
 // half picture.
 #include "ui/charts/trend_chart_private.h"
 
@@ -15,17 +15,17 @@
 
 namespace ui {
 namespace {
-constexpr double border = 12;
+constexpr double paperBorder = 12;
 constexpr QSize minImageSize(320, 240);
 
-/// The same view, axes as they stand, on paper.
+/// The same view with the same axes, on paper.
 void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& axes,
                   const QFont& font, const QSizeF& size)
 {
     QGraphicsScene scene;
     auto* const chart = new QChart;
     scene.addItem(chart);
-    chart->resize(size - QSizeF(2 * border, 2 * border));
+    chart->resize(size - QSizeF(2 * paperBorder, 2 * paperBorder));
     TrendScene picture(chart, state, nullptr);
     picture.setPaper(true);
     picture.setFont(font);
@@ -35,13 +35,13 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     for (const TrendAxes::ValueAxis& axis : axes.valueAxes())
         picture.axes().axisOf(axis.range.unit()).range = axis.range;
     picture.refresh(TrendScene::Axes::Smooth, 1);
-    chart->layout()->activate(); // nobody's event loop will
+    chart->layout()->activate(); // no event loop will
     painter->fillRect(QRectF(QPointF(0, 0), size), Qt::white);
-    const QRectF paper(QPointF(border, border), chart->size());
+    const QRectF paper(QPointF(paperBorder, paperBorder), chart->size());
     scene.render(painter, paper, QRectF(QPointF(0, 0), chart->size()));
 }
 
-/// Beside the old file first. A device is never replaced by a file, but written to.
+/// Writes a temporary file first. A device is never replaced by a file, but written to.
 QString writeFile(const QString& path, const QByteArray& bytes)
 {
     const QFileInfo old(path);
@@ -61,7 +61,7 @@ bool write(const QString& path, const QByteArray& bytes, QString* errorMessage)
 {
     QString why;
     if (path.isEmpty())
-        why = TrendChart::tr("No file name was given.");
+        why = TrendChart::tr("No file name specified.");
     else if (const QString system = writeFile(path, bytes); !system.isEmpty())
         why = TrendChart::tr("%1 could not be written: %2").arg(path, system);
     if (!why.isEmpty() && errorMessage != nullptr)

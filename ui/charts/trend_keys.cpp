@@ -75,7 +75,7 @@ bool TrendPlot::moveKey(int key, Qt::KeyboardModifiers with)
     return true;
 }
 
-/// With Shift the values; + is above = on many keyboards, so it counts as either.
+/// With Shift the values; + and = share a key on many keyboards, so both count.
 bool TrendPlot::zoomKey(int key, Qt::KeyboardModifiers with)
 {
     if (with.testFlag(Qt::AltModifier) || with.testFlag(Qt::ControlModifier))

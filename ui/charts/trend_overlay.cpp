@@ -8,16 +8,17 @@
 #include <algorithm>
 
 namespace ui {
-using record::Mark;
-using record::MarkKind;
+using recording::Mark;
+using recording::MarkKind;
 
 namespace {
 constexpr double flagSize = 16;
-constexpr double apart = 20;                ///< marks closer than this share a flag
-constexpr double textSpace = 5;             ///< beside a flag
-constexpr double minTextWidth = 24;         ///< less is not worth writing
-constexpr double reach = 6;                 ///< of the mouse
-constexpr std::size_t maxCheckedMarks = 64; ///< marks of a group that are looked at for the gravest
+constexpr double apart = 20;        ///< marks closer than this share a flag
+constexpr double textSpace = 5;     ///< beside a flag
+constexpr double minTextWidth = 24; ///< less is not readable
+constexpr double reach = 6;         ///< of the mouse
+constexpr std::size_t maxCheckedMarks =
+    64; ///< marks of a group that are searched for the most serious
 constexpr int maxListedMarks = 12;
 
 QString symbolFor(MarkKind kind)
@@ -270,7 +271,7 @@ void TrendOverlay::paintMarks(QPainter* painter) const
     }
 }
 
-/// Painted once and copied: an hour of recording may show a hundred of them in every frame.
+/// Painted once and copied: an hour of recording can have a hundred of them in every frame.
 const QPixmap& TrendOverlay::flagOf(MarkKind kind, const QPainter& painter) const
 {
     const double ratio = painter.device()->devicePixelRatioF();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies over the curves: marks with a sign and a text, the cursors A and B, the box being
-// drawn, the frame of the focus. Owned by the QChart; main thread.
+// What is drawn over the curves: marks with a sign and a text, the cursors A and B, the zoom box,
+// the focus frame. Owned by the QChart; main thread.
 #pragma once
 
 #include "ui/charts/time_view.h"
@@ -16,12 +16,12 @@
 namespace ui {
 enum class Cursor : std::uint8_t { A, B };
 
-/// Marks that lie too close to be told apart.
+/// Marks that are too close to be distinguished.
 struct MarkGroup {
     double x = 0;          ///< of the first, from the left of the plot
     std::size_t first = 0; ///< index
     std::size_t count = 1;
-    record::MarkKind highestSeverity = record::MarkKind::Note;
+    recording::MarkKind highestSeverity = recording::MarkKind::Note;
 };
 
 class TrendOverlay final : public QGraphicsItem {
@@ -32,7 +32,7 @@ public:
     void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
     void setView(const TimeView& view);
-    void setMarks(const std::vector<record::Mark>* marks,
+    void setMarks(const std::vector<recording::Mark>* marks,
                   const MarkTextFunction& words); ///< borrowed
     void setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& cursors);
     void setActive(std::optional<Cursor> cursor); ///< held by the mouse, or under it
@@ -52,22 +52,22 @@ private:
     QString markText(std::size_t mark) const;
     void paintMarks(QPainter* painter) const;
     void paintMark(QPainter* painter, const MarkGroup& group, double room) const;
-    const QPixmap& flagOf(record::MarkKind kind, const QPainter& painter) const;
-    void paintFlag(QPainter* painter, const QRectF& place, record::MarkKind kind) const;
+    const QPixmap& flagOf(recording::MarkKind kind, const QPainter& painter) const;
+    void paintFlag(QPainter* painter, const QRectF& place, recording::MarkKind kind) const;
     void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;
-    QColor colorOf(record::MarkKind kind) const;
+    QColor colorOf(recording::MarkKind kind) const;
 
     QRectF m_plot;
     TrendColors m_colors;
     QFont m_font;
     TimeView m_view;
-    const std::vector<record::Mark>* m_marks = nullptr;
+    const std::vector<recording::Mark>* m_marks = nullptr;
     MarkTextFunction m_text;
     std::optional<std::pair<base::Duration, base::Duration>> m_cursors;
     std::optional<Cursor> m_active;
     QRectF m_box;
     QString m_notice;
     bool m_focused = false;
-    mutable std::map<record::MarkKind, QPixmap> m_flags; ///< painted when first needed
+    mutable std::map<recording::MarkKind, QPixmap> m_flags; ///< painted when first needed
 };
 } // namespace ui

@@ -11,7 +11,7 @@
 
 namespace ui {
 using base::Duration;
-using record::TimeSpan;
+using recording::TimeSpan;
 
 namespace {
 constexpr int stripHeight = 40;
@@ -26,7 +26,7 @@ void fillHeight(Trace& trace)
     bool any = false;
     double low = 0;
     double high = 0;
-    for (const record::SampleColumn& column : trace.columns) {
+    for (const recording::SampleColumn& column : trace.columns) {
         if (!std::isfinite(column.min) || !std::isfinite(column.max))
             continue;
         low = any ? std::min(low, column.min) : column.min;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strip below a chart: the whole history, small, and a handle over the stretch that is shown.
-// Drag the handle to move it, its edges to change it, press beside it to go there. The picture of
-// the history is made anew a little at a time, so that no frame pays for all of it. Main thread.
+// The strip below a chart: the whole history in small, and a handle over the span that is shown.
+// Drag the handle to move it, its edges to resize it, press beside it to go there. The image of the
+// history is repainted part by part, so that no frame takes long. Main thread.
 #pragma once
 
 #include "ui/charts/trace_raster.h"
@@ -22,13 +22,13 @@ public:
     void rebuild();                  ///< other channels, another store
     void advance(bool busy = false); ///< once a frame; busy: another time, if it can wait
     QRectF handle() const;
-    std::optional<record::TimeSpan> history() const;
+    std::optional<recording::TimeSpan> history() const;
 
     QSize sizeHint() const override;
 
 Q_SIGNALS:
     void dragStarted(); ///< a drag begins
-    void spanRequested(const record::TimeSpan& span);
+    void spanRequested(const recording::TimeSpan& span);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -50,8 +50,8 @@ private:
     const TrendState& m_state;
     TrendColors m_colors;
     TraceRaster m_raster;
-    std::optional<record::TimeSpan> m_shownHistory; ///< of m_image
-    record::TimeSpan m_nextHistory;
+    std::optional<recording::TimeSpan> m_shownHistory; ///< of m_image
+    recording::TimeSpan m_nextHistory;
     std::vector<Trace> m_traces; ///< being fetched
     std::size_t m_nextChannel = 0;
     bool m_fetching = false;
@@ -61,6 +61,6 @@ private:
     QRectF m_paintedHandle;
     Handle m_handle = Handle::None;
     double m_pressedAt = 0;
-    record::TimeSpan m_pressedSpan;
+    recording::TimeSpan m_pressedSpan;
 };
 } // namespace ui

@@ -51,17 +51,17 @@ void TrendPlot::resizeEvent(QResizeEvent* event)
 
 void TrendPlot::mousePressEvent(QMouseEvent* event)
 {
-    const QPointF place = mapToScene(event->position().toPoint());
-    if (!m_scene->plot().adjusted(0, -18, 0, 0).contains(place)) {
+    const QPointF position = mapToScene(event->position().toPoint());
+    if (!m_scene->plot().adjusted(0, -18, 0, 0).contains(position)) {
         QChartView::mousePressEvent(event); // the legend
         return;
     }
     event->accept();
-    m_pressed = m_last = place;
+    m_pressed = m_last = position;
     const bool pan =
         event->button() == Qt::MiddleButton ||
         (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ControlModifier));
-    const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(place);
+    const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(position);
     if (pan)
         m_dragMode = DragMode::Pan;
     else if (event->button() != Qt::LeftButton)
@@ -76,27 +76,27 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
 
 void TrendPlot::mouseMoveEvent(QMouseEvent* event)
 {
-    const QPointF place = mapToScene(event->position().toPoint());
+    const QPointF position = mapToScene(event->position().toPoint());
     const QRectF& plot = m_scene->plot();
     switch (m_dragMode) {
     case DragMode::Nothing:
-        hover(place);
+        hover(position);
         QChartView::mouseMoveEvent(event);
         return;
     case DragMode::Box:
-        m_scene->overlay().setBox(boxTo(place));
+        m_scene->overlay().setBox(boxTo(position));
         break;
     case DragMode::Pan:
-        Q_EMIT panned((place.x() - m_last.x()) / plot.width(),
-                      (m_last.y() - place.y()) / plot.height());
+        Q_EMIT panned((position.x() - m_last.x()) / plot.width(),
+                      (m_last.y() - position.y()) / plot.height());
         break;
     case DragMode::CursorA:
     case DragMode::CursorB:
         Q_EMIT cursorMoved(m_dragMode == DragMode::CursorA ? Cursor::A : Cursor::B,
-                           fraction(place).x());
+                           fraction(position).x());
         break;
     }
-    m_last = place;
+    m_last = position;
     event->accept();
 }
 
@@ -167,7 +167,7 @@ void TrendPlot::wheelEvent(QWheelEvent* event)
 {
     event->accept();
     const QPointF scene = mapToScene(event->position().toPoint());
-    const QPointF place = fraction(scene);
+    const QPointF position = fraction(scene);
     QPoint turn = event->angleDelta();
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->modifiers().testFlag(Qt::AltModifier) || (shift && turn.y() == 0))
@@ -177,14 +177,14 @@ void TrendPlot::wheelEvent(QWheelEvent* event)
     if (shift || axis != nullptr) {
         const QString unit = axis != nullptr ? axis->range.unit() : QString();
         if (turn.y() != 0)
-            Q_EMIT valuesZoomed(axis != nullptr ? &unit : nullptr, factor, place.y());
+            Q_EMIT valuesZoomed(axis != nullptr ? &unit : nullptr, factor, position.y());
         return;
     }
     if (std::abs(turn.x()) > std::abs(turn.y())) {
         Q_EMIT panned(turn.x() / wheelUnit / 10, 0);
         Q_EMIT panEnded();
     } else if (turn.y() != 0) {
-        Q_EMIT zoomed(factor, std::clamp(place.x(), 0.0, 1.0));
+        Q_EMIT zoomed(factor, std::clamp(position.x(), 0.0, 1.0));
     }
 }
 
@@ -239,7 +239,7 @@ bool TrendPlot::pinched(QGestureEvent* event)
 
 void TrendPlot::focusInEvent(QFocusEvent* event)
 {
-    // Only for who came by keyboard; keyPressEvent() shows it too.
+    // Only after keyboard focus; keyPressEvent() shows it too.
     const Qt::FocusReason why = event->reason();
     m_scene->overlay().setFocused(why == Qt::TabFocusReason || why == Qt::BacktabFocusReason ||
                                   why == Qt::ShortcutFocusReason);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The view on the chart, and its mouse, wheel, fingers and keys: turns them into wishes and changes
-// nothing itself. Places are shares of the plot, 0 … 1 from its left and lower edge. Main thread.
+// The view of the chart with its mouse, wheel, touch and keyboard input: turns input into requests
+// and changes nothing itself. Positions are fractions of the plot, 0 … 1 from its left and lower
+// edge. Main thread.
 #pragma once
 
 #include "ui/charts/trend_scene.h"

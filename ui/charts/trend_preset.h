@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a chart was set up, kept under a name: which channels, how they look, how much time. Channels
-// are named by their keys, so a preset fits other servos of the same IDs. Kept in the settings;
-// what cannot be read there is left out. Main thread.
+// The setup of a chart, saved under a name: channels, their style, time span. Channels are named by
+// their keys, so a preset fits other servos with the same IDs. Stored in the settings; what cannot
+// be read there is left out. Main thread.
 #pragma once
 
 #include "session/settings.h"

@@ -88,7 +88,7 @@ void TrendScene::channelsChanged()
     styleLegend();
 }
 
-/// Qt Charts' own objects for each channel, made anew only when there are others.
+/// The objects of Qt Charts for each channel, made again only when the channels change.
 void TrendScene::rebuildSeries()
 {
     bool same = m_series.size() == m_state.channels.size();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A QChart filled with what a TrendState says: legend, axes, curves, marks, cursors. The same for
-// the screen and for paper. Looks at the store only in refresh(). Owned beside its QChart; main
-// thread.
+// A QChart that shows a TrendState: legend, axes, curves, marks, cursors. The same for the screen
+// and for paper. Reads the store only in refresh(). Owned together with its QChart; main thread.
 #pragma once
 
 #include "ui/charts/trace_item.h"
@@ -17,8 +16,8 @@ class QLineSeries;
 namespace ui {
 /// What a chart shows, without how. Store and marks are borrowed.
 struct TrendState {
-    const record::SampleStore* store = nullptr;
-    const std::vector<record::Mark>* marks = nullptr;
+    const recording::SampleStore* store = nullptr;
+    const std::vector<recording::Mark>* marks = nullptr;
     MarkTextFunction markTextFunction{};
     std::vector<TrendChannel> channels{};
     TimeView view{};

@@ -9,16 +9,16 @@
 
 namespace ui {
 namespace {
-Tone toneOf(record::CommissionVerdict verdict)
+Tone toneOf(results::CommissionVerdict verdict)
 {
     switch (verdict) {
-    case record::CommissionVerdict::Good:
+    case results::CommissionVerdict::Good:
         return Tone::Good;
-    case record::CommissionVerdict::Remark:
+    case results::CommissionVerdict::Remark:
         return Tone::Warn;
-    case record::CommissionVerdict::Failed:
+    case results::CommissionVerdict::Failed:
         return Tone::Bad;
-    case record::CommissionVerdict::Skipped:
+    case results::CommissionVerdict::Skipped:
         break;
     }
     return Tone::Quiet;
@@ -27,11 +27,11 @@ Tone toneOf(record::CommissionVerdict verdict)
 QString idAndRateText(int id, int baud)
 {
     return id < 0 ? QStringLiteral("–")
-                  : QStringLiteral("%1 · %2").arg(id).arg(record::rateLabel(baud));
+                  : QStringLiteral("%1 · %2").arg(id).arg(results::rateLabel(baud));
 }
 } // namespace
 
-void CommissionModel::show(const record::CommissionBatch& batch)
+void CommissionModel::show(const results::CommissionBatch& batch)
 {
     if (batch.rows.size() < m_rows.size() ||
         !std::equal(m_rows.begin(), m_rows.end(), batch.rows.begin())) {
@@ -73,7 +73,7 @@ int CommissionModel::columnCount(const QModelIndex& parent) const
     return parent.isValid() ? 0 : int(ColumnCount);
 }
 
-QString CommissionModel::text(const record::CommissionRow& row, int column) const
+QString CommissionModel::text(const results::CommissionRow& row, int column) const
 {
     const bool chinese = text::isUiChinese();
     switch (column) {
@@ -97,20 +97,20 @@ QString CommissionModel::text(const record::CommissionRow& row, int column) cons
     }
 }
 
-QString CommissionModel::tip(const record::CommissionRow& row) const
+QString CommissionModel::tip(const results::CommissionRow& row) const
 {
     QStringList lines{row.label.isEmpty() ? row.servo.model : row.label};
     if (!row.issues.empty())
         lines.append(text(row, Remarks));
     lines.append(row.snapshot.isEmpty() ? tr("Nothing was written")
-                                        : tr("Table saved before the first write: %1")
+                                        : tr("Memory table saved before the first write: %1")
                                               .arg(QDir::toNativeSeparators(row.snapshot)));
     return lines.join(QLatin1Char('\n'));
 }
 
 QVariant CommissionModel::data(const QModelIndex& index, int role) const
 {
-    const record::CommissionRow& row = m_rows.at(std::size_t(index.row()));
+    const results::CommissionRow& row = m_rows.at(std::size_t(index.row()));
     if (role == Qt::DisplayRole)
         return text(row, index.column());
     if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole)
@@ -134,9 +134,9 @@ QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, i
     case Model:
         return tr("Model");
     case Before:
-        return tr("Was (ID, rate)");
+        return tr("Before (ID, baud rate)");
     case After:
-        return tr("Is (ID, rate)");
+        return tr("Now (ID, baud rate)");
     case Written:
         return tr("Rows written");
     case Voltage:

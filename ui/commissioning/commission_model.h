@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The batch of a commissioning line as a table, the latest servo last: verdict by sign, word and
-// color, what it was and what it is, label, remarks. Owned by its page; main thread.
+// The batch of a commissioning line as a table, the latest servo last: verdict as sign, word and
+// color, ID and baud rate before and after, label, remarks. Owned by its view; main thread.
 #pragma once
 
 #include "results/commission_batch.h"
@@ -16,9 +16,9 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(const record::CommissionBatch& batch);
+    void show(const results::CommissionBatch& batch);
     void retranslate();
-    /// Of these rows, or of all where none is given; servos without a label are left out.
+    /// Of these rows, or of all if none is given; servos without a label are left out.
     QStringList labels(const QList<int>& rows) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -27,9 +27,9 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    QString text(const record::CommissionRow& row, int column) const;
-    QString tip(const record::CommissionRow& row) const;
+    QString text(const results::CommissionRow& row, int column) const;
+    QString tip(const results::CommissionRow& row) const;
 
-    std::vector<record::CommissionRow> m_rows;
+    std::vector<results::CommissionRow> m_rows;
 };
 } // namespace ui

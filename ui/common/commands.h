@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of commands: text, icon, shortcut and when each can be used. Menus, tool bar,
-// buttons and the list of shortcuts all show these actions; whoever does the work connects to
-// triggered. Owned by the window; main thread.
+// The one table of commands: text, icon, shortcut, and when each can be used. Menus, toolbars,
+// buttons and the list of shortcuts all show these actions; the code that executes a command
+// connects to its triggered(). Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/common/selection.h"
 
 #include <QAction>
@@ -66,7 +66,7 @@ class Commands final : public QObject {
     Q_OBJECT
 
 public:
-    Commands(session::Desk& desk, const Selection& selection, QObject* parent = nullptr);
+    Commands(session::Workbench& workbench, const Selection& selection, QObject* parent = nullptr);
 
     QAction* action(Command command) const { return m_actions[static_cast<std::size_t>(command)]; }
 
@@ -79,7 +79,7 @@ private:
     void refresh();
     void updateUndoTexts();
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     const Selection& m_selection;
     std::array<QAction*, static_cast<std::size_t>(Command::Count)> m_actions{};
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which servo the window is about, and which others move with it. One for the window; main thread.
-// Selecting reads nothing and writes nothing by itself; whoever shows the servo asks Desk for what
+// The servo that the window shows, and the others that move with it. One for the window; main
+// thread. Selecting reads and writes nothing by itself; a page that shows the servo requests what
 // it needs.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QObject>
 

@@ -13,7 +13,7 @@
 
 namespace ui {
 namespace {
-// The desktop portal's way to say light or dark; every larger desktop has it.
+// The setting of the desktop portal for light or dark; every larger desktop has it.
 const QString portalService = QStringLiteral("org.freedesktop.portal.Desktop");
 const QString portalPath = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString portalInterface = QStringLiteral("org.freedesktop.portal.Settings");

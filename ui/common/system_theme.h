@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the desktop is light or dark: what the application was given at its start, and what the
-// desktop portal says, then and later. Nobody answers where there is no portal. Main thread; asks
-// without waiting.
+// Whether the desktop is light or dark: the palette of the application at its start, then what the
+// desktop portal reports. Without a portal there is no answer. Main thread; asks without waiting.
 #pragma once
 
 #include <QDBusVariant>

@@ -19,7 +19,7 @@ constexpr Colors lightColors{0xfff3f4f6, 0xffffffff, 0xfff8f9fb, 0xff1f2430, 0xf
 constexpr Colors darkColors{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0xffa3abb8,
                             0xff353a43, 0xff4b515c, 0xff3d82ea, 0xffffffff, 0xff3a3f49};
 
-/// What cannot be used now: still to be read, but not taken for something that can.
+/// Disabled: still readable, but visibly not usable.
 QColor faintText(const Colors& c)
 {
     QColor faint(c.text);
@@ -59,7 +59,7 @@ QPalette paletteOf(const Colors& c)
     return palette;
 }
 
-// What Fusion alone does not give: room to breathe, and one clear main action.
+// What Fusion lacks: more spacing, and one clear main action.
 const char* const styleRules = R"(
 QToolTip { padding: 4px; }
 QPushButton, QToolButton { padding: 4px 10px; }
@@ -85,7 +85,7 @@ QHeaderView::section {
 }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
 )";
-/// Fusion outlines a tick box a little darker than the window, which nobody sees on a dark one.
+/// Fusion outlines a checkbox a little darker than the window, which is invisible on a dark one.
 class CheckBoxStyle final : public QProxyStyle {
 public:
     CheckBoxStyle()
@@ -156,8 +156,8 @@ bool ThemeSwitch::usesDarkTheme() const
 
 void ThemeSwitch::show()
 {
-    // Every widget of every page is polished anew: a third of a second that nobody waits for when
-    // "system" and the theme in use look alike.
+    // Every widget of every page is polished again, which takes a third of a second. It is skipped
+    // when "system" and the present theme look the same.
     if (m_shownDark != usesDarkTheme())
         paint();
     Q_EMIT changed();
@@ -171,7 +171,7 @@ void ThemeSwitch::paint()
     QIcon::setThemeName(usesDarkTheme() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
     const Colors& colors = usesDarkTheme() ? darkColors : lightColors;
     QApplication::setPalette(paletteOf(colors));
-    // Set anew each time: rules with palette(...) are resolved when they are set.
+    // Set again each time: rules with palette(...) are resolved when they are set.
     const QColor faint = faintText(colors);
     qApp->setStyleSheet(QString::fromLatin1(styleRules)
                             .replace(QLatin1String("@faint"), QStringLiteral("rgba(%1,%2,%3,%4)")

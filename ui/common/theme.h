@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light and dark: the program's palette, the few style rules above Fusion, the icons that fit, and
-// the colors that carry a meaning. Switchable while the program runs; "system" follows the
-// desktop. Main thread. Colors are asked for when painting, never kept.
+// Light and dark: the program's palette, the few style rules above Fusion, the matching icons, and
+// the colors that carry a meaning. Switchable while the program runs; "system" follows the desktop.
+// Main thread. Ask for colors when painting, never store them.
 #pragma once
 
 #include "session/settings.h"

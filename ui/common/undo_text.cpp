@@ -13,9 +13,7 @@ constexpr std::size_t maxLines = 12;
 
 QString nameOf(const session::ServoEntry* servo, const QString& key)
 {
-    const catalog::Register* reg =
-        servo != nullptr && servo->servo.profile ? servo->servo.profile->find(key) : nullptr;
-    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
+    return text::registerName(servo != nullptr ? servo->servo.profile.get() : nullptr, key);
 }
 
 QString elided(const QString& name)
@@ -24,20 +22,21 @@ QString elided(const QString& name)
 }
 } // namespace
 
-UndoText undoText(const session::Desk& desk, const session::UndoStep& step, bool undo)
+UndoText undoText(const session::Workbench& workbench, const session::UndoStep& step, bool undo)
 {
-    const session::ServoEntry* servo = desk.servo(step.servo);
+    const session::ServoEntry* servo = workbench.registry().servo(step.servo);
     const auto& from = undo ? step.newItems : step.oldItems;
     const auto& to = undo ? step.oldItems : step.newItems;
     if (to.empty() || from.size() != to.size())
         return {};
     const QString id = servo != nullptr ? QString::number(servo->servo.id) : QStringLiteral("–");
     UndoText words;
-    const QString what = to.size() == 1 ? elided(nameOf(servo, to.front().key))
-                                        : translate("UndoWords", "%1 settings").arg(to.size());
-    words.brief = translate("UndoWords", "ID %1 · %2").arg(id, what);
+    const QString what = to.size() == 1
+                             ? elided(nameOf(servo, to.front().key))
+                             : translate("UndoText", "%n setting(s)", nullptr, int(to.size()));
+    words.brief = translate("UndoText", "ID %1 · %2").arg(id, what);
     for (std::size_t i = 0; i < to.size() && i < maxLines; ++i)
-        words.lines << translate("UndoWords", "ID %1 · %2: %3 → %4")
+        words.lines << translate("UndoText", "ID %1 · %2: %3 → %4")
                            .arg(id, nameOf(servo, to[i].key))
                            .arg(from[i].raw)
                            .arg(to[i].raw);

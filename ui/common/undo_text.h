@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Undo and Redo would write, and to which servo, in words. Free functions; main thread.
+// What Undo and Redo would write, and to which servo, as text. Free functions; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 
 #include <QStringList>
 
@@ -13,5 +13,5 @@ struct UndoText {
 };
 
 /// `back`: as Undo writes it; else as Redo does.
-UndoText undoText(const session::Desk& desk, const session::UndoStep& step, bool undo);
+UndoText undoText(const session::Workbench& workbench, const session::UndoStep& step, bool undo);
 } // namespace ui

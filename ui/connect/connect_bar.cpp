@@ -17,10 +17,10 @@ namespace ui {
 using session::LinkState;
 using namespace std::chrono_literals;
 
-ConnectBar::ConnectBar(session::Desk& desk, Commands& commands, session::Settings& settings,
-                       session::PortWatcher& ports, QWidget* parent)
+ConnectBar::ConnectBar(session::Workbench& workbench, Commands& commands,
+                       session::Settings& settings, session::PortWatcher& ports, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_commands(commands)
     , m_settings(settings)
     , m_ports(ports)
@@ -77,19 +77,23 @@ void ConnectBar::connectSignals()
     connect(&m_ports, &session::PortWatcher::portsChanged, this, &ConnectBar::suggestPort);
     connect(m_more, &QToolButton::clicked, this, [this] { m_options->popUpBelow(*m_more); });
     connect(m_options, &LinkOptions::changed, this, [this] { retranslate(); });
-    connect(&m_desk, &session::Desk::linkChanged, this, &ConnectBar::linkChanged);
-    // What came before a search counts as ever, what came during it does not.
-    connect(&m_desk, &session::Desk::searchChanged, this, [this] {
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &ConnectBar::linkChanged);
+    // Errors before a search count as usual, those during it do not.
+    connect(&m_workbench.search(), &session::SearchService::searchChanged, this, [this] {
         if (m_state == LinkState::Open)
-            m_meter.addStatistics(m_desk.statistics(), !m_desk.isSearching(), m_desk.now());
+            m_meter.addStatistics(m_workbench.link().statistics(),
+                                  !m_workbench.search().isSearching(), m_workbench.now());
     });
-    // Nor do the answers to a stop, which nobody waits for.
-    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
-        if (event.kind != session::Event::Kind::Stopped || m_state != LinkState::Open)
-            return;
-        m_meter.addStatistics(m_desk.statistics(), m_desk.isSearching(), m_desk.now());
-        m_stopped = true;
-    });
+    // Nor do the answers to a stop, for which the program does not wait.
+    connect(&m_workbench, &session::Workbench::eventOccurred, this,
+            [this](const session::Event& event) {
+                if (event.kind != session::Event::Kind::Stopped || m_state != LinkState::Open)
+                    return;
+                m_meter.addStatistics(m_workbench.link().statistics(),
+                                      m_workbench.search().isSearching(), m_workbench.now());
+                m_stopped = true;
+            });
     connect(m_commands.action(Command::Connect), &QAction::triggered, this,
             &ConnectBar::connectNow);
     connect(m_commands.action(Command::UseSimulation), &QAction::triggered, this, [this] {
@@ -102,11 +106,11 @@ void ConnectBar::connectSignals()
     connect(&m_timer, &QTimer::timeout, this, &ConnectBar::updateState);
 }
 
-/// Until the user has chosen: the adapter used last wherever it is now, else what was used last if
-/// it is no adapter, else the first adapter there is.
+/// Until the user has chosen: the adapter used last under its present name, else the port used last
+/// if it is no adapter, else the first adapter.
 void ConnectBar::suggestPort()
 {
-    if (m_port->isSelectedByUser() || m_desk.state() != LinkState::Off)
+    if (m_port->isSelectedByUser() || m_workbench.link().state() != LinkState::Off)
         return;
     const QString last = m_settings.lastPort();
     const QString present = m_ports.findAdapter(m_settings.lastAdapter());
@@ -125,7 +129,8 @@ void ConnectBar::suggestPort()
 
 void ConnectBar::portChosen(const QString& port)
 {
-    if (m_desk.state() != LinkState::Off && m_desk.state() != LinkState::Lost)
+    if (m_workbench.link().state() != LinkState::Off &&
+        m_workbench.link().state() != LinkState::Lost)
         return;
     session::PortRequest used = m_settings.lastRequestFor(m_ports.adapterKey(port));
     const QSignalBlocker quiet(m_options);
@@ -175,12 +180,12 @@ void ConnectBar::connectNow()
     if (m_port->port().isEmpty())
         m_port->showPopup();
     else
-        m_desk.connectTo(request());
+        m_workbench.link().connectTo(request());
 }
 
 void ConnectBar::linkChanged()
 {
-    const LinkState state = m_desk.state();
+    const LinkState state = m_workbench.link().state();
     if (state == LinkState::Open && m_state != LinkState::Open) {
         m_meter.reset();
         saveRequest();
@@ -189,7 +194,7 @@ void ConnectBar::linkChanged()
     const bool mayChange = state == LinkState::Off || state == LinkState::Lost;
     for (QWidget* field : std::initializer_list<QWidget*>{m_port, m_baud, m_protocol, m_more})
         field->setEnabled(mayChange);
-    m_simulated->setVisible(m_desk.isSimulated());
+    m_simulated->setVisible(m_workbench.link().isSimulated());
     if (state == LinkState::Open)
         m_timer.start();
     else
@@ -200,11 +205,11 @@ void ConnectBar::linkChanged()
 
 void ConnectBar::saveRequest()
 {
-    const session::PortRequest& used = m_desk.lastRequest();
+    const session::PortRequest& used = m_workbench.link().lastRequest();
     m_settings.saveRequest(m_ports.adapterKey(used.name), used);
 }
 
-/// One button for both: pressing it does what it says, and it never moves.
+/// One button for both: pressing it does what its text names, and it never moves.
 void ConnectBar::showButton()
 {
     const bool connects = m_state == LinkState::Off || m_state == LinkState::Lost;
@@ -227,7 +232,8 @@ void ConnectBar::showButton()
 void ConnectBar::updateState()
 {
     if (m_state == LinkState::Open)
-        m_meter.addStatistics(m_desk.statistics(), m_desk.isSearching() || m_stopped, m_desk.now());
+        m_meter.addStatistics(m_workbench.link().statistics(),
+                              m_workbench.search().isSearching() || m_stopped, m_workbench.now());
     m_stopped = false;
     showStatistics();
 }
@@ -238,39 +244,41 @@ void ConnectBar::showStatistics()
     case LinkState::Off:
         return m_status->setState(Tone::Quiet, tr("not connected"));
     case LinkState::Opening:
-        return m_status->setState(Tone::Accent, tr("opening the port …"));
+        return m_status->setState(Tone::Accent, tr("opening the port…"));
     case LinkState::Closing:
-        return m_status->setState(Tone::Accent, tr("closing the port …"));
+        return m_status->setState(Tone::Accent, tr("closing the port…"));
     case LinkState::Lost:
-        return m_status->setState(Tone::Bad, tr("unplugged"));
+        return m_status->setState(Tone::Bad, tr("disconnected"));
     case LinkState::Open:
         break;
     }
-    session::Connection* connection = m_desk.connection();
+    session::Connection* connection = m_workbench.link().connection();
     if (connection != nullptr && connection->bus().isReconnecting()) {
-        return m_status->setState(
-            Tone::Warn, tr("adapter gone, waiting up to 5 s"), tr("waiting …"),
-            tr("The adapter has been pulled out or has no power. A test that is running goes on "
-               "when it is back; a servo that has restarted meanwhile is not switched on."));
+        return m_status->setState(Tone::Warn, tr("adapter disconnected, waiting up to 5 s"),
+                                  tr("waiting…"),
+                                  tr("The adapter was unplugged or has no power. A running test "
+                                     "continues when the adapter is back; torque is not turned on "
+                                     "again on servos that have rebooted in the meantime."));
     }
     const LinkMeter::Values& now = m_meter.values();
-    const bus::Statistics sum = m_desk.statistics();
+    const bus::Statistics sum = m_workbench.link().statistics();
     const auto figure = [this](auto value) { return locale().toString(qulonglong(value)); };
-    const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · wire %3 %")
-                                           : tr("%1 reads/s · %2 errors · wire %3 %"))
+    const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · bus %3 %")
+                                           : tr("%1 reads/s · %2 errors · bus %3 %"))
                               .arg(figure(now.readsPerSecond), figure(now.errors))
                               .arg(qRound(now.busLoad * 100));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
     const QString more =
         tr("Port: %1 at %2 baud\nSent: %3, answered: %4\nLost: %5, damaged: %6, foreign: %7, "
-           "late: %8\nAsked more than once: %9")
-            .arg(m_desk.lastRequest().name,
-                 m_desk.canSetBaud() ? rateText(m_desk.baud()) : QStringLiteral("–"),
+           "late: %8\nRetries: %9")
+            .arg(m_workbench.link().lastRequest().name,
+                 m_workbench.link().canSetBaud() ? rateText(m_workbench.link().baud())
+                                                 : QStringLiteral("–"),
                  figure(sum.total.sent), figure(sum.total.ok), figure(sum.total.timeouts),
                  figure(sum.total.badChecksums), figure(sum.total.foreign), figure(sum.total.late),
                  figure(sum.total.retried)) +
         QLatin1Char('\n') +
-        tr("Round trip: %1 ms, the slowest of 100: %2 ms")
+        tr("Round trip: %1 ms, slowest of 100: %2 ms")
             .arg(double(sum.total.roundTripP50.count()) / 1000, 0, 'f', 2)
             .arg(double(sum.total.roundTripP99.count()) / 1000, 0, 'f', 2);
     m_status->setState(now.errors == 0 ? Tone::Good : Tone::Warn, words, brief, more);
@@ -280,23 +288,23 @@ void ConnectBar::retranslate()
 {
     m_baud->setItemText(0, tr("Baud: auto"));
     m_baud->setAccessibleName(tr("Baud rate"));
-    m_baud->setToolTip(tr("Rate at which the port is opened. Auto: what servos of the chosen "
-                          "protocol leave the factory with"));
+    m_baud->setToolTip(tr("Baud rate of the port. Auto: the factory baud rate of servos that use "
+                          "the selected protocol"));
     m_protocol->setItemText(0, tr("Protocol: auto"));
     const std::array words{tr("Feetech"), tr("Modbus"), tr("LX")};
     for (int i = 0; i < int(words.size()); ++i)
         m_protocol->setItemText(i + 1, words[std::size_t(i)]);
     m_protocol->setAccessibleName(tr("Protocol"));
     m_protocol->setToolTip(
-        tr("Language of the servos. Auto: all that can be met at the rate are tried"));
-    const QString set = m_options->isDefault() ? QString() : tr(" (something is set)");
+        tr("Protocol of the servos. Auto: tries all protocols that are possible at the baud rate"));
+    const QString set = m_options->isDefault() ? QString() : tr(" (changed)");
     m_more->setText(m_options->isDefault() ? QStringLiteral("…") : QStringLiteral("…*"));
     m_more->setToolButtonStyle(m_options->isDefault() ? Qt::ToolButtonIconOnly
                                                       : Qt::ToolButtonTextBesideIcon);
-    m_more->setAccessibleName(tr("More about the port"));
-    m_more->setToolTip(tr("Parity, time-out, Modbus silence, retries") + set);
+    m_more->setAccessibleName(tr("More port settings"));
+    m_more->setToolTip(tr("Parity, timeout, Modbus silence, retries") + set);
     m_simulated->setState(Tone::Warn, tr("SIMULATED"), {},
-                          tr("These servos exist in the computer only"));
+                          tr("These servos are simulated on this computer"));
     showButton();
     showStatistics();
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The top row of the window: which port at which rate in which protocol, Connect or Disconnect, and
-// how the wire is doing. What worked with an adapter is remembered for that adapter and put back
-// when it is chosen. Does the work of Command::Connect and Command::UseSimulation. Owned by the
-// window; main thread.
+// The top row of the window: port, baud rate and protocol, Connect or Disconnect, and the state of
+// the bus. Settings that worked with an adapter are remembered and restored when it is selected.
+// Executes Command::Connect and Command::UseSimulation. Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
 #include "session/port_watcher.h"
 #include "session/settings.h"
+#include "session/workbench.h"
 #include "ui/common/commands.h"
 #include "ui/connect/link_meter.h"
 
@@ -25,14 +24,14 @@ class ConnectBar final : public QWidget {
     Q_OBJECT
 
 public:
-    ConnectBar(session::Desk& desk, Commands& commands, session::Settings& settings,
+    ConnectBar(session::Workbench& workbench, Commands& commands, session::Settings& settings,
                session::PortWatcher& ports, QWidget* parent = nullptr);
 
     /// As the fields stand.
     session::PortRequest request() const;
     /// Fills the fields; nothing remembered is mixed in.
     void setRequest(const session::PortRequest& request);
-    /// Opens what the fields say; without a port, the list of ports.
+    /// Opens the port in the fields; without one, the list of ports.
     void connectNow();
 
 protected:
@@ -51,7 +50,7 @@ private:
     void showStatistics();
     void retranslate();
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     Commands& m_commands;
     session::Settings& m_settings;
     session::PortWatcher& m_ports;

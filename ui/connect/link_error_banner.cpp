@@ -14,14 +14,14 @@ using session::LinkState;
 using namespace std::chrono_literals;
 
 namespace {
-/// By then the list of ports has been renewed: what it shows is there.
+/// By then the list of ports has been updated and shows only present ports.
 constexpr auto settleDelay = 1500ms;
 } // namespace
 
-LinkErrorBanner::LinkErrorBanner(session::Desk& desk, session::PortWatcher& ports, ConnectBar& bar,
-                                 Banner& banner, QObject* parent)
+LinkErrorBanner::LinkErrorBanner(session::Workbench& workbench, session::PortWatcher& ports,
+                                 ConnectBar& bar, Banner& banner, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_ports(ports)
     , m_bar(bar)
     , m_banner(banner)
@@ -32,8 +32,10 @@ LinkErrorBanner::LinkErrorBanner(session::Desk& desk, session::PortWatcher& port
     m_reconnect->setIcon(QIcon::fromTheme(QStringLiteral("network-connect")));
     connect(m_retry, &QAction::triggered, &m_bar, &ConnectBar::connectNow);
     connect(m_reconnect, &QAction::triggered, this, &LinkErrorBanner::reconnect);
-    connect(&m_desk, &session::Desk::connectFailed, this, &LinkErrorBanner::connectFailed);
-    connect(&m_desk, &session::Desk::linkChanged, this, &LinkErrorBanner::linkChanged);
+    connect(&m_workbench.link(), &session::LinkController::connectFailed, this,
+            &LinkErrorBanner::connectFailed);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &LinkErrorBanner::linkChanged);
     connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
         detectAdapter();
         detectBraille();
@@ -54,11 +56,11 @@ void LinkErrorBanner::connectFailed(const base::Error& error)
 
 void LinkErrorBanner::linkChanged()
 {
-    switch (m_desk.state()) {
+    switch (m_workbench.link().state()) {
     case LinkState::Opening:
     case LinkState::Open:
         m_replug.stop();
-        m_openKey = m_ports.adapterKey(m_desk.lastRequest().name);
+        m_openKey = m_ports.adapterKey(m_workbench.link().lastRequest().name);
         adapterSettled();
         return;
     case LinkState::Lost:
@@ -70,7 +72,7 @@ void LinkErrorBanner::linkChanged()
     }
 }
 
-/// What was said of the port is of the past.
+/// The message about the port is out of date.
 void LinkErrorBanner::adapterSettled()
 {
     if (m_bannerIsOurs)
@@ -80,7 +82,7 @@ void LinkErrorBanner::adapterSettled()
 
 void LinkErrorBanner::linkLost()
 {
-    const QString port = m_desk.lastRequest().name;
+    const QString port = m_workbench.link().lastRequest().name;
     m_bannerIsOurs = true;
     m_newPath.clear();
     m_replug.start(m_ports, m_openKey, port);
@@ -90,10 +92,11 @@ void LinkErrorBanner::linkLost()
                 text::describe({base::ErrorCode::LinkLost, QStringLiteral("read"), port});
             const bool bridge = port.startsWith(QLatin1String("tcp:"));
             const bool there = QFileInfo::exists(port); // it hung up, or is back already
-            const QString what = bridge || there ? tr("The connection to %1 broke off.").arg(port)
+            const QString what = bridge || there ? tr("The connection to %1 was lost.").arg(port)
                                                  : tr("%1 was unplugged.").arg(port);
-            const QString remedy = tr("Plug it in again: then you can go on here. What was being "
-                                      "written is in the journal, and is looked at first.");
+            const QString remedy =
+                tr("Plug the adapter in again to continue. A write that was in progress is "
+                   "recorded in the journal and will be checked first.");
             return BannerText{Tone::Bad, what, words.cause, bridge ? words.remedy : remedy};
         },
         port.startsWith(QLatin1String("tcp:")) ? QList<QAction*>{m_retry} : QList<QAction*>{});
@@ -106,7 +109,7 @@ void LinkErrorBanner::linkLost()
 void LinkErrorBanner::detectAdapter()
 {
     const QString back = m_replug.detect(m_ports);
-    if (m_desk.state() != LinkState::Lost || back == m_newPath)
+    if (m_workbench.link().state() != LinkState::Lost || back == m_newPath)
         return;
     m_newPath = back;
     if (back.isEmpty()) { // and gone again
@@ -115,17 +118,18 @@ void LinkErrorBanner::detectAdapter()
     }
     m_banner.showMessage(
         [back] {
-            return BannerText{Tone::Good,
-                              tr("The adapter is back at %1.").arg(back),
-                              {},
-                              tr("Connect again to go on with its servos; nothing is written.")};
+            return BannerText{
+                Tone::Good,
+                tr("The adapter is available again as %1.").arg(back),
+                {},
+                tr("Reconnect to continue with the same servos; reconnecting writes nothing.")};
         },
         {m_reconnect});
 }
 
 void LinkErrorBanner::reconnect()
 {
-    session::PortRequest request = m_desk.lastRequest();
+    session::PortRequest request = m_workbench.link().lastRequest();
     if (!m_newPath.isEmpty())
         request.name = m_newPath;
     m_bar.setRequest(request);
@@ -138,7 +142,8 @@ void LinkErrorBanner::detectBraille()
     if (taken == m_reportedBraille)
         return;
     m_reportedBraille = taken;
-    const bool idle = m_desk.state() == LinkState::Off || m_desk.state() == LinkState::Lost;
+    const bool idle = m_workbench.link().state() == LinkState::Off ||
+                      m_workbench.link().state() == LinkState::Lost;
     if (taken.isEmpty() || !idle)
         return;
     m_bannerIsOurs = true;
@@ -153,12 +158,13 @@ void LinkErrorBanner::detectBraille()
 void LinkErrorBanner::retranslate()
 {
     m_retry->setText(tr("Try again"));
-    m_retry->setToolTip(tr("Open the port once more, as the fields above say"));
+    m_retry->setToolTip(tr("Opens the port again with the settings above"));
     m_reconnect->setText(tr("Connect again"));
-    m_reconnect->setToolTip(tr("Open the port again with the same settings and search it"));
+    m_reconnect->setToolTip(
+        tr("Opens the port again with the same settings and searches it for servos"));
 }
 
-/// A plain object hears of a change of language through a widget only.
+/// A plain QObject gets language changes only through a widget.
 bool LinkErrorBanner::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)

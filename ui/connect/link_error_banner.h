@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells in the banner what is wrong with the port: why it could not be opened, that it was
-// unplugged, that the braille service has taken an adapter; and offers to go on when the adapter is
-// back. Opens nothing unasked. Owned by the window; main thread.
+// Shows in the banner what is wrong with the port: why it could not be opened, that it was
+// unplugged, that the braille service has taken an adapter. Offers to reconnect when the adapter is
+// back. Opens nothing on its own. Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
 #include "session/port_watcher.h"
+#include "session/workbench.h"
 #include "ui/widgets/banner.h"
 
 class QAction;
@@ -17,7 +17,7 @@ class LinkErrorBanner final : public QObject {
     Q_OBJECT
 
 public:
-    LinkErrorBanner(session::Desk& desk, session::PortWatcher& ports, ConnectBar& bar,
+    LinkErrorBanner(session::Workbench& workbench, session::PortWatcher& ports, ConnectBar& bar,
                     Banner& banner, QObject* parent = nullptr);
 
 protected:
@@ -33,7 +33,7 @@ private:
     void adapterSettled();
     void retranslate();
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     session::PortWatcher& m_ports;
     ConnectBar& m_bar;
     Banner& m_banner;

@@ -9,8 +9,8 @@ namespace ui {
 namespace {
 constexpr double minInterval = 0.5; ///< seconds
 
-/// Time-outs of servos since the last look. An ID that never answered is nobody: a free one that a
-/// change of ID has asked for.
+/// Timeouts of servos since the last update. An ID that never answered is not a servo, but a free
+/// ID that a change of ID has checked.
 std::uint64_t silences(const bus::Statistics& last, const bus::Statistics& now)
 {
     std::uint64_t sum = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the status light says of an open port, worked out from the bus's counters between two looks.
-// What a search hears is no error: it asks IDs that nobody has, and everybody at once. Nor is the
-// silence of an ID that never answered. A value; main thread.
+// The values of the status light of an open port, calculated from the bus counters between two
+// updates. Silence during a search is no error, because a search asks free IDs and uses broadcasts;
+// neither is the silence of an ID that never answered. A value; main thread.
 #pragma once
 
 #include "bus/statistics.h"

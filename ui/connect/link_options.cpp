@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect/link_options.h"
 
+#include "ui/common/widget_text.h"
+
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
@@ -26,15 +27,14 @@ QSpinBox* spinBox(QWidget* parent, const char* name, int min, int max, int step)
 } // namespace
 
 LinkOptions::LinkOptions(QWidget* parent)
-    : QFrame(parent, Qt::Popup)
+    : PopupFrame("linkOptions", parent)
     , m_parity(new QComboBox(this))
     , m_replyTimeout(spinBox(this, "patienceBox", 0, maxTimeoutMs, 5))
     , m_silence(spinBox(this, "silenceBox", 0, maxSilenceUs, 250))
     , m_retries(spinBox(this, "retriesBox", -1, maxRetries, 1))
     , m_form(new QFormLayout(this))
 {
-    setObjectName(QStringLiteral("linkOptions"));
-    setFrameShape(QFrame::StyledPanel);
+    setFocusProxy(m_parity);
     m_parity->setObjectName(QStringLiteral("parityBox"));
     for (int i = 0; i < 3; ++i)
         m_parity->addItem(QString());
@@ -78,28 +78,11 @@ bool LinkOptions::isDefault() const
            m_silence->value() == 0 && m_retries->value() < 0;
 }
 
-void LinkOptions::popUpBelow(const QWidget& button)
-{
-    adjustSize();
-    QPoint position = button.mapToGlobal(QPoint(0, button.height()));
-    const QRect screen = button.screen()->availableGeometry();
-    position.setX(
-        qBound(screen.left(), position.x(), qMax(screen.left(), screen.right() - width())));
-    position.setY(
-        qBound(screen.top(), position.y(), qMax(screen.top(), screen.bottom() - height())));
-    move(position);
-    QFrame::show();
-    m_parity->setFocus();
-}
-
 void LinkOptions::retranslate()
 {
     const auto name = [this](QWidget* field, const QString& label, const QString& tip) {
-        auto* words = qobject_cast<QLabel*>(m_form->labelForField(field));
-        words->setText(label);
-        words->setToolTip(tip);
-        field->setToolTip(tip);
-        field->setAccessibleName(label);
+        setFieldText(m_form, field, label, tip);
+        m_form->labelForField(field)->setToolTip(tip);
     };
     const QSignalBlocker quiet(m_parity);
     m_parity->setItemText(0, tr("none"));
@@ -109,19 +92,19 @@ void LinkOptions::retranslate()
         box->setSpecialValueText(tr("auto"));
     m_replyTimeout->setSuffix(tr(" ms"));
     m_silence->setSuffix(tr(" µs"));
-    name(m_parity, tr("Parity"), tr("Servos leave the factory without parity"));
-    name(m_replyTimeout, tr("Time-out"),
-         tr("How long to wait for an answer beyond its time on the wire. Auto: as long as this "
-            "adapter has shown to need"));
+    name(m_parity, tr("Parity"), tr("Servos are set to no parity at the factory"));
+    name(m_replyTimeout, tr("Timeout"),
+         tr("Time to wait for a reply, on top of the transmission time. Auto: adjusted to this "
+            "adapter"));
     name(m_silence, tr("Modbus silence"),
-         tr("Pause between Modbus frames. Auto: as the standard says for the rate"));
+         tr("Pause between Modbus frames. Auto: the standard pause for the baud rate"));
     name(m_retries, tr("Retries"),
-         tr("How often a lost question is asked again, where it may be repeated"));
+         tr("Number of times a lost request is sent again, if it is safe to repeat"));
 }
 
 void LinkOptions::changeEvent(QEvent* event)
 {
-    QFrame::changeEvent(event);
+    PopupFrame::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What few people need to set about a port: parity, time-out, the silence between Modbus frames,
-// retries. A small window that opens beside its button and closes by itself. Owned by its parent;
-// main thread.
+// The rarely used settings of a port: parity, reply timeout, silence between Modbus frames,
+// retries. Opens below its button. Owned by its parent; main thread.
 #pragma once
 
 #include "session/connection.h"
-
-#include <QFrame>
+#include "ui/widgets/popup_frame.h"
 
 class QComboBox;
 class QFormLayout;
@@ -14,18 +12,16 @@ class QLabel;
 class QSpinBox;
 
 namespace ui {
-class LinkOptions final : public QFrame {
+class LinkOptions final : public PopupFrame {
     Q_OBJECT
 
 public:
     explicit LinkOptions(QWidget* parent = nullptr);
 
-    /// Fills in parity, patience, silence, retries.
+    /// Fills in parity, timeout, silence and retries.
     void apply(session::PortRequest& request) const;
     void show(const session::PortRequest& request);
     bool isDefault() const; ///< nothing set
-    /// Opens below `button`, inside the screen.
-    void popUpBelow(const QWidget& button);
 
 Q_SIGNALS:
     void changed();
@@ -37,9 +33,9 @@ private:
     void retranslate();
 
     QComboBox* m_parity;
-    QSpinBox* m_replyTimeout; ///< ms; 0: by itself
-    QSpinBox* m_silence;      ///< µs; 0: the standard's
-    QSpinBox* m_retries;      ///< -1: as the program thinks best
+    QSpinBox* m_replyTimeout; ///< ms; 0: automatic
+    QSpinBox* m_silence;      ///< µs; 0: as in the standard
+    QSpinBox* m_retries;      ///< -1: automatic
     QFormLayout* m_form;
 };
 } // namespace ui

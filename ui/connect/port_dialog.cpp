@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect/port_dialog.h"
 
+#include "ui/common/widget_text.h"
+
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QLabel>
@@ -61,13 +63,9 @@ void PortDialog::retranslate()
                           "tcp://192.168.1.20:4000, sim:sts3215@1,scs15@2"));
     m_edit->setAccessibleName(tr("Port or address"));
     QPushButton* ok = m_buttons->button(QDialogButtonBox::Ok);
-    ok->setText(tr("Choose"));
-    ok->setToolTip(tr("Take this port; it is opened with Connect"));
-    ok->setAccessibleName(ok->text());
+    setButtonText(ok, tr("Choose"), tr("Selects this port; Connect opens it"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
-    cancel->setText(tr("Cancel"));
-    cancel->setToolTip(tr("Keep the port chosen before"));
-    cancel->setAccessibleName(cancel->text());
+    setButtonText(cancel, tr("Cancel"), tr("Keeps the previously selected port"));
 }
 
 void PortDialog::changeEvent(QEvent* event)

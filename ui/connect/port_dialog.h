@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks for a port that is in no list: a path, or the address of a TCP bridge. Opened with open();
-// deletes itself. Main thread.
+// Asks for a port that is in no list: a path, or the address of a TCP bridge. Open it with open();
+// it deletes itself. Main thread.
 #pragma once
 
 #include <QDialog>

@@ -78,7 +78,7 @@ bool PortPicker::isMissing() const
            m_ports.find(m_port) == nullptr;
 }
 
-/// The adapter is what was chosen; which path it has is the system's business.
+/// The user has chosen the adapter; its path may change.
 void PortPicker::updatePath()
 {
     if (m_port.isEmpty() || !isDevice(m_port))
@@ -90,7 +90,7 @@ void PortPicker::updatePath()
         return;
     }
     const QString now = m_ports.findAdapter(m_key);
-    // One without serial number may be another of its kind, so the user is asked by the list.
+    // Without a serial number it may be another adapter of this type, so the user must choose.
     if (now.isEmpty() || now == m_port || !m_key.contains(QLatin1Char('#')))
         return;
     m_port = now;
@@ -133,8 +133,8 @@ std::vector<PortPicker::Entry> PortPicker::entries() const
         entries.push_back(entryFor(info));
     const bool gone = isMissing();
     if (gone)
-        entries.push_back({m_port, tr("%1 (not there now)").arg(m_shownAs),
-                           tr("%1 is not plugged in; it is chosen all the same").arg(m_port)});
+        entries.push_back({m_port, tr("%1 (not connected now)").arg(m_shownAs),
+                           tr("%1 is not plugged in; it stays selected").arg(m_port)});
     line();
     for (const QString& typed : m_typed) {
         const bool listed = m_ports.find(typed) != nullptr || (gone && typed == m_port);
@@ -147,7 +147,7 @@ std::vector<PortPicker::Entry> PortPicker::entries() const
                            tr("Simulated servos, no hardware needed")});
     line();
     entries.push_back({otherKey, tr("Other port or TCP address…"),
-                       tr("Type a path such as /dev/ttyUSB0 or an address such as "
+                       tr("Enter a path such as /dev/ttyUSB0 or an address such as "
                           "tcp://192.168.1.20:4000")});
     return entries;
 }
@@ -155,7 +155,7 @@ std::vector<PortPicker::Entry> PortPicker::entries() const
 void PortPicker::refresh()
 {
     const QSignalBlocker quiet(this);
-    setPlaceholderText(tr("Choose a port"));
+    setPlaceholderText(tr("Select a port"));
     sync(entries());
     setCurrentIndex(m_port.isEmpty() ? -1 : findData(m_port, keyRole));
     setAccessibleName(tr("Port"));
@@ -208,7 +208,7 @@ void PortPicker::showTip()
 {
     const QString about =
         currentIndex() < 0 ? QString() : itemData(currentIndex(), Qt::ToolTipRole).toString();
-    const QString tip = tr("Where the servos are connected");
+    const QString tip = tr("Port to which the servos are connected");
     setToolTip(about.isEmpty()
                    ? tip
                    : tip + QLatin1Char('\n') + currentText() + QLatin1Char('\n') + about);
@@ -227,7 +227,7 @@ void PortPicker::keyPressEvent(QKeyEvent* event)
     QComboBox::keyPressEvent(event);
 }
 
-/// A wheel that passes by must not choose another port.
+/// Scrolling past it must not choose another port.
 void PortPicker::wheelEvent(QWheelEvent* event)
 {
     event->ignore();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The choice of a port: adapters of this computer as they are plugged in, names typed by hand, the
-// simulated buses. The choice belongs to the user: what is plugged in or out never changes it. A
-// chosen adapter that is gone stays, marked so, and is followed when it comes back elsewhere. Owned
-// by its parent; main thread.
+// The choice of a port: connected adapters, names typed by hand, the simulated buses. Only the user
+// changes the choice; plugging an adapter in or out does not. A chosen adapter that is unplugged
+// stays in the list, marked as missing, and is followed when it comes back under another name.
+// Owned by its parent; main thread.
 #pragma once
 
 #include "session/port_watcher.h"

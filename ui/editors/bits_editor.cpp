@@ -3,6 +3,7 @@
 
 #include "report/fonts.h"
 #include "text/language.h"
+#include "ui/common/widget_text.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -86,9 +87,9 @@ QString BitsEditor::bitLabel(int bit) const
 {
     for (const catalog::NamedValue& value : context().reg->values) {
         if (value.value == bit)
-            return value.name.in(text::isUiChinese());
+            return text::localized(value.name);
     }
-    return tr("bit %1, no name").arg(bit);
+    return tr("bit %1, unnamed").arg(bit);
 }
 
 void BitsEditor::setRaw(std::optional<std::int64_t> raw)
@@ -160,7 +161,7 @@ void BitsEditor::showBitValues(std::int64_t raw, bool fresh)
     arrange();
 }
 
-/// Two columns in a cell, where height is short; one in the panel, where width is.
+/// Two columns in a cell, where height is scarce; one in the panel, where width is scarce.
 void BitsEditor::arrange()
 {
     const auto count = static_cast<int>(
@@ -181,17 +182,16 @@ void BitsEditor::retranslate()
 {
     m_label->setText(tr("Value"));
     m_sum->setAccessibleName(accessibleName());
-    m_sum->setToolTip(tr("The sum of the ticked bits. %1").arg(keyHint()));
+    m_sum->setToolTip(tr("The sum of the selected bits. %1").arg(keyHint()));
     for (const Box& one : m_boxes) {
         const std::int64_t weight = std::int64_t{1} << one.bit;
-        one.box->setText(QStringLiteral("%1 (%2)").arg(bitLabel(one.bit)).arg(weight));
-        one.box->setAccessibleName(one.box->text());
-        one.box->setToolTip(isNamed(one.bit)
-                                ? tr("Bit %1, adds %2").arg(one.bit).arg(weight)
-                                : tr("Bit %1, adds %2; the sheet gives it no name, so it is kept "
-                                     "as it is")
-                                      .arg(one.bit)
-                                      .arg(weight));
+        setButtonText(one.box, QStringLiteral("%1 (%2)").arg(bitLabel(one.bit)).arg(weight),
+                      isNamed(one.bit)
+                          ? tr("Bit %1, adds %2").arg(one.bit).arg(weight)
+                          : tr("Bit %1, adds %2; not named in the data sheet, so it is "
+                               "kept unchanged")
+                                .arg(one.bit)
+                                .arg(weight));
     }
 }
 
@@ -202,7 +202,7 @@ void BitsEditor::changeEvent(QEvent* event)
     RegisterEditor::changeEvent(event);
 }
 
-/// A frame around the boxes where they stand above the table.
+/// A frame around the boxes where they lie over the table.
 void BitsEditor::paintEvent(QPaintEvent*)
 {
     if (!context().inCell)

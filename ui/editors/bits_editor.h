@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bit field as named tick boxes with the live sum. Bits without a name are shown while they are
-// set, and kept; the sum can be typed as well, and moves the ticks. Owned by its parent; main
+// A bit field as named checkboxes with their sum. Bits without a name are shown while they are set,
+// and kept; the sum can be typed as well, and sets the checkboxes. Owned by its parent; main
 // thread.
 #pragma once
 

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 namespace ui {
-/// QComboBox calls a value activated that arrow keys or the wheel merely passed by.
+/// QComboBox emits activated() also for values passed with arrow keys or the wheel.
 class ValueComboBox final : public QComboBox {
 public:
     using QComboBox::QComboBox;
@@ -62,7 +62,7 @@ void EnumEditor::fill(std::optional<std::int64_t> raw)
                        static_cast<qlonglong>(number));
     };
     for (const catalog::NamedValue& value : context().reg->values)
-        add(value.value, value.name.in(text::isUiChinese()));
+        add(value.value, text::localized(value.name));
     if (raw && m_box->findData(static_cast<qlonglong>(*raw)) < 0)
         add(*raw, tr("not documented"));
     m_box->setCurrentIndex(raw ? m_box->findData(static_cast<qlonglong>(*raw)) : -1);
@@ -89,7 +89,7 @@ void EnumEditor::retranslate()
     const QVariant chosen = m_box->currentData();
     fill(chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt);
     m_box->setAccessibleName(accessibleName());
-    m_box->setToolTip(tr("Choose a value. %1").arg(keyHint()));
+    m_box->setToolTip(tr("Select a value. %1").arg(keyHint()));
 }
 
 void EnumEditor::changeEvent(QEvent* event)

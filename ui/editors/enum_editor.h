@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The documented values of a register as a list, each with its number. A value that was read and
+// The documented values of a register as a list, each with its number. A value that was read but
 // has no name is in the list too. Owned by its parent; main thread.
 #pragma once
 

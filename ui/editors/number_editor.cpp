@@ -50,7 +50,7 @@ void NumberSpin::stepBy(int steps)
     Q_EMIT textEdited();
 }
 
-/// Whatever is typed stays: the editor says what is wrong with it.
+/// What is typed stays: the editor reports what is wrong with it.
 QValidator::State NumberSpin::validate(QString&, int&) const
 {
     return QValidator::Acceptable;
@@ -131,7 +131,7 @@ std::int64_t NumberEditor::valueAfterSteps(int steps) const
     const std::int64_t from = typedNow ? *typedNow
                                        : m_start.value_or(context().reg->defaultRaw.value_or(
                                              std::max<std::int64_t>(0, range.min)));
-    // A value outside the range is left step by step, not thrown to the other end.
+    // A value outside the range moves step by step and does not jump to the other end.
     return std::clamp(from + steps, std::min(range.min, from), std::max(range.max, from));
 }
 

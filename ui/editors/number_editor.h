@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number, raw or in its unit, with steps up and down inside the documented range. Anything may be
-// typed or pasted; what cannot be understood is complained about, never changed silently. Owned by
-// its parent; main thread.
+// A number, raw or in its unit, with steps up and down inside the documented range. Any text can be
+// typed or pasted; text that is not understood is reported, never changed silently. Owned by its
+// parent; main thread.
 #pragma once
 
 #include "ui/editors/register_editor.h"

@@ -14,13 +14,13 @@ RegisterEditor::RegisterEditor(EditContext context, QWidget* parent)
     : QWidget(parent)
     , m_context(std::move(context))
 {
-    setAccessibleName(m_context.meaning.name.in(text::isUiChinese()));
+    setAccessibleName(text::localized(m_context.meaning.name));
 }
 
 void RegisterEditor::setContext(const EditContext& context)
 {
     m_context = context;
-    setAccessibleName(m_context.meaning.name.in(text::isUiChinese()));
+    setAccessibleName(text::localized(m_context.meaning.name));
     contextChanged();
 }
 
@@ -60,8 +60,9 @@ QString RegisterEditor::keyHint() const
     if (m_context.inCell)
         return tr("Enter writes, Esc cancels.");
     const QString stops =
-        tr("Esc takes torque off the whole bus and shows the present value again.");
-    return m_context.ownerHandlesEnter ? tr("Enter sends it.") + QLatin1Char(' ') + stops : stops;
+        tr("Esc turns torque off on the whole bus and shows the present value again.");
+    return m_context.ownerHandlesEnter ? tr("Enter sends the value.") + QLatin1Char(' ') + stops
+                                       : stops;
 }
 
 RegisterEditor* makeRegisterEditor(const EditContext& context, QWidget* parent)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all editors of one register's value share: they show a raw number, take what the user types,
-// ticks or chooses, and say what is wrong with it. They write nothing. makeRegisterEditor() is the
-// one place that decides which editor a register gets, in a cell and in the help panel alike. Owned
-// by their parent; main thread.
+// The base of all editors of a register value: they show a raw number, take what the user types,
+// checks or selects, and report what is wrong with it. They write nothing. makeRegisterEditor()
+// alone decides which editor a register gets, in a cell and in the help panel. Owned by their
+// parent; main thread.
 #pragma once
 
 #include "catalog/value.h"
@@ -16,7 +16,7 @@ struct EditContext {
     std::optional<std::int64_t> currentRaw; ///< as read: may always be written back
     bool inPhysicalUnit = false;            ///< numbers in their unit
     bool inCell = false;                    ///< small, framed, above its neighbors
-    bool ownerHandlesEnter = false;         ///< outside a cell: whoever owns it takes Enter
+    bool ownerHandlesEnter = false;         ///< outside a cell: the owner takes Enter
 };
 
 class RegisterEditor : public QWidget {
@@ -26,7 +26,7 @@ public:
     RegisterEditor(EditContext context, QWidget* parent);
 
     const EditContext& context() const { return m_context; }
-    /// What the registers that decide its meaning say now.
+    /// The present values of the registers that decide its meaning.
     void setContext(const EditContext& context);
 
     /// Nullopt: nothing is known, the editor starts empty. Not a change by the user.
@@ -44,7 +44,7 @@ public:
 
 Q_SIGNALS:
     void userEdited();  ///< by the user
-    void valueChosen(); ///< picked from a list: there is nothing more to say
+    void valueChosen(); ///< selected from a list: the input is complete
 
 protected:
     virtual base::Result<std::int64_t> parse() const;

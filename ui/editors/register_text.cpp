@@ -15,7 +15,7 @@ bool hasNamedValues(const catalog::ValueFormat& meaning)
 base::Error withName(base::Error error, const catalog::Register* reg)
 {
     if (reg != nullptr && error.registerKey == reg->key)
-        error.registerKey = reg->name.in(text::isUiChinese());
+        error.registerKey = text::localized(reg->name);
     return error;
 }
 

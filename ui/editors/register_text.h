@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a register's name, value and range are written in tables, fields and messages, in the
+// How the name, value and range of a register are written in tables, fields and messages, in the
 // language of the interface. Pure; main thread.
 #pragma once
 

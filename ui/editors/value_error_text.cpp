@@ -23,7 +23,7 @@ QString choices(const catalog::Register& reg)
 {
     QStringList words;
     for (const catalog::NamedValue& value : reg.values)
-        words << QStringLiteral("%1 — %2").arg(value.value).arg(value.name.in(text::isUiChinese()));
+        words << QStringLiteral("%1 — %2").arg(value.value).arg(text::localized(value.name));
     return words.join(translate("ValueEditor", ", ", "between items of a list"));
 }
 
@@ -35,25 +35,25 @@ bool isChoice(const catalog::Register& reg, const catalog::ValueFormat& meaning)
 QString expectedInputText(const catalog::Register& reg, const catalog::ValueFormat& meaning)
 {
     if (isChoice(reg, meaning))
-        return translate("ValueEditor", "Choose one of: %1.").arg(choices(reg));
+        return translate("ValueEditor", "Select one of: %1.").arg(choices(reg));
     const QString range = rangeText(reg, meaning, false);
     if (meaning.unit.isEmpty() || meaning.encoding == catalog::Encoding::Bits)
-        return translate("ValueEditor", "Type a whole number, %1.").arg(range);
+        return translate("ValueEditor", "Enter a whole number (%1).").arg(range);
     const std::int64_t sample = reg.defaultRaw.value_or(meaning.max.value_or(1));
     return translate("ValueEditor",
-                     "Type a whole number, %1, or a value with its unit, such as %2.")
+                     "Enter a whole number (%1) or a value with its unit, such as %2.")
         .arg(range, physicalText(sample, reg, meaning));
 }
 
 QString notUnderstoodText(const base::Error& error, const QString& inputText)
 {
     if (inputText.trimmed().isEmpty())
-        return translate("ValueEditor", "There is no value.");
+        return translate("ValueEditor", "No value entered.");
     if (error.detail.startsWith(QLatin1String("less than one step")))
         return translate("ValueEditor",
                          "“%1” is less than one step of this register and would become 0.")
             .arg(elided(inputText));
-    return translate("ValueEditor", "“%1” is not a value this register understands.")
+    return translate("ValueEditor", "“%1” is not a valid value for this register.")
         .arg(elided(inputText));
 }
 
@@ -62,12 +62,12 @@ QString outOfRangeText(const QString& inputText, const catalog::Register& reg,
 {
     const QString number = elided(inputText);
     if (isChoice(reg, meaning))
-        return translate("ValueEditor", "%1 is not one of the documented values, and the servo may "
-                                        "do anything with it.")
+        return translate("ValueEditor",
+                         "%1 is not a documented value; the servo may react unpredictably.")
             .arg(number);
     const QString raw = rangeText(reg, meaning, false);
     const QString physical = rangeText(reg, meaning, true);
-    return translate("ValueEditor", "%1 is outside what this register accepts (%2).")
+    return translate("ValueEditor", "%1 is outside the range of this register (%2).")
         .arg(number, raw == physical ? raw : QStringLiteral("%1; %2").arg(raw, physical));
 }
 } // namespace

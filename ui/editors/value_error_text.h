@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a value somebody typed, in the language of the interface: what, why, and what
-// to type instead. Pure; main thread.
+// What is wrong with a typed value, in the language of the interface: what, why, and what to type
+// instead. Pure; main thread.
 #pragma once
 
 #include "base/error.h"

@@ -10,7 +10,7 @@
 #include <QDir>
 
 namespace ui {
-using record::HistoryKind;
+using history::HistoryKind;
 using text::translate;
 
 namespace {
@@ -22,22 +22,22 @@ QString timeText(const QDateTime& at)
                         : QString();
 }
 
-QString who(const QString& model, int id, const QString& label)
+QString servoName(const QString& model, int id, const QString& label)
 {
     const QString name = QStringLiteral("%1 · ID %2").arg(model).arg(id);
     return label.isEmpty() ? name : name + separator + label;
 }
 
-QString snapshotText(record::SnapshotReason reason)
+QString snapshotText(history::SnapshotReason reason)
 {
     switch (reason) {
-    case record::SnapshotReason::Automatic:
+    case history::SnapshotReason::Automatic:
         return translate("History", "before a change");
-    case record::SnapshotReason::Manual:
-        return translate("History", "taken");
-    case record::SnapshotReason::Bundle:
-        return translate("History", "with all servos");
-    case record::SnapshotReason::Commission:
+    case history::SnapshotReason::Manual:
+        return translate("History", "manual");
+    case history::SnapshotReason::Bundle:
+        return translate("History", "all servos");
+    case history::SnapshotReason::Commission:
         return translate("History", "before commissioning");
     }
     return {};
@@ -97,7 +97,7 @@ QStringList HistoryFormatter::headers(HistoryKind kind)
     case HistoryKind::Snapshots:
         return {time,
                 servo,
-                translate("History", "Occasion"),
+                translate("History", "Reason"),
                 translate("History", "Label"),
                 note,
                 translate("History", "Rows"),
@@ -110,7 +110,7 @@ QStringList HistoryFormatter::headers(HistoryKind kind)
                 translate("History", "Operator"),
                 note};
     case HistoryKind::Alarms:
-        return {translate("History", "Came"), translate("History", "Went"), servo,
+        return {translate("History", "Began"), translate("History", "Ended"), servo,
                 translate("History", "Alarm"), translate("History", "Port")};
     case HistoryKind::Recordings:
         return {time, translate("History", "Servos"), translate("History", "Length"),
@@ -130,12 +130,12 @@ int HistoryFormatter::toneColumn(HistoryKind kind)
                                          : -1;
 }
 
-QString HistoryFormatter::servoTitle(const record::HistoryServo& servo)
+QString HistoryFormatter::servoTitle(const history::HistoryServo& servo)
 {
-    return who(servo.identity.model, servo.identity.id, servo.label);
+    return servoName(servo.identity.model, servo.identity.id, servo.label);
 }
 
-HistoryLine HistoryFormatter::formatLine(const record::HistoryWrite& row) const
+HistoryLine HistoryFormatter::formatLine(const history::HistoryWrite& row) const
 {
     const bool isGood = row.isGood();
     const bool chinese = text::isUiChinese();
@@ -145,7 +145,7 @@ HistoryLine HistoryFormatter::formatLine(const record::HistoryWrite& row) const
                                                  : QStringLiteral("✘ ");
     HistoryLine line{row.number, row.servo, row.at};
     line.cells = {timeText(row.at),
-                  who(row.model, row.servoId, row.label),
+                  servoName(row.model, row.servoId, row.label),
                   m_profiles.registerName(row, chinese),
                   value(row.oldRaw),
                   row.newRaw ? value(*row.newRaw) : QStringLiteral("–"),
@@ -162,11 +162,11 @@ HistoryLine HistoryFormatter::formatLine(const record::HistoryWrite& row) const
     return line;
 }
 
-HistoryLine HistoryFormatter::formatLine(const record::HistorySnapshot& row) const
+HistoryLine HistoryFormatter::formatLine(const history::HistorySnapshot& row) const
 {
     HistoryLine line{row.number, row.servo, row.at};
     line.cells = {timeText(row.at),
-                  who(row.model, row.servoId, {}),
+                  servoName(row.model, row.servoId, {}),
                   snapshotText(row.reason),
                   row.label,
                   row.note,
@@ -178,29 +178,30 @@ HistoryLine HistoryFormatter::formatLine(const record::HistorySnapshot& row) con
     return line;
 }
 
-HistoryLine HistoryFormatter::formatLine(const record::HistoryAlarm& row) const
+HistoryLine HistoryFormatter::formatLine(const history::HistoryAlarm& row) const
 {
     const bool isCleared = row.clearedAt.isValid();
     HistoryLine line{row.number, row.servo, row.at};
     line.cells = {timeText(row.at),
                   isCleared ? QStringLiteral("✔ ") + timeText(row.clearedAt)
-                            : QStringLiteral("⚠ ") + translate("History", "not seen to go"),
-                  who(row.model, row.servoId, row.label), text::alarmLabel(row.key), row.port};
+                            : QStringLiteral("⚠ ") + translate("History", "still active"),
+                  servoName(row.model, row.servoId, row.label), text::alarmLabel(row.key),
+                  row.port};
     line.tone = isCleared ? Tone::Good : Tone::Warn;
     line.tip =
         toolTipOf(HistoryKind::Alarms, line.cells,
-                  {row.derived ? translate("History", "worked out from the limits, not reported "
-                                                      "by the servo")
+                  {row.derived ? translate("History", "derived from the limits, not reported by "
+                                                      "the servo")
                                : QString()});
     line.label = row.label;
     return line;
 }
 
-HistoryLine HistoryFormatter::formatLine(const record::HistoryRecording& row) const
+HistoryLine HistoryFormatter::formatLine(const history::HistoryRecording& row) const
 {
     QStringList servos;
-    for (const record::HistoryRecording::Servo& one : row.servos)
-        servos << who(one.model, one.id, one.label);
+    for (const history::HistoryRecording::Servo& one : row.servos)
+        servos << servoName(one.model, one.id, one.label);
     const double seconds = std::chrono::duration<double>(row.length).count();
     HistoryLine line{row.number, 0, row.at};
     line.cells = {timeText(row.at), servos.join(QStringLiteral(", ")),
@@ -210,11 +211,11 @@ HistoryLine HistoryFormatter::formatLine(const record::HistoryRecording& row) co
     return line;
 }
 
-HistoryLine HistoryFormatter::formatLine(const record::HistoryServo& row) const
+HistoryLine HistoryFormatter::formatLine(const history::HistoryServo& row) const
 {
     HistoryLine line{row.number, row.number, row.lastWrite};
     line.cells = {
-        who(row.identity.model, row.identity.id, {}),
+        servoName(row.identity.model, row.identity.id, {}),
         QStringLiteral("%1.%2").arg(row.identity.firmwareMajor).arg(row.identity.firmwareMinor),
         row.label, timeText(row.lastWrite), row.identity.port};
     line.tip = toolTipOf(HistoryKind::Servos, line.cells, {});
@@ -222,17 +223,18 @@ HistoryLine HistoryFormatter::formatLine(const record::HistoryServo& row) const
     return line;
 }
 
-HistoryLine HistoryFormatter::formatLine(const record::TestRun& row) const
+HistoryLine HistoryFormatter::formatLine(const history::TestRun& row) const
 {
     QStringList servos;
-    for (const record::TestServo& one : row.servos)
-        servos << who(one.model, one.id, one.label);
+    for (const history::TestServo& one : row.servos)
+        servos << servoName(one.model, one.id, one.label);
     HistoryLine line{row.number, 0, row.at};
+    line.isStepResponse = row.kind == QLatin1StringView("step");
     line.cells = {timeText(row.at),
-                  row.kind == QLatin1StringView("step") ? translate("History", "step response")
-                                                        : translate("History", "sweep test"),
+                  line.isStepResponse ? translate("History", "step response")
+                                      : translate("History", "sweep test"),
                   servos.join(QStringLiteral(", ")),
-                  row.kind == QLatin1StringView("step") ? QString() : gradeText(row.verdict),
+                  line.isStepResponse ? QString() : gradeText(row.verdict),
                   row.operatorName,
                   row.note};
     line.tone = gradeTone(row.verdict);

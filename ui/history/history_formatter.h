@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of the history in words, in the language of the moment: one list for each kind. Pure but for
-// a cache of register maps; main thread.
+// Rows of the history as text, in the current language: one list for each kind. Pure except for a
+// cache of register maps; main thread.
 #pragma once
 
 #include "history/history.h"
@@ -15,9 +15,10 @@ struct HistoryLine {
     QDateTime at{};          ///< UTC
     QStringList cells{};
     Tone tone = Tone::Quiet; ///< of the outcome
-    QString tip{};           ///< all there is to say
+    QString tip{};           ///< all details
     QString label{};         ///< the user's, where there is one
     QString note{};
+    bool isStepResponse = false; ///< a test run that the step page can show
 };
 
 class HistoryFormatter {
@@ -26,20 +27,20 @@ public:
         : m_profiles(catalog)
     {}
 
-    void addServos(const std::vector<record::HistoryServo>& servos) { m_profiles.add(servos); }
-    static QStringList headers(record::HistoryKind kind);
-    static int toneColumn(record::HistoryKind kind); ///< -1: none
-    static QString kindName(record::HistoryKind kind);
-    static QString servoTitle(const record::HistoryServo& servo);
+    void addServos(const std::vector<history::HistoryServo>& servos) { m_profiles.add(servos); }
+    static QStringList headers(history::HistoryKind kind);
+    static int toneColumn(history::HistoryKind kind); ///< -1: none
+    static QString kindName(history::HistoryKind kind);
+    static QString servoTitle(const history::HistoryServo& servo);
 
-    HistoryLine formatLine(const record::HistoryWrite& row) const;
-    HistoryLine formatLine(const record::HistorySnapshot& row) const;
-    HistoryLine formatLine(const record::HistoryAlarm& row) const;
-    HistoryLine formatLine(const record::HistoryRecording& row) const;
-    HistoryLine formatLine(const record::HistoryServo& row) const;
-    HistoryLine formatLine(const record::TestRun& row) const;
+    HistoryLine formatLine(const history::HistoryWrite& row) const;
+    HistoryLine formatLine(const history::HistorySnapshot& row) const;
+    HistoryLine formatLine(const history::HistoryAlarm& row) const;
+    HistoryLine formatLine(const history::HistoryRecording& row) const;
+    HistoryLine formatLine(const history::HistoryServo& row) const;
+    HistoryLine formatLine(const history::TestRun& row) const;
 
 private:
-    record::HistoryProfiles m_profiles;
+    history::HistoryProfiles m_profiles;
 };
 } // namespace ui

@@ -1,74 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked and shown. The parts are made in history_page_build.cpp, the actions are in
-// history_page_actions.cpp.
 #include "ui/history/history_page.h"
 
 #include "session/history/history_server_choice.h"
 #include "session/history/history_server_source.h"
-#include "text/error_text.h"
+#include "ui/common/file_dialog.h"
+#include "ui/common/widget_text.h"
+#include "ui/history/history_filter_bar.h"
+#include "ui/history/history_list_view.h"
+#include "ui/history/history_send_label.h"
+#include "ui/history/history_server_dialog.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/fit_columns.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/note_dialog.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDateEdit>
+#include <QDir>
 #include <QEvent>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollBar>
-#include <QTableView>
-
-#include <algorithm>
-#include <utility>
+#include <QVBoxLayout>
 
 namespace ui {
-using record::HistoryKind;
+using history::HistoryKind;
 
 namespace {
-constexpr int maxServos = 2000;
-constexpr int allBenches = -1;
+constexpr auto historyQueryDelay = std::chrono::milliseconds(150);
+const QString historyFolderKey = QStringLiteral("history/folder");
 
-/// One servo under two IDs: its label went with it.
-bool isSameLabel(const record::HistoryServo& one, const record::HistoryServo& other)
+QString secondText(const QDateTime& at)
 {
-    return !one.label.isEmpty() && one.label == other.label &&
-           one.identity.isSameKind(other.identity);
-}
-
-bool hasItems(const QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
-{
-    bool same = box->count() == int(items.size());
-    for (int i = 0; same && i < box->count(); ++i)
-        same = box->itemText(i) == items[std::size_t(i)].first &&
-               box->itemData(i) == items[std::size_t(i)].second;
-    return same;
-}
-
-/// Fills a list of choices and keeps what was chosen, where it is still there. One that is open is
-/// disturbed only by a change.
-void setItems(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
-{
-    if (hasItems(box, items))
-        return;
-    const QVariant chosen = box->currentData();
-    const QSignalBlocker blocker(box);
-    box->clear();
-    for (const auto& [text, data] : items)
-        box->addItem(text, data);
-    box->setCurrentIndex(std::max(0, box->findData(chosen)));
+    return at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 } // namespace
 
 HistoryPage::HistoryPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(appContext.desk)
-    , m_local(appContext.history)
-    , m_localGuard(&appContext.history)
-    , m_sender(appContext.historySender)
+    , m_workbench(appContext.workbench)
+    , m_local(appContext.workbench.history())
+    , m_localGuard(&appContext.workbench.history())
     , m_settings(settings)
-    , m_catalog(appContext.desk.catalog())
-    , m_table(appContext.desk.catalog())
+    , m_table(appContext.workbench.catalog())
 {
     setObjectName(QStringLiteral("historyPage"));
     build();
@@ -78,9 +48,75 @@ HistoryPage::HistoryPage(AppContext& appContext, session::Settings& settings, QW
 
 HistoryPage::~HistoryPage() = default;
 
-bool HistoryPage::isRemote() const
+void HistoryPage::build()
 {
-    return m_server != nullptr;
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    m_banner = new Banner(this);
+    m_banner->setObjectName(QStringLiteral("historyBanner"));
+    m_banner->hideMessage();
+    m_identityHint = new QLabel(this);
+    m_identityHint->setObjectName(QStringLiteral("historyHonest"));
+    m_identityHint->setWordWrap(true);
+    m_view = new HistoryListView(m_table, this);
+    m_filters = new HistoryFilterBar(m_settings, this);
+    column->addWidget(m_banner);
+    column->addWidget(m_filters);
+    column->addWidget(m_view, 1);
+    column->addWidget(m_identityHint);
+    column->addWidget(buildActions());
+    column->addWidget(new HistorySendLabel(m_workbench.historySender(), this));
+    m_queryTimer.setSingleShot(true);
+    m_queryTimer.setInterval(historyQueryDelay);
+}
+
+QWidget* HistoryPage::buildActions()
+{
+    auto* box = new QWidget(this);
+    auto* row = new FlowLayout(box, 6);
+    const auto button = [&](const char* name) {
+        auto* made = new QPushButton(box);
+        made->setObjectName(QString::fromLatin1(name));
+        row->addWidget(made);
+        return made;
+    };
+    m_open = button("historyOpen");
+    m_label = button("historyLabel");
+    m_export = button("historyExport");
+    m_serverSet = button("historyServer");
+    m_count = new QLabel(box);
+    m_count->setObjectName(QStringLiteral("historyCount"));
+    row->addWidget(m_count);
+    return box;
+}
+
+void HistoryPage::connectAll()
+{
+    connect(&m_queryTimer, &QTimer::timeout, this, &HistoryPage::query);
+    connect(&m_local, &session::HistoryService::changed, this, [this] {
+        if (!isRemote())
+            scheduleQuery();
+    });
+    // The journal writes into the database without HistoryService, which therefore does not signal.
+    connect(&m_workbench, &session::Workbench::eventOccurred, this,
+            [this](const session::Event& event) {
+                using Kind = session::Event::Kind;
+                if (!isRemote() && (event.kind == Kind::Written || event.kind == Kind::Task ||
+                                    event.kind == Kind::TableSaved))
+                    scheduleQuery();
+            });
+    connect(&m_local, &session::HistoryService::failed, this, &HistoryPage::showError);
+    connect(&m_table, &HistoryTableModel::changed, this, &HistoryPage::showState);
+    connect(&m_table, &HistoryTableModel::failed, this, &HistoryPage::showError);
+    connect(m_filters, &HistoryFilterBar::sourceChanged, this, &HistoryPage::onSourceChanged);
+    connect(m_filters, &HistoryFilterBar::filterChanged, this, &HistoryPage::scheduleQuery);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &HistoryPage::showState);
+    connect(m_view, &QTableView::activated, this, &HistoryPage::openSelected);
+    connect(m_open, &QPushButton::clicked, this, &HistoryPage::openSelected);
+    connect(m_label, &QPushButton::clicked, this, &HistoryPage::editLabel);
+    connect(m_export, &QPushButton::clicked, this, &HistoryPage::exportList);
+    connect(m_serverSet, &QPushButton::clicked, this, &HistoryPage::editServer);
 }
 
 session::HistoryService& HistoryPage::historyService() const
@@ -88,26 +124,21 @@ session::HistoryService& HistoryPage::historyService() const
     return m_server ? *m_server : m_local;
 }
 
-/// The first entry is this computer, the others are the server's benches.
 void HistoryPage::onSourceChanged()
 {
     m_banner->hideMessage();
-    const QVariant chosen = m_source->currentData();
     m_table.query(nullptr, m_table.kind(), {});
-    if (!chosen.isValid()) {
+    const HistorySourceChoice source = m_filters->source();
+    if (!source.isServer) {
         m_server.reset();
     } else {
-        if (!m_server) {
+        if (!m_server)
             m_server = std::make_unique<session::HistoryService>(
                 std::make_unique<session::HistoryServerSource>(
                     session::historyServerChoice(m_settings).address));
-        }
-        const auto appContext = chosen.toLongLong();
-        m_server->selectBench(appContext == allBenches ? std::nullopt
-                                                       : std::optional<std::int64_t>(appContext));
+        m_server->selectBench(source.bench);
     }
     setViewing(isVisible());
-    loadFilterValues();
     query();
 }
 
@@ -124,202 +155,228 @@ void HistoryPage::scheduleQuery()
         m_queryTimer.start();
 }
 
-record::HistoryFilter HistoryPage::filter() const
-{
-    record::HistoryFilter result;
-    const auto kind = HistoryKind(m_kind->currentData().toInt());
-    if (m_servo->currentData().isValid()) {
-        const QVariantList identity = m_servo->currentData().toList();
-        result.servo = identity.value(0).toLongLong();
-        if (kind == HistoryKind::Runs) { // tests name their servos, they have no number
-            result.servo.reset();
-            result.id = identity.value(1).toInt();
-            result.model = identity.value(2).toString();
-        }
-    }
-    if (kind == HistoryKind::Writes)
-        result.key = m_register->currentData().toString();
-    if (kind == HistoryKind::Writes || kind == HistoryKind::Alarms)
-        result.onlyProblems = m_onlyErrors->isChecked();
-    const int days = m_period->currentData().toInt();
-    if (days > 0)
-        result.from = QDate::currentDate().addDays(1 - days).startOfDay().toUTC();
-    if (days < 0) {
-        result.from = m_from->date().startOfDay().toUTC();
-        result.until = m_until->date().addDays(1).startOfDay().toUTC();
-    }
-    return result;
-}
-
 void HistoryPage::query()
 {
     m_queryTimer.stop();
-    const auto kind = HistoryKind(m_kind->currentData().toInt());
-    m_register->setVisible(kind == HistoryKind::Writes);
-    m_onlyErrors->setVisible(kind == HistoryKind::Writes || kind == HistoryKind::Alarms);
-    m_servo->setEnabled(kind != HistoryKind::Servos);
-    const bool dates = m_period->currentData().toInt() < 0;
-    m_from->setVisible(dates);
-    m_until->setVisible(dates);
-    m_table.query(&historyService(), kind, filter());
-    loadFilterValues();
+    m_filters->showFiltersOfKind();
+    m_table.query(&historyService(), m_filters->kind(), m_filters->filter());
+    m_filters->loadChoices(historyService(), isRemote());
 }
 
-/// Servos, registers and benches there are.
-void HistoryPage::loadFilterValues()
+QString HistoryPage::countText() const
 {
-    std::vector<std::pair<QString, QVariant>> sources{{tr("This computer"), QVariant()}};
-    if (!session::historyServerChoice(m_settings).address.isEmpty())
-        sources.push_back({tr("Server: all benches"), QVariant::fromValue(allBenches)});
-    if (m_source->count() != int(sources.size()) || !isRemote())
-        setItems(m_source, sources);
-    m_source->setItemText(0, tr("This computer"));
-    m_source->setVisible(sources.size() > 1);
-    record::HistoryFilter all;
-    all.limit = maxServos;
-    historyService().servos(
-        all, this, [this](const base::Result<std::vector<record::HistoryServo>>& servos) {
-            std::vector<std::pair<QString, QVariant>> items{{tr("All servos"), QVariant()}};
-            std::vector<record::HistoryServo> listed;
-            for (const record::HistoryServo& one :
-                 servos ? *servos : std::vector<record::HistoryServo>{}) {
-                const auto same = [&](const record::HistoryServo& other) {
-                    return isSameLabel(one, other);
-                };
-                // Its earlier IDs belong to the entry with its latest one.
-                if (!isRemote() && std::any_of(listed.begin(), listed.end(), same))
-                    continue;
-                listed.push_back(one);
-                items.push_back(
-                    {HistoryFormatter::servoTitle(one),
-                     QVariantList{qlonglong(one.number), one.identity.id, one.identity.model}});
-            }
-            setItems(m_servo, items);
-        });
-    historyService().writtenKeys(std::nullopt, this, [this](const base::Result<QStringList>& keys) {
-        std::vector<std::pair<QString, QVariant>> items{{tr("All registers"), QVariant()}};
-        for (const QString& key : keys ? *keys : QStringList{})
-            items.push_back({key, key});
-        setItems(m_register, items);
-    });
-    if (!isRemote())
-        return;
-    m_server->benches(this, [this](const base::Result<std::vector<record::HistoryBench>>& found) {
-        if (!found)
-            return; // the list has told it
-        std::vector<std::pair<QString, QVariant>> items{
-            {tr("This computer"), QVariant()},
-            {tr("Server: all benches"), QVariant::fromValue(allBenches)}};
-        for (const record::HistoryBench& one : *found)
-            items.push_back({tr("Server: %1").arg(one.name), qlonglong(one.number)});
-        setItems(m_source, items);
-    });
+    const int rows = m_table.rowCount();
+    if (rows == 0)
+        return m_table.isLoading() ? tr("Loading…") : tr("No entries");
+    return m_table.isComplete() ? tr("%Ln row(s)", nullptr, rows)
+                                : tr("%Ln or more rows", nullptr, rows);
 }
 
-std::optional<int> HistoryPage::current() const
+bool HistoryPage::isStepResponseSelected() const
 {
-    const QModelIndexList rows = m_view->selectionModel()->selectedRows();
-    return rows.size() == 1 ? std::optional<int>(rows.front().row()) : std::nullopt;
-}
-
-/// New rows come in at the top; who has scrolled goes on reading where they were.
-void HistoryPage::saveTopRow(int changedFrom)
-{
-    const QModelIndex top = m_view->indexAt(QPoint(0, 0));
-    if (!m_topRow.isValid() && m_view->verticalScrollBar()->value() > 0 && changedFrom <= top.row())
-        m_topRow = top;
-}
-
-void HistoryPage::restoreTopRow()
-{
-    if (!m_topRow.isValid())
-        return;
-    const int across = m_view->horizontalScrollBar()->value();
-    m_view->doItemsLayout();
-    m_view->scrollTo(m_topRow, QAbstractItemView::PositionAtTop);
-    m_view->horizontalScrollBar()->setValue(across);
-    m_topRow = QPersistentModelIndex();
+    const auto row = m_view->selectedRow();
+    return row && !isRemote() && m_table.kind() == HistoryKind::Runs &&
+           m_table.lineAt(*row).isStepResponse;
 }
 
 void HistoryPage::showState()
 {
-    restoreTopRow();
-    if (std::exchange(m_columnsUnsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
-        m_columns->fit();
+    m_view->updateAfterChange();
     const HistoryKind kind = m_table.kind();
-    const bool one = current().has_value();
+    const bool one = m_view->selectedRow().has_value();
     const bool writes = kind == HistoryKind::Writes;
-    m_open->setText(writes                      ? tr("Table at this moment")
-                    : kind == HistoryKind::Runs ? tr("Earlier tests…")
-                                                : tr("Open snapshot"));
-    m_open->setAccessibleName(m_open->text());
-    m_open->setToolTip(
-        writes ? tr("The servo's table as it was just before this write, to compare and restore")
-        : kind == HistoryKind::Runs ? tr("Reports and comparisons of kept tests")
-                                    : tr("Compare it and restore from it"));
-    m_open->setVisible(writes || kind == HistoryKind::Snapshots ||
-                       (kind == HistoryKind::Runs && !isRemote()));
-    m_open->setEnabled(one || kind == HistoryKind::Runs);
+    const bool runs = kind == HistoryKind::Runs;
+    const bool step = isStepResponseSelected();
+    setButtonText(
+        m_open,
+        writes ? tr("Memory table before write")
+        : step ? tr("Open step response")
+        : runs ? tr("Earlier tests…")
+               : tr("Open snapshot"),
+        writes ? tr("Opens the servo's memory table as it was just before this write; you can "
+                    "compare and restore it")
+        : step
+            ? tr("Shows this run on the Step response page, where the next run is compared with it")
+        : runs ? tr("Shows reports and comparisons of saved tests")
+               : tr("Opens the snapshot to compare and restore it"));
+    m_open->setVisible(writes || kind == HistoryKind::Snapshots || (runs && !isRemote()));
+    m_open->setEnabled(one || runs);
     m_label->setVisible(!isRemote() &&
                         (kind == HistoryKind::Servos || kind == HistoryKind::Snapshots));
     m_label->setEnabled(one);
-    const int rows = m_table.rowCount();
-    m_export->setEnabled(rows > 0);
-    m_count->setText(m_table.isLoading() && rows == 0 ? tr("Asking…")
-                     : rows == 0                      ? tr("Nothing")
-                     : m_table.isComplete()           ? tr("%1 rows").arg(rows)
-                                                      : tr("%1 rows and more").arg(rows));
+    m_export->setEnabled(m_table.rowCount() > 0);
+    m_count->setText(countText());
 }
 
-/// What is wrong with the server, why, and what to do.
-QString HistoryPage::sendErrorText(const session::SendState& state)
+void HistoryPage::openSelected()
 {
-    const QString first = tr("⚠ %1: what is written now is sent later.")
-                              .arg(state.server.isEmpty() ? tr("History server") : state.server);
-    if (!state.error)
-        return first;
-    const text::Description words = text::describe(*state.error);
-    QStringList lines{first, words.message, words.cause, words.remedy};
-    lines.removeAll(QString());
-    return lines.join(u'\n');
-}
-
-/// How far the copies are; nothing without a server.
-void HistoryPage::showServer()
-{
-    using Phase = session::SendState::Phase;
-    const session::SendState& state = m_sender.state();
-    QString words;
-    switch (state.phase) {
-    case Phase::Off:
-        break;
-    case Phase::Waiting:
-    case Phase::Sending:
-        words = state.pending ? tr("%1: sending %2 rows").arg(state.server).arg(*state.pending)
-                              : tr("%1: sending").arg(state.server);
-        break;
-    case Phase::UpToDate:
-        words = tr("✔ %1 is up to date").arg(state.server);
-        break;
-    case Phase::Failed:
-        words = sendErrorText(state);
-        break;
+    if (isStepResponseSelected()) {
+        Q_EMIT stepResponseRequested(m_table.lineAt(*m_view->selectedRow()).number);
+        return;
     }
-    m_serverState->setText(words);
-    m_serverState->setVisible(!words.isEmpty());
+    if (m_table.kind() == HistoryKind::Runs) {
+        Q_EMIT previousTestsRequested();
+        return;
+    }
+    const auto row = m_view->selectedRow();
+    if (!row)
+        return;
+    m_banner->hideMessage();
+    const HistoryLine line = m_table.lineAt(*row);
+    if (m_table.kind() == HistoryKind::Snapshots)
+        openSnapshot(line.number);
+    else if (m_table.kind() == HistoryKind::Writes)
+        openTableAt(line);
+}
+
+void HistoryPage::openSnapshot(std::int64_t number)
+{
+    if (!isRemote()) {
+        Q_EMIT snapshotRequested(number);
+        return;
+    }
+    historyService().loadSnapshot(
+        number, this, [this](const base::Result<session::SharedSnapshot>& loaded) {
+            if (!loaded) {
+                showError(loaded.error());
+                return;
+            }
+            const QString label = (*loaded)->label;
+            Q_EMIT tableRequested(*loaded, label.isEmpty() ? tr("from the server") : label);
+        });
+}
+
+/// As it was just before the write.
+void HistoryPage::openTableAt(const HistoryLine& line)
+{
+    historyService().tableAt(m_workbench.catalog(), line.servo, line.at.addMSecs(-1), this,
+                             [this, line](const base::Result<history::TableState>& state) {
+                                 if (!state) {
+                                     showError(state.error());
+                                     return;
+                                 }
+                                 Q_EMIT tableRequested(
+                                     std::make_shared<const snapshot::Snapshot>(state->table),
+                                     tr("before %1").arg(secondText(line.at)));
+                                 showTableNote(*state);
+                             });
+}
+
+/// Why the table may differ from what the servo had.
+void HistoryPage::showTableNote(const history::TableState& table)
+{
+    if (!table.unknown.isEmpty()) {
+        m_banner->showMessage([keys = table.unknown] {
+            return BannerText{Tone::Warn, tr("Some register values at that time are unknown."),
+                              tr("These registers were changed by unrecorded operations: %1.")
+                                  .arg(keys.join(QStringLiteral(", "))),
+                              tr("Restoring the memory table leaves these registers unchanged.")};
+        });
+    } else if (table.changedId) {
+        m_banner->showMessage([changed = *table.changedId] {
+            return BannerText{Tone::Warn, tr("The servo had ID %1 at that time.").arg(changed.id),
+                              tr("The ID was changed on %1.").arg(secondText(changed.at)),
+                              tr("Writes made under ID %1 are in the history of the servo with "
+                                 "that ID, not in this memory table.")
+                                  .arg(changed.id)};
+        });
+    }
+}
+
+void HistoryPage::editLabel()
+{
+    const auto row = m_view->selectedRow();
+    if (!row)
+        return;
+    const HistoryLine line = m_table.lineAt(*row);
+    const HistoryKind kind = m_table.kind();
+    auto* dialog = new NoteDialog(line.label, line.note, this);
+    dialog->setNoteVisible(kind == HistoryKind::Snapshots);
+    connect(dialog, &NoteDialog::accepted, this, [this, dialog, kind, number = line.number] {
+        if (kind == HistoryKind::Snapshots)
+            m_local.setSnapshotNote(number, dialog->label(), dialog->note());
+        else
+            m_local.setServoLabel(number, dialog->label());
+    });
+    dialog->open();
+}
+
+void HistoryPage::exportList()
+{
+    const FileRequest request{
+        QStringLiteral("historyFileDialog"),
+        tr("Export the history"),
+        {tr("Table for spreadsheets (*.csv)"), tr("Data (*.json)")},
+        QStringLiteral("history-%1.csv").arg(history::historyKindName(m_table.kind())),
+        &m_settings,
+        historyFolderKey};
+    askForSavePath(this, request, [this](const QString& path) { exportTo(path); });
+}
+
+void HistoryPage::exportTo(const QString& path)
+{
+    const bool csv = !path.endsWith(QLatin1StringView(".json"), Qt::CaseInsensitive);
+    historyService().exportTo(
+        path, csv, {m_table.kind()}, m_filters->filter(), this,
+        [this, path](const base::Result<std::int64_t>& rows) {
+            if (!rows) {
+                showError(rows.error());
+                return;
+            }
+            m_banner->showMessage([path, count = *rows] {
+                return BannerText{Tone::Good, tr("%Ln row(s) saved: %1", nullptr, int(count))
+                                                  .arg(QDir::toNativeSeparators(path))};
+            });
+        });
+}
+
+void HistoryPage::editServer()
+{
+    auto* dialog = new HistoryServerDialog(m_settings, m_workbench.historySender(), this);
+    connect(dialog, &HistoryServerDialog::accepted, this, [this] {
+        m_filters->setBenches({}); // it may be another server now
+        if (!isRemote())
+            return query();
+        m_server.reset();
+        onSourceChanged();
+    });
+    dialog->open();
+}
+
+void HistoryPage::showError(const base::Error& error)
+{
+    m_banner->showMessage(error);
+}
+
+void HistoryPage::retranslate()
+{
+    setAccessibleName(tr("History"));
+    m_identityHint->setText(
+        tr("Servos have no serial number. They are identified by model, firmware, ID and the label "
+           "you assign; two identical servos without a label cannot be distinguished."));
+    setAccessText(m_view, tr("History"),
+                  tr("Newest first; the tooltip of each row shows all details"));
+    setButtonText(m_label, tr("Label…"), tr("Labels the servo or the snapshot"));
+    setButtonText(m_export, tr("Export…"), tr("Saves the filtered list as CSV or JSON"));
+    setButtonText(m_serverSet, tr("Server…"),
+                  tr("Sends copies of the history to a PostgreSQL server and shows the history "
+                     "of all benches"));
+    m_filters->loadChoices(historyService(), isRemote());
+    m_table.retranslate();
+    showState();
 }
 
 void HistoryPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_serverState != nullptr)
+    if (event->type() == QEvent::LanguageChange && m_count != nullptr)
         retranslate();
 }
 
 void HistoryPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    setViewing(true); // first, so that nothing comes unseen in between
+    setViewing(true); // first, so that no change is missed in between
     query();
 }
 

@@ -35,7 +35,7 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     setAttribute(Qt::WA_DeleteOnClose);
     const session::HistoryServerChoice now = session::historyServerChoice(settings);
     m_address->setObjectName(QStringLiteral("serverAddress"));
-    m_address->setText(record::ServerAddress::masked(now.address));
+    m_address->setText(history::ServerAddress::masked(now.address));
     m_address->setEnabled(!now.isFixedByEnvironment);
     m_bench->setObjectName(QStringLiteral("serverBench"));
     m_bench->setText(now.bench);
@@ -99,17 +99,17 @@ void HistoryServerDialog::retranslate()
     setWindowTitle(tr("History server"));
     setAccessibleName(windowTitle());
     m_explanation->setText(
-        tr("Writes, snapshots, labels and tests of this bench are copied to a "
-           "PostgreSQL server, where all benches can be looked at together. This "
-           "computer keeps everything itself; a server that is away never stops a "
-           "write."));
+        tr("Writes, snapshots, labels and tests of this bench are copied to a PostgreSQL server, "
+           "where all benches can be viewed together. This computer keeps its own complete "
+           "history; an unreachable server never blocks a write."));
     m_addressName->setText(tr("&Server"));
     m_address->setAccessibleName(tr("Server"));
     m_address->setPlaceholderText(QStringLiteral("postgresql://user@host/servodesk"));
-    m_address->setToolTip(tr("Connection string of PostgreSQL; empty: no copies are sent"));
+    m_address->setToolTip(tr("PostgreSQL connection string; leave empty to send no copies"));
     m_benchName->setText(tr("&Name of this bench"));
     m_bench->setAccessibleName(tr("Name of this bench"));
-    m_bench->setToolTip(tr("How others find its history on the server"));
+    m_bench->setToolTip(
+        tr("Name under which other benches find this bench's history on the server"));
     setError(m_error);
     m_hint->setText(m_address->isEnabled()
                         ? tr("Store the password in ~/.pgpass, not in the string. A server on "
@@ -119,11 +119,11 @@ void HistoryServerDialog::retranslate()
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
     save->setText(tr("Save"));
     save->setAccessibleName(save->text());
-    save->setToolTip(tr("Keep this and begin to send"));
+    save->setToolTip(tr("Saves the settings and starts sending"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
     cancel->setText(tr("Cancel"));
     cancel->setAccessibleName(cancel->text());
-    cancel->setToolTip(tr("Change nothing"));
+    cancel->setToolTip(tr("Discards the changes"));
 }
 
 void HistoryServerDialog::changeEvent(QEvent* event)

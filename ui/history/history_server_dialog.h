@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which PostgreSQL server gets copies of the history, under which name for this bench. Kept in the
-// settings; the sender begins at once. A connection string that cannot be used, or that contains a
-// password, is refused here with the reason. Opened, never waited for; main thread.
+// settings; sending begins at once. A connection string that cannot be used, or that contains a
+// password, is refused here with the reason. Does not block; main thread.
 #pragma once
 
 #include "session/history/history_sender.h"

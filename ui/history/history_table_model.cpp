@@ -8,7 +8,7 @@
 #include <utility>
 
 namespace ui {
-using record::HistoryKind;
+using history::HistoryKind;
 
 namespace {
 constexpr int maxServos = 5000;
@@ -26,8 +26,8 @@ bool numeric(HistoryKind kind, int column)
         return false;
     }
 }
-/// The question without the page of the answer.
-record::HistoryFilter unpaged(record::HistoryFilter filter)
+/// The filter without the page.
+history::HistoryFilter unpaged(history::HistoryFilter filter)
 {
     filter.after.reset();
     filter.limit = HistoryTableModel::pageSize;
@@ -41,7 +41,7 @@ HistoryTableModel::HistoryTableModel(const catalog::Catalog& catalog, QObject* p
 {}
 
 void HistoryTableModel::query(session::HistoryService* historyService, HistoryKind kind,
-                              const record::HistoryFilter& filter)
+                              const history::HistoryFilter& filter)
 {
     const bool same = historyService != nullptr && historyService == m_historyService &&
                       kind == m_kind && unpaged(filter) == unpaged(m_filter);
@@ -54,7 +54,7 @@ void HistoryTableModel::query(session::HistoryService* historyService, HistoryKi
 }
 
 void HistoryTableModel::startQuery(session::HistoryService* historyService, HistoryKind kind,
-                                   const record::HistoryFilter& filter)
+                                   const history::HistoryFilter& filter)
 {
     beginResetModel();
     m_historyService = historyService;
@@ -65,7 +65,7 @@ void HistoryTableModel::startQuery(session::HistoryService* historyService, Hist
     m_queryPending = false;
     m_complete = historyService == nullptr;
     ++m_queryId;
-    m_loading = historyService != nullptr; // a view that looks now asks for nothing of its own
+    m_loading = historyService != nullptr; // a view must not fetch more meanwhile
     endResetModel();
     Q_EMIT changed();
     if (historyService != nullptr)
@@ -77,7 +77,7 @@ void HistoryTableModel::retranslate()
     startQuery(m_historyService, m_kind, m_filter);
 }
 
-/// One page more than there is: what is new must not push out what is shown.
+/// One page more than is shown: new rows must not push out rows that are shown.
 void HistoryTableModel::repeatQuery()
 {
     m_queryPending = false;
@@ -89,23 +89,23 @@ void HistoryTableModel::repeatQuery()
     fetchServos();
 }
 
-/// Register names hang on what the servo is.
+/// Register names depend on the model of the servo.
 void HistoryTableModel::fetchServos()
 {
-    record::HistoryFilter all;
+    history::HistoryFilter all;
     all.limit = maxServos;
-    m_historyService->servos(
-        all, this,
-        [this, queryId = m_queryId](const base::Result<std::vector<record::HistoryServo>>& servos) {
-            if (queryId != m_queryId)
-                return;
-            if (!servos) {
-                handleError(servos.error());
-                return;
-            }
-            m_formatter.addServos(*servos);
-            fetchPage();
-        });
+    m_historyService->servos(all, this,
+                             [this, queryId = m_queryId](
+                                 const base::Result<std::vector<history::HistoryServo>>& servos) {
+                                 if (queryId != m_queryId)
+                                     return;
+                                 if (!servos) {
+                                     handleError(servos.error());
+                                     return;
+                                 }
+                                 m_formatter.addServos(*servos);
+                                 fetchPage();
+                             });
 }
 
 template <typename Row>
@@ -141,28 +141,28 @@ void HistoryTableModel::fetchPage()
     m_loading = true;
     switch (m_kind) {
     case HistoryKind::Writes:
-        m_historyService->writes(m_filter, this, resultHandler<record::HistoryWrite>());
+        m_historyService->writes(m_filter, this, resultHandler<history::HistoryWrite>());
         break;
     case HistoryKind::Snapshots:
-        m_historyService->snapshots(m_filter, this, resultHandler<record::HistorySnapshot>());
+        m_historyService->snapshots(m_filter, this, resultHandler<history::HistorySnapshot>());
         break;
     case HistoryKind::Alarms:
-        m_historyService->alarms(m_filter, this, resultHandler<record::HistoryAlarm>());
+        m_historyService->alarms(m_filter, this, resultHandler<history::HistoryAlarm>());
         break;
     case HistoryKind::Recordings:
-        m_historyService->recordings(m_filter, this, resultHandler<record::HistoryRecording>());
+        m_historyService->recordings(m_filter, this, resultHandler<history::HistoryRecording>());
         break;
     case HistoryKind::Servos:
-        m_historyService->servos(m_filter, this, resultHandler<record::HistoryServo>());
+        m_historyService->servos(m_filter, this, resultHandler<history::HistoryServo>());
         break;
     case HistoryKind::Runs: {
-        record::RunFilter runs;
+        history::RunFilter runs;
         runs.id = m_filter.id;
         runs.model = m_filter.model;
         runs.from = m_filter.from;
         runs.until = m_filter.until;
         m_filter.limit = runs.limit; // this list is not paged
-        m_historyService->list(runs, this, resultHandler<record::TestRun>());
+        m_historyService->list(runs, this, resultHandler<history::TestRun>());
         break;
     }
     }
@@ -186,10 +186,10 @@ void HistoryTableModel::markEnd()
 {
     m_filter.limit = pageSize;
     if (!m_lines.empty())
-        m_filter.after = record::PageCursor{m_lines.back().at, m_lines.back().number};
+        m_filter.after = history::PageCursor{m_lines.back().at, m_lines.back().number};
 }
 
-/// As far as was shown before, and a page at least; tests come all at once.
+/// All rows that were shown before, at least one page; tests are not paged.
 void HistoryTableModel::replaceRows(std::vector<HistoryLine> lines, bool last)
 {
     std::size_t shown = std::max(m_lines.size(), std::size_t(pageSize));
@@ -205,7 +205,7 @@ void HistoryTableModel::replaceRows(std::vector<HistoryLine> lines, bool last)
     merge(std::move(lines));
 }
 
-/// Row by row: a view keeps what it shows of rows that stay.
+/// Row by row, so that a view keeps the selection and position of rows that stay.
 void HistoryTableModel::merge(std::vector<HistoryLine> lines)
 {
     std::set<std::int64_t> remaining;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One list of the history, page by page: what is scrolled to is asked for, without waiting. Newest
-// first. The archive must outlive it; owned by the history page; main thread.
+// One list of the history, newest first. More rows are loaded when the user scrolls to them,
+// without waiting. The history service must outlive it; owned by the history page; main thread.
 #pragma once
 
 #include "session/history/history_service.h"
@@ -17,15 +17,14 @@ public:
 
     explicit HistoryTableModel(const catalog::Catalog& catalog, QObject* parent = nullptr);
 
-    /// Asks the archive for the first page; null: an empty list. The same question again keeps
-    /// the rows until the answer comes, and those that are still there after it: a selection and
-    /// the place scrolled to stay.
-    void query(session::HistoryService* historyService, record::HistoryKind kind,
-               const record::HistoryFilter& filter);
-    void retranslate(); ///< asks again: words are made with the rows
+    /// Loads the first page; null: an empty list. The same query again keeps the rows until the
+    /// answer comes, and the rows that are in it: the selection and the scroll position stay.
+    void query(session::HistoryService* historyService, history::HistoryKind kind,
+               const history::HistoryFilter& filter);
+    void retranslate(); ///< repeats the query, because rows are text
     bool isLoading() const { return m_loading; }
     bool isComplete() const { return m_complete; }
-    record::HistoryKind kind() const { return m_kind; }
+    history::HistoryKind kind() const { return m_kind; }
     const HistoryLine& lineAt(int row) const { return m_lines[std::size_t(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,8 +40,8 @@ Q_SIGNALS:
     void failed(const base::Error& error);
 
 private:
-    void startQuery(session::HistoryService* historyService, record::HistoryKind kind,
-                    const record::HistoryFilter& filter);
+    void startQuery(session::HistoryService* historyService, history::HistoryKind kind,
+                    const history::HistoryFilter& filter);
     void repeatQuery();
     void fetchServos();
     void fetchPage();
@@ -56,14 +55,14 @@ private:
     void handleError(const base::Error& error);
 
     session::HistoryService* m_historyService = nullptr;
-    record::HistoryKind m_kind = record::HistoryKind::Writes;
-    record::HistoryFilter m_filter;
+    history::HistoryKind m_kind = history::HistoryKind::Writes;
+    history::HistoryFilter m_filter;
     HistoryFormatter m_formatter;
     std::vector<HistoryLine> m_lines;
-    int m_queryId = 0; ///< only answers to the latest count
+    int m_queryId = 0; ///< of the latest query; other answers are dropped
     bool m_loading = false;
     bool m_complete = true;
-    bool m_replacing = false;    ///< the answer takes the place of the rows
-    bool m_queryPending = false; ///< when the present answer has come
+    bool m_replacing = false;    ///< the answer replaces the rows
+    bool m_queryPending = false; ///< starts when the current answer has come
 };
 } // namespace ui

@@ -79,9 +79,9 @@ QString LockBadge::lockText(Lock lock)
     case Lock::Closed:
         return tr("EPROM locked");
     case Lock::OpenByUs:
-        return tr("EPROM open, by ServoDesk");
+        return tr("EPROM unlocked by ServoDesk");
     case Lock::OpenByOthers:
-        return tr("EPROM open, not by ServoDesk");
+        return tr("EPROM unlocked, not by ServoDesk");
     case Lock::NoServo:
         break;
     }
@@ -104,25 +104,26 @@ void LockBadge::retranslate()
     case Lock::NoServo:
         break;
     case Lock::None:
-        tip = tr("This family has no lock: the servo keeps every setting at once.");
+        tip = tr("This family has no EPROM lock. The servo stores every setting immediately.");
         break;
     case Lock::NotRead:
-        tip = tr("The lock flag has not been read. Choose Read all.");
+        tip = tr("The EPROM lock has not been read. Choose Read all.");
         break;
     case Lock::Closed:
-        tip = tr("The lock is closed. ServoDesk opens it for a write and closes it afterwards.");
+        tip = tr("The EPROM is locked. ServoDesk unlocks it for a write and locks it again "
+                 "afterwards.");
         break;
     case Lock::OpenByUs:
-        tip = tr("ServoDesk opened the lock for a write that has not ended. If nothing is being "
-                 "written, look at the interrupted writes.");
+        tip = tr("ServoDesk unlocked the EPROM for a write that has not finished. If no write "
+                 "is in progress, open Port → Interrupted writes.");
         break;
     case Lock::OpenByOthers:
-        tip = tr("Another program left the lock open: every write of anybody is kept for good. "
-                 "Close it when you have finished there.");
+        tip = tr("Another program left the EPROM unlocked, so every write by any program is kept "
+                 "after power-off. Lock the EPROM when you have finished with that program.");
         break;
     }
     m_word->setText(lockText(m_lock));
-    int widest = 0; // the row must not break anew when the word changes
+    int widest = 0; // the row must not wrap differently when the text changes
     for (const Lock lock :
          {Lock::None, Lock::NotRead, Lock::Closed, Lock::OpenByUs, Lock::OpenByOthers})
         widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(lockText(lock)));
@@ -131,8 +132,8 @@ void LockBadge::retranslate()
     setToolTip(tip);
     setAccessibleName(m_word->text());
     setAccessibleDescription(tip);
-    m_close->setText(tr("Close"));
-    m_close->setAccessibleName(tr("Close the EPROM lock"));
+    m_close->setText(tr("Lock"));
+    m_close->setAccessibleName(tr("Lock the EPROM"));
     m_close->setVisible(m_lock == Lock::OpenByUs || m_lock == Lock::OpenByOthers);
     showSign();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The padlock: whether the servo's EPROM lock is closed, and if it stands open, whether ServoDesk
-// or somebody else opened it, with the button that closes it. Owned by the tool row; main thread.
+// The padlock: whether the EPROM of the servo is locked, and if not, whether ServoDesk or another
+// program has unlocked it, with the button that locks it. Owned by the toolbar; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QWidget>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows of the memory table are shown: by words typed, by group, only changed, only different
-// from a known default. Rows stay in the table's order. Owned by the page; main thread.
+// Which rows of the memory table are shown: by typed words, by group, only changed ones, only those
+// different from a known default. Rows stay in the order of the table. Owned by the page; main
+// thread.
 #pragma once
 
 #include "catalog/register.h"

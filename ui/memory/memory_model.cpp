@@ -9,7 +9,7 @@ bool isRightAligned(MemoryColumn column)
            column == MemoryColumn::Physical || column == MemoryColumn::Default;
 }
 
-/// Found in either language, whichever the interface speaks.
+/// Found in both languages, whatever the language of the interface.
 QString searchText(const MemoryRow& row)
 {
     const catalog::Register& reg = *row.reg;
@@ -26,8 +26,8 @@ QString searchText(const MemoryRow& row)
     return parts.join(QLatin1Char('\n'));
 }
 
-/// A servo whose firmware is not known shows who it is and what it measures; one of unclear family
-/// every byte, since that is all there is to tell what it may be.
+/// A servo with unknown firmware shows its identity and its measurements; one of unclear family
+/// shows every byte, since that is the only hint to its family.
 bool shownFor(const catalog::Profile& profile, const catalog::Register& reg)
 {
     using catalog::Role;
@@ -62,7 +62,7 @@ void MemoryModel::setEntry(const session::ServoEntry* entry, const RowContext& c
     if (ref != m_ref || profile != m_profile || fresh.size() != m_rows.size()) {
         beginResetModel();
         m_ref = ref;
-        // The view closes its editors in the end of the reset, and they know the old registers.
+        // The view closes its editors at the end of the reset, and they use the old registers.
         const catalog::ProfilePtr old = std::exchange(m_profile, profile);
         m_rows = std::move(fresh);
         endResetModel();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory table of one servo, one row a register, in the order of the table. Shows what a
+// The memory table of one servo, one row per register, in the order of the table. Shows what a
 // ServoEntry holds; setEntry() is called after every change and every second, and announces only
-// the rows that look different. Raw data has roles of its own; words come from memory_words.h.
-// Editing does not change the model: it emits writeRequested. Owned by the page; main thread.
+// the rows that have changed. Raw data has roles of its own; texts come from memory_text.h. Editing
+// does not change the model: it emits writeRequested. Owned by the page; main thread.
 #pragma once
 
 #include "ui/memory/memory_text.h"

@@ -2,10 +2,10 @@
 #include "ui/memory/memory_output.h"
 
 #include "files/file_error.h"
+#include "ui/common/file_dialog.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QSaveFile>
@@ -25,9 +25,10 @@ bool isHtmlPath(const QString& path)
 }
 } // namespace
 
-MemoryOutput::MemoryOutput(session::Desk& desk, const MemoryModel& model, QTableView& view)
+MemoryOutput::MemoryOutput(session::Workbench& workbench, const MemoryModel& model,
+                           QTableView& view)
     : QObject(&view)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_model(model)
     , m_view(view)
 {}
@@ -47,7 +48,7 @@ std::vector<int> MemoryOutput::shownRows(bool selectedOnly) const
 
 std::optional<TableSheet> MemoryOutput::sheet(bool selectedOnly) const
 {
-    const session::ServoEntry* entry = m_desk.servo(m_model.servo());
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_model.servo());
     if (entry == nullptr || m_model.rowCount() == 0)
         return std::nullopt;
     return memorySheet(m_model, shownRows(selectedOnly), *entry, QDateTime::currentDateTime());
@@ -63,43 +64,35 @@ void MemoryOutput::copyRows()
 base::Result<void> MemoryOutput::save(const TableSheet& sheet, const QString& path)
 {
     if (path.isEmpty())
-        return tl::unexpected(record::noFileNameError(memoryOutputOperation));
+        return tl::unexpected(files::noFileNameError(memoryOutputOperation));
     QSaveFile file(path);
     const QByteArray bytes = isHtmlPath(path) ? toHtml(sheet) : toCsv(sheet);
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
-        !record::writeAll(file, bytes) || !file.commit())
-        return tl::unexpected(record::fileError(memoryOutputOperation, file));
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || !files::writeAll(file, bytes) ||
+        !file.commit())
+        return tl::unexpected(files::fileError(memoryOutputOperation, file));
     return {};
 }
 
-/// The table as it is when the command is given, not when the dialog is answered.
+/// The table at the time of the command, not when the dialog is accepted.
 void MemoryOutput::exportTable()
 {
     const auto all = sheet(false);
-    const session::ServoEntry* entry = m_desk.servo(m_model.servo());
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_model.servo());
     if (!all || entry == nullptr)
         return;
-    const QString csvFilter = tr("Table for spreadsheets (*.csv)");
-    const QString htmlFilter = tr("Page to read or print (*.html)");
-    auto* dialog = new QFileDialog(&m_view, tr("Export the memory table"));
-    dialog->setObjectName(QStringLiteral("exportDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({csvFilter, htmlFilter});
-    dialog->setDefaultSuffix(csv.mid(1));
-    dialog->selectFile(memoryFileName(*entry, QDateTime::currentDateTime()) + csv);
-    connect(dialog, &QFileDialog::filterSelected, dialog,
-            [dialog, htmlFilter](const QString& filter) {
-                dialog->setDefaultSuffix(filter == htmlFilter ? html.mid(1) : csv.mid(1));
-            });
-    connect(dialog, &QFileDialog::fileSelected, this, [this, all](const QString& path) {
-        const auto done = save(*all, path);
-        if (done)
-            Q_EMIT saved(path);
-        else
-            Q_EMIT failed(done.error());
-    });
-    dialog->open();
+    askForSavePath(
+        &m_view,
+        {QStringLiteral("exportDialog"),
+         tr("Export the memory table"),
+         {tr("Table for spreadsheets (*.csv)"), tr("Web page to view or print (*.html)")},
+         memoryFileName(*entry, QDateTime::currentDateTime()) + csv},
+        [this, all](const QString& path) {
+            const auto done = save(*all, path);
+            if (done)
+                Q_EMIT saved(path);
+            else
+                Q_EMIT failed(done.error());
+        });
 }
 
 void MemoryOutput::printTable()

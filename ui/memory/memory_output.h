@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways out of the memory table: the clipboard, a CSV or HTML file, paper. Dialogs are opened,
-// never waited for. What cannot be written is told by `failed`. Owned by the page; main thread.
+// The outputs of the memory table: clipboard, CSV or HTML file, printer. Its dialogs do not block.
+// What cannot be written is reported by failed(). Owned by the page; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/memory/memory_sheet.h"
 
 #include <QPointer>
@@ -15,13 +15,13 @@ class MemoryOutput final : public QObject {
     Q_OBJECT
 
 public:
-    MemoryOutput(session::Desk& desk, const MemoryModel& model, QTableView& view);
+    MemoryOutput(session::Workbench& workbench, const MemoryModel& model, QTableView& view);
 
     void copyRows();
     void exportTable();
     void printTable();
 
-    /// HTML where the name says so, else CSV. Errors: FileUnwritable, DiskFull.
+    /// HTML for a file name ending in .html, else CSV. Errors: FileUnwritable, DiskFull.
     static base::Result<void> save(const TableSheet& sheet, const QString& path);
 
 Q_SIGNALS:
@@ -32,7 +32,7 @@ private:
     std::optional<TableSheet> sheet(bool selectedOnly) const;
     std::vector<int> shownRows(bool selectedOnly) const;
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     const MemoryModel& m_model;
     QTableView& m_view;
 };

@@ -2,6 +2,7 @@
 #include "ui/memory/memory_page.h"
 
 #include "device/write_access.h"
+#include "device/write_meaning.h"
 #include "device/writer.h"
 #include "text/error_text.h"
 #include "ui/memory/lock_badge.h"
@@ -30,7 +31,7 @@ constexpr int minPanelChars = 28;
 constexpr int maxPanelChars = 48;
 constexpr int panelPercent = 22;
 
-/// What the servo left out of its whole table it never tells (stored move of some LX).
+/// What is missing in a complete reading cannot be read (stored move of some LX).
 bool hasValue(const session::ServoEntry& entry, const catalog::Register& reg)
 {
     return entry.servo.raw(reg).has_value();
@@ -39,7 +40,7 @@ bool hasValue(const session::ServoEntry& entry, const catalog::Register& reg)
 
 const session::ServoEntry* MemoryPage::entry() const
 {
-    return m_desk.servo(m_selection.current());
+    return m_workbench.registry().servo(m_selection.current());
 }
 
 void MemoryPage::select()
@@ -49,15 +50,16 @@ void MemoryPage::select()
     refresh();
     read();
     if (entry() != nullptr)
-        m_desk.loadHistory(m_selection.current());
+        m_workbench.writes().loadHistory(m_selection.current());
     updateLive();
 }
 
 void MemoryPage::read()
 {
     const session::ServoEntry* known = entry();
-    if (known != nullptr && known->servo.profile && m_desk.state() == session::LinkState::Open)
-        m_desk.readTable(m_selection.current());
+    if (known != nullptr && known->servo.profile &&
+        m_workbench.link().state() == session::LinkState::Open)
+        m_workbench.writes().readTable(m_selection.current());
 }
 
 void MemoryPage::scheduleRefresh()
@@ -69,8 +71,8 @@ void MemoryPage::scheduleRefresh()
 void MemoryPage::refresh()
 {
     const session::ServoEntry* known = entry();
-    const bool open = m_desk.state() == session::LinkState::Open;
-    m_model.setEntry(known, {m_desk.now(), open});
+    const bool open = m_workbench.link().state() == session::LinkState::Open;
+    m_model.setEntry(known, {m_workbench.now(), open});
     m_toolbar->lockBadge()->setEntry(known);
     const bool wasComplete = std::exchange(m_complete, known != nullptr && known->hasFullTable);
     if (m_complete && !wasComplete)
@@ -94,19 +96,19 @@ void MemoryPage::updateVisibility()
     const session::ServoEntry* known = entry();
     QString why;
     if (known == nullptr)
-        why = tr("Choose a servo at the left to see its memory table. Choosing reads it and writes "
-                 "nothing.");
+        why = tr("Select a servo on the left to see its memory table. Selecting a servo only "
+                 "reads it and writes nothing.");
     else if (!known->servo.profile)
-        why = tr("This servo answers, but does not say what it is, so there is no table for it. "
-                 "Search again, or check whether two servos share the ID.");
+        why = tr("This servo answers but does not report its model, so no memory table is "
+                 "available. Search again, or check whether two servos share this ID.");
     else if (m_filter.rowCount() == 0)
-        why = tr("No register fits the filter.");
+        why = tr("No register matches the filter.");
     if (m_emptyLabel->text() != why)
         m_emptyLabel->setText(why);
     m_stack->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_view) : m_emptyLabel);
 }
 
-/// What is wrong with the servo as a whole; an input's complaint is not pushed aside by it.
+/// Problems of the whole servo; they do not replace a message about an input.
 void MemoryPage::showServoState()
 {
     const session::ServoEntry* known = entry();
@@ -136,8 +138,8 @@ void MemoryPage::showServoState()
     m_banner->showMessage([] {
         return BannerText{
             Tone::Warn, tr("The firmware of this servo is not known."),
-            tr("No public memory table fits it, so a write could do damage."),
-            tr("Identity and measurements are shown. Writing becomes possible with a model file.")};
+            tr("No public memory table matches this firmware, so a write could cause damage."),
+            tr("Only identity and measurements are shown. Add a model file to allow writing.")};
     });
 }
 
@@ -148,7 +150,7 @@ void MemoryPage::showWarning(const QString& words)
     m_banner->showMessage([words] { return BannerText{Tone::Warn, words}; });
 }
 
-/// What was wrong with an input is over when one goes on.
+/// A message about an input is hidden when the user continues.
 void MemoryPage::clearWarning()
 {
     if (m_showsWarning)
@@ -176,10 +178,10 @@ void MemoryPage::updateLive()
 {
     const auto period = m_toolbar->livePeriod();
     const session::ServoEntry* known = entry();
-    // The whole table first: it tells what this servo answers to.
+    // The whole table first: it shows which registers this servo answers.
     const bool may = known != nullptr && known->servo.profile && known->hasFullTable && isVisible();
     if (!period || !may) {
-        m_desk.subscribe(QStringLiteral("memory"), {});
+        m_workbench.polling().subscribe(QStringLiteral("memory"), {});
         return;
     }
     QStringList keys;
@@ -188,10 +190,10 @@ void MemoryPage::updateLive()
         if (reg != nullptr && hasValue(*known, *reg))
             keys << key;
     }
-    session::Subscription wish{{}, *period};
+    session::Subscription subscription{{}, *period};
     if (!keys.isEmpty())
-        wish.parts.push_back({m_selection.current(), keys});
-    m_desk.subscribe(QStringLiteral("memory"), wish);
+        subscription.parts.push_back({m_selection.current(), keys});
+    m_workbench.polling().subscribe(QStringLiteral("memory"), subscription);
 }
 
 void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool temporary)
@@ -205,21 +207,20 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
     const session::ServoRef ref = known->ref;
     auto question = writeQuestion(*known, *reg, raw, temporary);
     if (!question) {
-        send(ref, key, raw, temporary);
+        m_workbench.writes().write(ref, {{{key, raw}}, temporary, {}});
         return;
     }
     question->guard = this;
-    ask(this, *question, [this, ref, key, raw, temporary] { send(ref, key, raw, temporary); });
+    ask(this, *question, [this, ref, key, raw, temporary] {
+        m_workbench.writes().write(ref, {{{key, raw}}, temporary, device::Consent::confirmed()});
+    });
 }
 
 /// Registers whose value is an action of its own are written by that action.
 bool MemoryPage::writeWithQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
                                    std::int64_t raw)
 {
-    constexpr std::int64_t makeCenter = 128;
-    constexpr std::int64_t centerBit = 4;
-    const bool centers = (reg.role == Role::TorqueSwitch && raw == makeCenter) ||
-                         (reg.role == Role::FaultReset && (raw & centerBit) != 0);
+    const bool centers = device::classify(reg, raw).procedure == device::WriteProcedure::Center;
     QAction* center = m_commands.action(Command::Center);
     if (centers && center->isEnabled()) {
         center->trigger();
@@ -230,16 +231,6 @@ bool MemoryPage::writeWithQuestion(const session::ServoEntry& entry, const catal
         return true;
     }
     return false;
-}
-
-/// Consent has been given where it was due; asking is over by now.
-void MemoryPage::send(session::ServoRef ref, const QString& key, std::int64_t raw, bool temporary)
-{
-    session::WriteRequest order;
-    order.items.push_back({key, raw});
-    order.temporary = temporary;
-    order.dangerous = true;
-    m_desk.write(ref, order);
 }
 
 void MemoryPage::closeLock()
@@ -253,15 +244,15 @@ void MemoryPage::closeLock()
         return base::fail(base::ErrorCode::LockOpen, QStringLiteral("close-lock"), {},
                           context.servo.id);
     };
-    m_desk.perform(m_selection.current(), std::move(task));
+    m_workbench.tasks().perform(m_selection.current(), std::move(task));
 }
 
 void MemoryPage::retranslate()
 {
     setAccessibleName(tr("Memory table"));
     m_view->setAccessibleName(tr("Memory table"));
-    m_view->setToolTip(tr("Enter or a double click changes a value; nothing is written before "
-                          "Enter is pressed again"));
+    m_view->setToolTip(tr("Press Enter or double-click to change a value; nothing is written "
+                          "until Enter is pressed again"));
     m_model.retranslate();
     m_view->resizeColumns();
     refresh();
@@ -298,7 +289,7 @@ void MemoryPage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     m_age.stop();
-    if (m_deskGuard)
+    if (m_workbenchGuard)
         updateLive();
 }
 } // namespace ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory table of the selected servo: reads it when it is selected, keeps the rows in sight
-// fresh, takes edits and has them written safely, asking first where a write is dangerous or
+// The memory table of the selected servo: reads it when it is selected, keeps the visible rows
+// fresh, takes edits and has them written safely, and asks first where a write is dangerous or
 // changes the mode. Selecting, filtering and reading write nothing. Owned by the window; main
 // thread, never waits.
 #pragma once
@@ -31,7 +31,7 @@ class MemoryPage final : public QWidget {
     Q_OBJECT
 
 public:
-    MemoryPage(session::Desk& desk, Commands& commands, Selection& selection,
+    MemoryPage(session::Workbench& workbench, Commands& commands, Selection& selection,
                session::Settings& settings, QWidget* parent = nullptr);
     ~MemoryPage() override;
 
@@ -67,11 +67,10 @@ private:
 
     bool writeWithQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
                            std::int64_t raw);
-    void send(session::ServoRef ref, const QString& key, std::int64_t raw, bool temporary);
     void closeLock();
 
-    session::Desk& m_desk;
-    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
+    session::Workbench& m_workbench;
+    QPointer<session::Workbench> m_workbenchGuard; ///< a window may hide its pages on its way out
     Commands& m_commands;
     Selection& m_selection;
     MemoryModel m_model;
@@ -92,8 +91,8 @@ private:
     QTimer m_age;                   ///< values grow old
     QTimer m_liveTimer;             ///< scrolling and typing first come to rest
     bool m_complete = false;        ///< the whole table has been read
-    bool m_userSplit = false;       ///< somebody has moved the splitter
-    bool m_showsWarning = false;    ///< the banner tells of an input
-    bool m_showsServoState = false; ///< the banner tells of the servo
+    bool m_userSplit = false;       ///< the user has moved the splitter
+    bool m_showsWarning = false;    ///< the banner is about an input
+    bool m_showsServoState = false; ///< the banner is about the servo
 };
 } // namespace ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the memory page is made of, and who tells whom.
+// The parts of the memory page and their connections.
 #include "ui/memory/memory_output.h"
 #include "ui/memory/memory_page.h"
 #include "ui/memory/memory_toolbar.h"
@@ -25,11 +25,11 @@ constexpr int sideMargin = 4; // the table needs every letter of the width
 constexpr int topMargin = 8;
 } // namespace
 
-MemoryPage::MemoryPage(session::Desk& desk, Commands& commands, Selection& selection,
+MemoryPage::MemoryPage(session::Workbench& workbench, Commands& commands, Selection& selection,
                        session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
-    , m_deskGuard(&desk)
+    , m_workbench(workbench)
+    , m_workbenchGuard(&workbench)
     , m_commands(commands)
     , m_selection(selection)
 {
@@ -81,7 +81,7 @@ void MemoryPage::build(session::Settings& settings)
     column->addWidget(m_toolbar);
     column->addWidget(m_splitter, 1);
     new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);
-    m_output = new MemoryOutput(m_desk, m_model, *m_view);
+    m_output = new MemoryOutput(m_workbench, m_model, *m_view);
     m_model.setPhysicalFirst(m_toolbar->physicalFirst());
     m_view->setPhysicalFirst(m_toolbar->physicalFirst());
 }
@@ -117,7 +117,7 @@ void MemoryPage::connectTable()
     connect(m_output, &MemoryOutput::saved, this, [this](const QString& path) {
         m_showsServoState = m_showsWarning = false;
         m_banner->showMessage([path] {
-            return BannerText{Tone::Good, tr("The table was written to %1.").arg(path)};
+            return BannerText{Tone::Good, tr("The table was saved to %1.").arg(path)};
         });
     });
 }
@@ -155,15 +155,16 @@ void MemoryPage::connectDesk()
         if (ref == m_selection.current())
             scheduleRefresh();
     };
-    connect(&m_desk, &session::Desk::tableChanged, this, concern);
-    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
-        if (event.kind == session::Event::Kind::Stopped)
-            m_panel->discardEdit();
-    });
-    connect(&m_desk, &session::Desk::servoChanged, this, concern);
-    connect(&m_desk, &session::Desk::linkChanged, this, [this] {
+    connect(&m_workbench.registry(), &session::ServoRegistry::tableChanged, this, concern);
+    connect(&m_workbench, &session::Workbench::eventOccurred, this,
+            [this](const session::Event& event) {
+                if (event.kind == session::Event::Kind::Stopped)
+                    m_panel->discardEdit();
+            });
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoChanged, this, concern);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this, [this] {
         scheduleRefresh();
-        if (m_desk.state() == session::LinkState::Open)
+        if (m_workbench.link().state() == session::LinkState::Open)
             read();
     });
     connect(&m_selection, &Selection::changed, this, &MemoryPage::select);

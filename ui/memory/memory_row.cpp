@@ -13,8 +13,7 @@ using device::WriteOutcome;
 namespace {
 constexpr std::array ageSteps{0, 1, 2, 3, 5, 10, 15, 20, 30, 45};
 
-/// After so many seconds a value says little about the present. Settings change only when somebody
-/// writes them.
+/// After this time in seconds a value is out of date. Settings change only when they are written.
 int staleAfter(Area area)
 {
     switch (area) {
@@ -50,7 +49,7 @@ RowState stateOf(WriteOutcome outcome)
     return RowState::Unknown;
 }
 
-/// Found before the first byte: the servo was not touched.
+/// Refused before the first byte: the servo was not changed.
 bool isRefusedBeforeSending(base::ErrorCode code)
 {
     using base::ErrorCode;
@@ -76,7 +75,7 @@ RowState readState(const session::ServoEntry& entry, const MemoryRow& row)
     return row.raw ? RowState::Read : RowState::NotRead;
 }
 
-/// What became of the latest write, as long as it still speaks of the value shown.
+/// The result of the last write while it still applies to the displayed value.
 RowState writeState(const session::ServoEntry& entry, const MemoryRow& row,
                     const session::RegisterWriteState& write)
 {
@@ -96,7 +95,7 @@ RowState writeState(const session::ServoEntry& entry, const MemoryRow& row,
     const bool readSince = row.raw && readAt && *readAt > write.at;
     if (!readSince || *row.raw == write.requested)
         return state;
-    // Goals, torque and the like change by themselves; settings do not.
+    // Goals, torque and similar values change by themselves; settings do not.
     return device::isPersistent(*row.reg) ? RowState::Superseded : RowState::Read;
 }
 
@@ -168,11 +167,5 @@ MemoryRow memoryRow(const session::ServoEntry& entry, const catalog::Register& r
     row.isStale = row.raw && (!clock.isLinkOpen || entry.silent ||
                               clock.now - *readAt >= std::chrono::seconds(staleAfter(reg.area)));
     return row;
-}
-
-bool decidesMode(const catalog::Register& reg)
-{
-    return reg.role == Role::OperatingMode || reg.role == Role::MinAngle ||
-           reg.role == Role::MaxAngle;
 }
 } // namespace ui

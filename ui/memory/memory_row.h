@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row of the memory table as plain data: what was read of a register, how old that is, and what
-// became of the latest write to it. Raw values and states only; words are in memory_words.h. Pure
-// functions on a servo entry; any thread.
+// One row of the memory table as plain data: what was read of a register, its age, and the result
+// of the last write to it. Raw values and states only; texts are in memory_text.h. Pure functions
+// on a servo entry; any thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 namespace ui {
 enum class RowState : std::uint8_t {
@@ -19,7 +19,7 @@ enum class RowState : std::uint8_t {
     NoReply,
     Unknown,
     NotSent,    ///< its turn never came: stopped, or the cable was out
-    NotWritten, ///< refused before the first byte; error says why
+    NotWritten, ///< refused before the first byte; error has the reason
     Superseded, ///< what was written there has changed since
 };
 
@@ -60,7 +60,4 @@ struct MemoryRow {
 
 MemoryRow memoryRow(const session::ServoEntry& entry, const catalog::Register& reg,
                     const RowContext& clock);
-
-/// Registers whose write decides in which mode the servo is.
-bool decidesMode(const catalog::Register& reg);
 } // namespace ui

@@ -42,7 +42,7 @@ TableSheet memorySheet(const MemoryModel& model, const std::vector<int>& rows,
                                   .arg(servo.profile->identity.firmware(), servo.profile->mapKey);
     sheet.captionLines << translate("MemorySheet", "Port %1, %2 baud")
                               .arg(servo.port, QString::number(servo.baud));
-    sheet.captionLines << translate("MemorySheet", "Written down %1")
+    sheet.captionLines << translate("MemorySheet", "Created %1")
                               .arg(at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
     sheet.headers << memoryHeader(MemoryColumn::Address) << translate("MemorySheet", "Key");
     sheet.numeric = {true, false};

@@ -2,6 +2,7 @@
 #include "ui/memory/memory_text.h"
 
 #include "catalog/raw_range.h"
+#include "device/write_meaning.h"
 #include "text/error_text.h"
 #include "text/language.h"
 #include "text/notice_text.h"
@@ -18,8 +19,9 @@ const QString changedMark = QStringLiteral("  •");
 QString accessCellText(const MemoryRow& row)
 {
     if (!row.isWritable)
-        return QStringLiteral("r");
-    return row.reg->dangerous ? QStringLiteral("⚠ rw") : QStringLiteral("rw");
+        return translate("MemoryTable", "r", "read-only");
+    const QString both = translate("MemoryTable", "rw", "read/write");
+    return device::mayNeedConsent(*row.reg) ? QStringLiteral("⚠ ") + both : both;
 }
 
 QString accessHelp(const MemoryRow& row)
@@ -27,11 +29,10 @@ QString accessHelp(const MemoryRow& row)
     if (!row.isWritable)
         return text::accessLabel(catalog::Access::ReadOnly);
     const QString word = text::accessLabel(catalog::Access::ReadWrite);
-    return row.reg->dangerous
-               ? translate(
-                     "MemoryTable",
-                     "%1. A wrong value can make the servo unreachable or dangerous: you are asked "
-                     "before each write.")
+    return device::mayNeedConsent(*row.reg)
+               ? translate("MemoryTable",
+                           "%1. A wrong value can make the servo unreachable or dangerous. "
+                           "ServoDesk asks for confirmation before each write.")
                      .arg(word)
                : word;
 }
@@ -86,31 +87,29 @@ QString memoryHeaderHelp(MemoryColumn column)
 {
     switch (column) {
     case MemoryColumn::Address:
-        return translate("MemoryTable", "Address as the servo's sheet has it");
+        return translate("MemoryTable", "Address in the servo's memory table");
     case MemoryColumn::Name:
         return translate(
             "MemoryTable",
-            "What the register is; • marks a value that differs from the first reading of "
-            "this session");
+            "Register name; • marks a value that differs from the first reading of this session");
     case MemoryColumn::Value:
-        return translate("MemoryTable", "The raw number in the servo, as it was read");
+        return translate("MemoryTable", "Raw value as read from the servo");
     case MemoryColumn::Physical:
-        return translate("MemoryTable", "The same value with its unit, or its name");
+        return translate("MemoryTable", "The same value with its unit or name");
     case MemoryColumn::Area:
         return translate(
             "MemoryTable",
-            "Where the register lives: EPROM is kept, SRAM is lost at power-off, feedback "
-            "is measured, factory is the maker's");
+            "Memory area: EPROM is kept at power-off, SRAM is lost at power-off, feedback is "
+            "measured, factory is set by the manufacturer");
     case MemoryColumn::Access:
         return translate("MemoryTable",
-                         "r: can only be read; rw: can be written; ⚠: asks before each write");
+                         "r: read-only; rw: read/write; ⚠: requires confirmation for each write");
     case MemoryColumn::Default:
-        return translate("MemoryTable", "Value from the factory; empty where it is not known");
+        return translate("MemoryTable", "Factory value; empty if unknown");
     case MemoryColumn::Range:
-        return translate("MemoryTable", "What may be written");
+        return translate("MemoryTable", "Values that can be written");
     case MemoryColumn::State:
-        return translate("MemoryTable",
-                         "What became of the latest write, and how old the value is");
+        return translate("MemoryTable", "Result of the last write and age of the value");
     case MemoryColumn::Count:
         break;
     }
@@ -119,7 +118,7 @@ QString memoryHeaderHelp(MemoryColumn column)
 
 QString registerName(const MemoryRow& row)
 {
-    return row.meaning.name.in(text::isUiChinese());
+    return text::localized(row.meaning.name);
 }
 
 QString memoryText(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
@@ -159,7 +158,7 @@ QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
             .arg(row.reg->key);
     case MemoryColumn::Name:
         return row.isChanged()
-                   ? translate("MemoryTable", "%1: was %2 at the first reading of this session")
+                   ? translate("MemoryTable", "%1: was %2 when first read in this session")
                          .arg(registerName(row))
                          .arg(*row.firstRaw)
                    : registerName(row);
@@ -174,8 +173,8 @@ QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
                    : translate("MemoryTable", "No default is known for this model.");
     case MemoryColumn::Range: {
         const QString range = memoryText(row, column, physicalFirst);
-        return range.isEmpty() ? translate("MemoryTable", "There is nothing to write.")
-                               : translate("MemoryTable", "New values: %1")
+        return range.isEmpty() ? translate("MemoryTable", "This register cannot be written.")
+                               : translate("MemoryTable", "Values that can be written: %1")
                                      .arg(rangeText(*row.reg, row.meaning, false));
     }
     case MemoryColumn::State:

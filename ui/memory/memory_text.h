@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the memory table: what each cell, header and state says, in the language of the
-// interface. Pure functions of a row; main thread. A number that was not really read is never
-// worded.
+// The texts of the memory table: cells, headers and states, in the language of the interface. Pure
+// functions of a row; main thread. A number that was not really read has no text.
 #pragma once
 
 #include "ui/editors/register_text.h"
@@ -29,7 +28,7 @@ QString memoryHeaderHelp(MemoryColumn column);
 
 /// What stands in the cell. `physicalFirst`: default and range in the unit as well.
 QString memoryText(const MemoryRow& row, MemoryColumn column, bool physicalFirst);
-/// Everything there is to say about the cell; never empty.
+/// All texts about the cell; never empty.
 QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst);
 
 QString registerName(const MemoryRow& row); ///< without the mark of a changed row

@@ -2,6 +2,7 @@
 #include "ui/memory/memory_toolbar.h"
 
 #include "text/notice_text.h"
+#include "ui/common/widget_text.h"
 #include "ui/memory/lock_badge.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/segment_button.h"
@@ -181,20 +182,13 @@ void MemoryToolbar::focusSearch()
     m_find->selectAll();
 }
 
-void MemoryToolbar::clearFilters()
-{
-    m_find->clear();
-    m_groups->setCurrentIndex(0);
-    m_rowFilters->button(0)->click();
-}
-
 void MemoryToolbar::retranslateLists()
 {
     const QSignalBlocker groupsBlocker(m_groups);
     const QSignalBlocker liveBlocker(m_live);
     const int group = std::max(m_groups->currentIndex(), 0);
     m_groups->clear();
-    m_groups->addItem(tr("all groups"));
+    m_groups->addItem(tr("All groups"));
     for (const Area area : groups)
         m_groups->addItem(text::areaLabel(area));
     m_groups->setCurrentIndex(group);
@@ -209,39 +203,30 @@ void MemoryToolbar::retranslateLists()
     m_live->setCurrentIndex(live);
 }
 
-namespace {
-void name(QWidget* widget, const QString& accessible, const QString& tip)
-{
-    widget->setAccessibleName(accessible);
-    widget->setToolTip(tip);
-}
-
-void word(QAbstractButton* button, const QString& text, const QString& tip)
-{
-    button->setText(text);
-    name(button, text, tip);
-}
-} // namespace
-
 void MemoryToolbar::retranslate()
 {
     retranslateLists();
-    m_find->setPlaceholderText(tr("find a register"));
-    name(m_find, tr("Find a register"),
-         tr("Address, name, key or a word of the help; several words must all occur"));
-    word(m_rowFilters->button(0), tr("All"), tr("Show every register"));
-    word(m_rowFilters->button(1), tr("Changed"),
-         tr("Show what differs from the first reading of this session"));
-    word(m_rowFilters->button(2), tr("≠ default"),
-         tr("Show what differs from the factory's value, where that is known"));
-    name(m_groups, tr("Group"), tr("Show one part of the memory"));
-    word(m_order->button(0), tr("raw"), tr("Raw numbers first, and for typing"));
-    word(m_order->button(1), tr("physical"), tr("Values with their unit first, and for typing"));
+    m_find->setPlaceholderText(tr("Find a register"));
+    setAccessText(
+        m_find, tr("Find a register"),
+        tr("Address, name, key or a word from the help; if several words are entered, all must "
+           "match"));
+    setButtonText(m_rowFilters->button(0), tr("All"), tr("Shows all registers"));
+    setButtonText(m_rowFilters->button(1), tr("Changed"),
+                  tr("Shows registers that differ from the first reading of this session"));
+    setButtonText(m_rowFilters->button(2), tr("≠ default"),
+                  tr("Shows registers that differ from their known factory value"));
+    setAccessText(m_groups, tr("Group"), tr("Shows only one group of registers"));
+    setButtonText(m_order->button(0), tr("Raw"),
+                  tr("Shows raw values first and uses them for input"));
+    setButtonText(m_order->button(1), tr("Physical"),
+                  tr("Shows values with units first and uses them "
+                     "for input"));
     m_liveLabel->setText(tr("Live"));
-    name(m_live, tr("Live reading"),
-         tr("How often the visible rows are read again; writes nothing"));
-    name(m_help, tr("Explain this row"),
-         tr("Show everything that is known about the selected row"));
+    setAccessText(m_live, tr("Live reading"),
+                  tr("Read rate of the visible rows; nothing is written"));
+    setAccessText(m_help, tr("Explain this row"),
+                  tr("Shows everything that is known about the selected row"));
     for (QToolButton* button : m_commandButtons)
         button->setAccessibleName(button->defaultAction()->iconText());
 }

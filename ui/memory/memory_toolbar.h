@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tool row of the memory page: what is shown, how, how often it is read again, the padlock, and
-// the commands for the whole table. Remembers its choices in the settings. Owned by the page; main
-// thread.
+// The toolbar of the memory page: filter, order, live reading, the padlock, and the commands for
+// the whole table. Remembers its choices in the settings. Owned by the page; main thread.
 #pragma once
 
 #include "session/settings.h"
@@ -31,7 +30,6 @@ public:
     /// Nullopt: off; 0: as fast as the wire allows.
     std::optional<base::Duration> livePeriod() const;
     void focusSearch();
-    void clearFilters();
 
 Q_SIGNALS:
     void textChanged(const QString& text);

@@ -8,14 +8,15 @@
 #include <QScrollBar>
 
 #include <numeric>
+#include <utility>
 
 namespace ui {
 namespace {
-// Left out where the table is narrow, in this order. The panel beside it says the same.
+// Hidden in this order where the table is narrow. The panel beside it shows the same.
 constexpr std::array hideOrder{MemoryColumn::Area, MemoryColumn::Range, MemoryColumn::Default,
                                MemoryColumn::Access};
 
-// In letters: "temporary · 12 s" with its sign. Longer ones must not make columns vanish.
+// In characters: "temporary · 12 s" with its sign. Longer states must not hide columns.
 constexpr int defaultStateChars = 17;
 
 int section(MemoryColumn column)
@@ -114,7 +115,7 @@ void MemoryView::keyPressEvent(QKeyEvent* event)
     QTableView::keyPressEvent(event);
 }
 
-/// Letters are for the find field.
+/// Letters go to the find field.
 void MemoryView::keyboardSearch(const QString&) {}
 
 void MemoryView::measureColumn(MemoryColumn column, bool canShrink)
@@ -122,7 +123,7 @@ void MemoryView::measureColumn(MemoryColumn column, bool canShrink)
     const int index = section(column);
     const int em = fontMetrics().averageCharWidth();
     int width = sizeHintForColumn(index);
-    // Values come and go; room for a usual one is always there. Long lists of names are cut.
+    // Values change; space for a common one is always reserved. Long lists of names are cut.
     if (column == MemoryColumn::Value)
         width = std::max(width, 9 * em);
     if (column == MemoryColumn::Physical)
@@ -175,14 +176,10 @@ void MemoryView::fitColumns()
     atLeast(MemoryColumn::Physical, 12 * em);
     atLeast(MemoryColumn::State, defaultStateChars * em);
     int needed = std::accumulate(widths.begin(), widths.end(), 0);
-    std::array<bool, memoryColumns> shown{};
-    shown.fill(true);
     for (const MemoryColumn column : hideOrder) {
-        const auto index = static_cast<std::size_t>(column);
         if (needed <= room)
             break;
-        shown[index] = false;
-        needed -= widths[index];
+        needed -= std::exchange(widths[static_cast<std::size_t>(column)], 0); // hidden
     }
     for (const auto& [column, minWidth] :
          {std::pair{MemoryColumn::Physical, 11 * em}, std::pair{MemoryColumn::Name, 16 * em},
@@ -202,10 +199,10 @@ void MemoryView::fitColumns()
     }
     widths[name] += left;
     for (int column = 0; column < memoryColumns; ++column) {
-        const auto index = static_cast<std::size_t>(column);
-        setColumnHidden(column, !shown[index]);
-        if (shown[index])
-            setColumnWidth(column, widths[index]);
+        const int width = widths[static_cast<std::size_t>(column)];
+        setColumnHidden(column, width == 0);
+        if (width > 0)
+            setColumnWidth(column, width);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table itself: Enter and double click open the editor of a row wherever the cursor stands in
-// it, digits begin a new value, and columns that do not fit are left out, the least important
-// first; the help panel has what they say. Owned by the page; main thread.
+// The table itself: Enter and double-click open the editor of a row from any of its cells, digits
+// begin a new value. Columns that do not fit are hidden, the least important first; the help panel
+// shows their contents. Owned by the page; main thread.
 #pragma once
 
 #include "ui/memory/memory_text.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/memory/register_delegate.h"
 
+#include "device/write_meaning.h"
 #include "ui/common/theme.h"
 #include "ui/editors/bits_editor.h"
 #include "ui/memory/memory_model.h"
@@ -36,7 +37,7 @@ std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
 {
     if (column == MemoryColumn::State)
         return stateTone(row.state);
-    if (column == MemoryColumn::Access && row.isWritable && row.reg->dangerous)
+    if (column == MemoryColumn::Access && row.isWritable && device::mayNeedConsent(*row.reg))
         return Tone::Warn;
     if (column == MemoryColumn::Value && (row.isStale || !row.raw))
         return Tone::Quiet;
@@ -73,7 +74,7 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem* option, const QMode
     const auto tone = toneOf(*row, memoryColumn(index));
     const QColor text = tone ? ui::tone(*tone, colors) : colors.color(QPalette::Text);
     colors.setColor(QPalette::Text, text);
-    // A pale selection, so that the tones can be told apart on it as well.
+    // A pale selection, so that the tones can be distinguished on it as well.
     const QColor selection = selectionColor(colors);
     for (const auto group : {QPalette::Active, QPalette::Inactive}) {
         colors.setColor(group, QPalette::Highlight, selection);
@@ -225,10 +226,11 @@ void RegisterDelegate::discard(RegisterEditor* editor)
     m_editor = nullptr;
     const QString inputError = editor->isModified() ? editor->inputError() : QString();
     if (editor->isModified())
-        Q_EMIT editorLeft(inputError.isEmpty()
-                              ? tr("“%1” was not written: the cell was left without Enter.")
-                                    .arg(editor->inputText())
-                              : inputError);
+        Q_EMIT editorLeft(
+            inputError.isEmpty()
+                ? tr("“%1” was not written because you left the cell without pressing Enter.")
+                      .arg(editor->inputText())
+                : inputError);
     Q_EMIT closeEditor(editor, RevertModelCache);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the cells of the memory table in their colors and opens the editor a register needs.
-// Enter writes, Esc cancels; a value that cannot be written keeps the editor open, with the reason
-// beside it; leaving the cell in any other way writes nothing and says so. Owned by the page; main
+// Draws the cells of the memory table in their colors and opens the editor a register needs. Enter
+// writes, Esc cancels; a value that cannot be written keeps the editor open, with the reason beside
+// it. Leaving the cell in another way writes nothing and reports that. Owned by the page; main
 // thread.
 #pragma once
 

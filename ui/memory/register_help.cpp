@@ -18,7 +18,7 @@ QString listed(const QList<const Register*>& registers)
 {
     QStringList parts;
     for (const Register* reg : registers)
-        parts << QStringLiteral("%1 (%2)").arg(reg->name.in(text::isUiChinese())).arg(reg->address);
+        parts << QStringLiteral("%1 (%2)").arg(text::localized(reg->name)).arg(reg->address);
     parts.removeDuplicates();
     return parts.join(translate("RegisterHelp", ", ", "between items of a list"));
 }
@@ -28,7 +28,7 @@ bool isLimit(const Register& reg)
     return reg.role == Role::MinAngle || reg.role == Role::MaxAngle;
 }
 
-/// True when what `reg` means follows from `decider`.
+/// True if the meaning of `reg` follows from the value of `controlling`.
 bool dependsOn(const Register& reg, const Register& controlling)
 {
     if (reg.scaleBy == controlling.key)
@@ -62,10 +62,11 @@ QString torqueText(const Register& reg)
     switch (reg.torqueOff) {
     case catalog::TorqueOff::Needed:
         return translate("RegisterHelp",
-                         "Torque has to be off while this is written: ServoDesk switches it off.");
+                         "Torque must be off for this write. ServoDesk turns it off first.");
     case catalog::TorqueOff::WhenBothZero:
-        return translate("RegisterHelp", "Both limits at 0 switch the mode: ServoDesk takes torque "
-                                         "off for that.");
+        return translate(
+            "RegisterHelp",
+            "Setting both limits to 0 switches the mode. ServoDesk turns torque off first.");
     case catalog::TorqueOff::NotNeeded:
         break;
     }
@@ -84,7 +85,7 @@ QStringList registerFacts(const MemoryRow& row)
     lines << unitFact(row) << rangeFact(row);
     lines << (reg.defaultRaw ? translate("RegisterHelp", "Default: %1")
                                    .arg(rawWord(*reg.defaultRaw, reg, row.meaning))
-                             : translate("RegisterHelp", "Default: not known"));
+                             : translate("RegisterHelp", "Default: unknown"));
     lines.removeAll(QString());
     return lines;
 }
@@ -103,19 +104,21 @@ QStringList registerRelations(const MemoryRow& row, const catalog::Profile& prof
     }
     QStringList lines;
     if (!controllingRegisters.isEmpty())
-        lines << translate("RegisterHelp", "Its meaning depends on: %1.")
+        lines << translate("RegisterHelp", "The meaning depends on: %1.")
                      .arg(listed(controllingRegisters));
     if (!controllingRegisters.isEmpty() && row.meaning.assumed)
         lines << translate("RegisterHelp",
-                           "That has not been read, so the unit shown is the usual one.");
+                           "That register has not been read, so the default unit is shown.");
     if (!dependentRegisters.isEmpty())
-        lines << translate("RegisterHelp", "Depends on it: %1.").arg(listed(dependentRegisters));
+        lines << translate("RegisterHelp", "Registers that depend on this one: %1.")
+                     .arg(listed(dependentRegisters));
     if (!row.hasSensor)
-        lines << translate("RegisterHelp", "This servo has no sensor for it: the number means "
-                                           "nothing.");
+        lines << translate("RegisterHelp", "This servo has no sensor for this value, so the "
+                                           "number is meaningless.");
     lines << torqueText(*row.reg);
     if (row.isWritable && row.reg->motion)
-        lines << translate("RegisterHelp", "Writing it may move the shaft or switch torque on.");
+        lines << translate("RegisterHelp",
+                           "Writing this register may move the shaft or turn torque on.");
     lines.removeAll(QString());
     return lines;
 }
@@ -124,19 +127,20 @@ QString persistenceText(const Register& reg)
 {
     switch (device::retentionOf(reg)) {
     case Retention::Lock:
-        return translate("RegisterHelp", "Kept after power-off: ServoDesk opens the lock, writes, "
-                                         "reads back and locks again.");
+        return translate("RegisterHelp",
+                         "Kept after power-off: ServoDesk unlocks the EPROM, writes the value, "
+                         "reads it back and locks the EPROM again.");
     case Retention::Always:
-        return translate("RegisterHelp", "Kept after power-off: this family stores every write at "
-                                         "once. ServoDesk reads it back.");
+        return translate("RegisterHelp", "Kept after power-off: this family stores every write "
+                                         "immediately. ServoDesk reads the value back.");
     case Retention::Save:
-        return translate("RegisterHelp", "Kept after power-off: ServoDesk writes, reads back and "
-                                         "sends the save command.");
+        return translate("RegisterHelp", "Kept after power-off: ServoDesk writes the value, reads "
+                                         "it back and sends the save command.");
     case Retention::Never:
-        return translate("RegisterHelp", "Acts at once and is lost at power-off.");
+        return translate("RegisterHelp", "Takes effect immediately and is lost at power-off.");
     case Retention::NotStated:
         return translate("RegisterHelp",
-                         "Acts at once. Nobody says whether it survives power-off.");
+                         "Takes effect immediately. Persistence is not documented.");
     }
     return {};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to say about one register, as sentences: unit, range, default, what it depends on
-// and what depends on it, and whether a write to it lasts. Pure functions; main thread.
+// The facts about one register as sentences: unit, range, default, what it depends on and what
+// depends on it, and whether a write to it is kept. Pure functions; main thread.
 #pragma once
 
 #include "ui/memory/memory_row.h"

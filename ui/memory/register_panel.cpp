@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_text.h"
 #include "ui/memory/memory_text.h"
 #include "ui/memory/register_help.h"
 #include "ui/widgets/flow_layout.h"
@@ -24,7 +25,7 @@ void setTone(QLabel* label, Tone toneValue, const QPalette& basePalette)
         label->setPalette(colors);
 }
 
-/// An empty line costs no room.
+/// An empty line takes no space.
 void setTextOrHide(QLabel* label, const QString& text)
 {
     if (label->text() != text)
@@ -141,7 +142,7 @@ void RegisterPanel::fill()
                   hasRow
                       ? QStringLiteral("%1 · %2").arg(m_row->reg->address).arg(registerName(*m_row))
                       : tr("Select a register to see what it does."));
-    setTextOrHide(m_help, hasRow ? m_row->reg->help.in(text::isUiChinese()) : QString());
+    setTextOrHide(m_help, hasRow ? text::localized(m_row->reg->help) : QString());
     setTextOrHide(m_facts, hasRow ? registerFacts(*m_row).join(QLatin1Char('\n')) : QString());
     setTextOrHide(m_relations, hasRow && m_profile
                                    ? registerRelations(*m_row, *m_profile).join(QLatin1Char('\n'))
@@ -156,7 +157,7 @@ void RegisterPanel::fill()
     updateColors();
 }
 
-/// The latest reading goes into the editor as long as nobody has begun to change it.
+/// The latest reading goes into the editor until the user begins to change it.
 void RegisterPanel::fillEditor()
 {
     if (m_editor == nullptr) {
@@ -207,7 +208,7 @@ void RegisterPanel::write(bool temporary)
         return;
     }
     const QString key = m_row->reg->key;
-    m_editor->setRaw(*raw); // no longer somebody's unfinished input
+    m_editor->setRaw(*raw); // no longer an unfinished input
     Q_EMIT writeRequested(key, *raw, temporary);
 }
 
@@ -227,15 +228,13 @@ void RegisterPanel::updateColors()
 
 void RegisterPanel::retranslate()
 {
-    setAccessibleName(tr("Help of the register"));
-    setToolTip(tr("What the selected register does, and a place to change it"));
-    m_write->setText(tr("Write"));
-    m_write->setAccessibleName(m_write->text());
-    m_write->setToolTip(tr("Write this value, read it back, and keep it where the register can"));
-    m_writeTemporarily->setText(tr("Write temporarily"));
-    m_writeTemporarily->setAccessibleName(m_writeTemporarily->text());
-    m_writeTemporarily->setToolTip(
-        tr("Try the value: the lock stays closed, and it is lost at power-off"));
+    setAccessibleName(tr("Register help"));
+    setToolTip(tr("Explains the selected register and lets you change it"));
+    setButtonText(m_write, tr("Write"),
+                  tr("Writes this value and reads it back; it is kept after power-off if the "
+                     "register supports this"));
+    setButtonText(m_writeTemporarily, tr("Write temporarily"),
+                  tr("Writes the value without unlocking the EPROM; it is lost at power-off"));
     fill();
 }
 
@@ -251,7 +250,7 @@ void RegisterPanel::changeEvent(QEvent* event)
 void RegisterPanel::resizeEvent(QResizeEvent* event)
 {
     QScrollArea::resizeEvent(event);
-    // As wide with the scroll bar as without it, so that its coming moves nothing.
+    // The same width with and without the scroll bar, so that nothing moves when it appears.
     const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
     m_body->setMaximumWidth(width() - 2 * frameWidth() - bar);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The help of the selected register: what it does, its facts and relations, its state, and an
-// editor with "Write" and "Write temporarily". What somebody is typing is never taken away by a
-// newer reading. Owned by the page; main thread.
+// editor with "Write" and "Write temporarily". A newer reading never replaces what the user is
+// typing. Owned by the page; main thread.
 #pragma once
 
 #include "ui/editors/register_editor.h"

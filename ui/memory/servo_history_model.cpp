@@ -8,7 +8,7 @@
 
 namespace ui {
 namespace {
-/// How it ended, as a sign; the tool tip has the words.
+/// The result as a sign; the tooltip has the text.
 QString outcomeSymbol(const QString& end, bool temporary)
 {
     if (end == QLatin1String("done"))
@@ -91,13 +91,13 @@ QString ServoHistoryModel::tip(const Line& line) const
 {
     QString outcomeText;
     if (line.end.isEmpty())
-        outcomeText = tr("Not ended: still being written, or interrupted.");
+        outcomeText = tr("Not finished: still being written, or interrupted.");
     else if (line.end == QLatin1String("undone"))
-        outcomeText = tr("Begun and taken back: the old value was restored.");
+        outcomeText = tr("Started, then undone: the old value was restored.");
     else if (line.end == QLatin1String("abandoned"))
-        outcomeText = tr("Given up: it was never finished or undone.");
+        outcomeText = tr("Abandoned: never finished or undone.");
     else if (line.end != QLatin1String("done"))
-        outcomeText = tr("It did not end as wanted.");
+        outcomeText = tr("The write did not end as expected.");
     else if (line.temporary)
         outcomeText = tr("Written temporarily: lost at power-off.");
     else

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was written to one servo, newest first, one row a register: from the journal. Owned by the
+// The writes to one servo from the journal, newest first, one row per register. Owned by the
 // history panel; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QAbstractListModel>
 

@@ -43,9 +43,9 @@ void ServoHistoryPanel::updateVisibility()
 {
     const bool empty = m_model.rowCount() == 0;
     m_emptyLabel->setText(m_hasServo
-                              ? tr("No write to this servo is known. Servos are told by model, "
-                                   "firmware and ID.")
-                              : tr("Choose a servo at the left to see what was written to it."));
+                              ? tr("No writes to this servo are recorded. Servos are identified "
+                                   "by model, firmware and ID.")
+                              : tr("Select a servo on the left to see what was written to it."));
     m_emptyLabel->setVisible(empty);
     m_list->setVisible(!empty);
 }
@@ -54,7 +54,8 @@ void ServoHistoryPanel::retranslate()
 {
     m_title->setText(tr("History of this servo"));
     m_list->setAccessibleName(m_title->text());
-    m_list->setToolTip(tr("Writes to this servo, newest first, also under its earlier IDs"));
+    m_list->setToolTip(
+        tr("Writes to this servo, newest first, including those made under its earlier IDs"));
     m_model.retranslate();
     updateVisibility();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "History of this servo": what was written to it, newest first. Owned by the page; main thread.
+// "History of this servo": the writes to it, newest first. Owned by the page; main thread.
 #pragma once
 
 #include "ui/memory/servo_history_model.h"

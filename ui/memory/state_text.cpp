@@ -23,7 +23,7 @@ QString stateName(const MemoryRow& row)
     case RowState::Read:
         return {};
     case RowState::Unreadable:
-        return QStringLiteral("✗ ") + translate("MemoryTable", "not readable");
+        return QStringLiteral("✗ ") + translate("MemoryTable", "could not be read");
     case RowState::Pending:
         return QStringLiteral("… ") + translate("MemoryTable", "pending: %1").arg(row.requestedRaw);
     case RowState::Kept:
@@ -36,7 +36,7 @@ QString stateName(const MemoryRow& row)
         return QStringLiteral("✗ ") + outcome(WriteOutcome::Refused);
     case RowState::NoReply:
         // The value beside it may have been read since.
-        return QStringLiteral("✗ ") + translate("MemoryTable", "write: no answer");
+        return QStringLiteral("✗ ") + translate("MemoryTable", "write: no reply");
     case RowState::Unknown:
         return QStringLiteral("? ") + outcome(WriteOutcome::Unknown);
     case RowState::NotSent:
@@ -44,7 +44,7 @@ QString stateName(const MemoryRow& row)
     case RowState::NotWritten:
         return QStringLiteral("✗ ") + outcome(WriteOutcome::Refused);
     case RowState::Superseded:
-        return QStringLiteral("≠ ") + translate("MemoryTable", "changed since");
+        return QStringLiteral("≠ ") + translate("MemoryTable", "changed since the write");
     }
     return {};
 }
@@ -57,35 +57,36 @@ QString stateDescription(const MemoryRow& row)
     case RowState::Read:
         return translate("MemoryTable", "Read from the servo.");
     case RowState::Unreadable:
-        return translate("MemoryTable", "The latest reading failed, so no number is shown.");
+        return translate("MemoryTable", "The last reading failed, so no value is shown.");
     case RowState::Pending:
         return translate("MemoryTable", "%1 is being written.").arg(row.requestedRaw);
     case RowState::Kept:
-        return translate("MemoryTable", "%1 was written, read back, and is kept at power-off.")
+        return translate("MemoryTable", "%1 was written and read back; it is kept after "
+                                        "power-off.")
             .arg(row.requestedRaw);
     case RowState::Temporary:
         return translate("MemoryTable", "%1 was written and read back; it is lost at power-off.")
             .arg(row.requestedRaw);
     case RowState::Mismatch:
-        return translate("MemoryTable", "%1 was written, but the servo shows another value.")
+        return translate("MemoryTable", "%1 was written, but the servo reports a different value.")
             .arg(row.requestedRaw);
     case RowState::Refused:
-        return translate("MemoryTable", "The servo did not take %1.").arg(row.requestedRaw);
+        return translate("MemoryTable", "The servo did not accept %1.").arg(row.requestedRaw);
     case RowState::NoReply:
-        return translate("MemoryTable", "There was no answer while %1 was being written.")
-            .arg(row.requestedRaw);
+        return translate("MemoryTable", "No reply while writing %1.").arg(row.requestedRaw);
     case RowState::Unknown:
         return translate("MemoryTable",
-                         "It is not known what became of writing %1. Read the register again.")
+                         "The result of writing %1 is unknown. Read the register again.")
             .arg(row.requestedRaw);
     case RowState::NotSent:
     case RowState::NotWritten:
-        return translate("MemoryTable", "%1 was not written; the servo was not touched.")
+        return translate("MemoryTable", "%1 was not written. The servo was not changed.")
             .arg(row.requestedRaw);
     case RowState::Superseded:
-        return translate("MemoryTable", "%1 was written here, but the servo shows another value "
-                                        "since: a temporary value "
-                                        "is lost at power-off, or somebody else wrote.")
+        return translate(
+                   "MemoryTable",
+                   "%1 was written, but the servo has since reported a different value. Either a "
+                   "temporary value was lost at power-off, or another program wrote to the servo.")
             .arg(row.requestedRaw);
     }
     return {};
@@ -130,7 +131,7 @@ QString stateHelp(const MemoryRow& row)
         lines << description.message << description.cause << description.remedy;
     }
     if (row.age.seconds == 0)
-        lines << translate("MemoryTable", "The value shown is of this moment.");
+        lines << translate("MemoryTable", "The value shown was just read.");
     else if (row.age.seconds > 0)
         lines << translate("MemoryTable", "The value shown was read %1 ago.").arg(ageText(row.age));
     lines.removeAll(QString());

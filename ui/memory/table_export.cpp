@@ -11,7 +11,7 @@ const char* const style =
     "th,td{padding:3px 8px;border-bottom:1px solid #c9ced6;text-align:left;vertical-align:top}"
     "th{font-weight:600}td.n,th.n{text-align:right}";
 
-/// A spreadsheet would run what begins like a formula. Numbers are left alone.
+/// A spreadsheet would execute text that begins like a formula. Numbers stay as they are.
 QString withoutFormula(const QString& cell)
 {
     static const QString formulas = QStringLiteral("=+-@");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/memory/write_question.h"
 
+#include "device/write_meaning.h"
 #include "text/language.h"
 #include "text/translate.h"
 #include "ui/editors/register_text.h"
@@ -10,7 +11,7 @@ using catalog::Role;
 using text::translate;
 
 namespace {
-/// What a role's register will hold when everything asked for so far has been written.
+/// The value of a role's register after all pending writes.
 std::optional<std::int64_t> pendingValue(const session::ServoEntry& entry, Role role)
 {
     const catalog::Register* reg = entry.servo.profile->byRole(role);
@@ -24,7 +25,7 @@ std::optional<std::int64_t> pendingValue(const session::ServoEntry& entry, Role 
 
 QString nameOf(const catalog::Register& reg)
 {
-    return QStringLiteral("%1 (%2)").arg(reg.name.in(text::isUiChinese())).arg(reg.address);
+    return QStringLiteral("%1 (%2)").arg(text::localized(reg.name)).arg(reg.address);
 }
 
 QString nameOf(const session::ServoEntry& entry, Role role)
@@ -47,11 +48,12 @@ QString persistenceSentence(bool temporary)
 QString modeRisk(const session::ServoEntry& entry, const catalog::Mode& to)
 {
     if (to.command != Role::GoalPosition)
-        return translate("WriteQuestion", "In this mode the shaft turns without end as soon as it "
-                                          "is given a command. Clear the mechanism first.");
+        return translate("WriteQuestion",
+                         "In this mode, the shaft turns continuously as soon as the servo receives "
+                         "a command. Clear the area around the mechanism first.");
     if (to.limitsZero && entry.servo.profile->byRole(Role::MinAngle) != nullptr)
-        return translate("WriteQuestion", "In this mode no angle limit keeps the shaft inside its "
-                                          "range. Clear the mechanism first.");
+        return translate("WriteQuestion", "In this mode, no angle limits restrict the shaft. Clear "
+                                          "the area around the mechanism first.");
     return {};
 }
 
@@ -64,23 +66,24 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
     question.title = translate("WriteQuestion", "Change the mode to “%1”?").arg(target);
     const QString change =
         step.from != nullptr
-            ? translate("WriteQuestion", "Writing %1 to %2 takes the servo from “%3” to “%4”.")
+            ? translate("WriteQuestion", "Writing %1 to %2 switches the servo from “%3” to “%4”.")
                   .arg(QString::number(raw), nameOf(reg), step.from->name.in(chinese), target)
-            : translate("WriteQuestion", "Writing %1 to %2 leads to “%3”.")
+            : translate("WriteQuestion", "Writing %1 to %2 switches the servo to “%3”.")
                   .arg(QString::number(raw), nameOf(reg), target);
     const QString command = nameOf(entry, step.to->command);
     const QString zeroed =
         step.to->command == Role::GoalPosition || command.isEmpty()
             ? QString()
-            : translate("WriteQuestion", "The command of the new mode, %1, is set to 0.")
+            : translate("WriteQuestion", "The command register of the new mode (%1) is set to 0.")
                   .arg(command);
-    question.text = joinSentences(
-        {change,
-         translate("WriteQuestion", "ServoDesk switches torque off first, writes, and reads back."),
-         zeroed, translate("WriteQuestion", "Torque stays off until you switch it on."),
-         persistenceSentence(temporary)});
+    question.text =
+        joinSentences({change,
+                       translate("WriteQuestion",
+                                 "ServoDesk turns torque off, writes the value and reads it back."),
+                       zeroed, translate("WriteQuestion", "Torque stays off until you turn it on."),
+                       persistenceSentence(temporary)});
     question.risk = modeRisk(entry, *step.to);
-    question.acceptText = translate("WriteQuestion", "Change the mode");
+    question.acceptText = translate("WriteQuestion", "Change mode");
     return question;
 }
 
@@ -88,30 +91,32 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
 {
     switch (reg.role) {
     case Role::Id:
-        return translate("WriteQuestion", "From now on the servo answers as %1. Programs that know "
-                                          "it by its old ID no longer find it.")
+        return translate("WriteQuestion", "After this, the servo answers as ID %1. Programs that "
+                                          "use the old ID will no longer find it.")
             .arg(raw);
     case Role::BaudRate:
-        return translate("WriteQuestion", "The servo leaves this rate. ServoDesk follows it; other "
-                                          "programs and servos stay where they are.");
+        return translate("WriteQuestion",
+                         "The servo switches to another baud rate. ServoDesk switches "
+                         "automatically; other programs and servos keep the old baud rate.");
     case Role::ResponseLevel:
     case Role::ReturnDelay:
-        return translate("WriteQuestion", "Programs that wait for its answers in another way may "
-                                          "take the servo for lost.");
+        return translate("WriteQuestion", "Programs that expect the previous reply behavior may "
+                                          "report the servo as lost.");
     case Role::UnloadCondition:
-        return translate("WriteQuestion", "A protection that is switched off no longer saves motor "
-                                          "and gears: they can burn or break.");
+        return translate(
+            "WriteQuestion",
+            "If a protection is turned off, the motor can burn out and the gears can break.");
     case Role::Phase:
-        return translate("WriteQuestion", "Direction, feedback and drive of the motor change. A "
-                                          "wrong value can make it run away.");
+        return translate("WriteQuestion", "This changes the direction, feedback and drive of the "
+                                          "motor. A wrong value can make the motor run away.");
     case Role::PositionOffset:
     case Role::AngleResolution:
         return translate("WriteQuestion",
-                         "Every position means another angle afterwards. Clear the "
-                         "mechanism before torque is switched on.");
+                         "Afterwards, every position corresponds to a different angle. Clear the "
+                         "area around the mechanism before turning torque on.");
     default:
         return translate("WriteQuestion", "A wrong value can make the servo unreachable or "
-                                          "dangerous. Note the old value before you go on.");
+                                          "dangerous. Note the old value before you continue.");
     }
 }
 
@@ -123,23 +128,24 @@ Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog:
     Question question;
     question.title = translate("WriteQuestion", "Write %1?").arg(nameOf(reg));
     const QString change =
-        present ? translate("WriteQuestion", "From %1 to %2.")
+        present ? translate("WriteQuestion", "Old value: %1. New value: %2.")
                       .arg(rawWord(*present, reg, meaning), rawWord(raw, reg, meaning))
-                : translate("WriteQuestion", "To %1; the present value could not be read.")
+                : translate("WriteQuestion", "New value: %1. The present value could not be read.")
                       .arg(rawWord(raw, reg, meaning));
     const QString torque =
         reg.torqueOff == catalog::TorqueOff::Needed
-            ? translate("WriteQuestion", "Torque is switched off first and stays off.")
+            ? translate("WriteQuestion", "Torque is turned off first and stays off.")
             : QString();
     question.text =
-        change + QStringLiteral("\n\n") + reg.help.in(text::isUiChinese()) +
+        change + QStringLiteral("\n\n") + text::localized(reg.help) +
         (torque.isEmpty() && !temporary
              ? QString()
              : QStringLiteral("\n\n") + joinSentences({torque, persistenceSentence(temporary)}));
     question.risk = joinSentences(
-        {reg.motion ? translate("WriteQuestion", "The shaft turns as soon as this is "
-                                                 "written: keep clear of the mechanism.")
-                    : QString(),
+        {device::classify(reg, raw).moves
+             ? translate("WriteQuestion", "The shaft turns as soon as this is written. "
+                                          "Keep clear of the mechanism.")
+             : QString(),
          roleRisk(reg, raw)});
     question.acceptText = translate("WriteQuestion", "Write");
     return question;
@@ -170,10 +176,8 @@ std::optional<Question> writeQuestion(const session::ServoEntry& entry,
         const ModeTransition step = modeTransition(entry, reg, raw);
         if (step.to != nullptr && step.to != step.from)
             return modeQuestion(entry, reg, raw, step, temporary);
-        if (step.to != nullptr)
-            return std::nullopt;
     }
-    if (!reg.dangerous)
+    if (!device::classify(reg, raw).needsConsent)
         return std::nullopt;
     return dangerousWriteQuestion(entry, reg, raw, temporary);
 }

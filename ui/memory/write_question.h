@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a write has to be asked about first, and in which words: a change of mode says which mode
-// it leads to and what will be done around it, a dangerous register says what can go wrong. Pure
-// function of what is known of the servo; main thread.
+// Whether a write needs a question first, and its text. For a change of mode: the new mode and the
+// steps around it; for a dangerous register: what can go wrong. Pure function of what is known
+// about the servo; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 #include "ui/widgets/question_dialog.h"
 
 namespace ui {

@@ -75,7 +75,7 @@ void ControlField::makeEditor(const device::Servo& servo)
     for (QWidget* inputWidget : m_editor->is()) {
         inputWidget->setObjectName(m_name);
         inputWidget->installEventFilter(this);
-        inputWidget->setFocusPolicy(Qt::StrongFocus); // the wheel only where somebody has clicked
+        inputWidget->setFocusPolicy(Qt::StrongFocus); // the wheel works only after a click
         inputWidget->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−30719")) +
                                      40);
     }
@@ -165,7 +165,7 @@ void ControlField::setSent(std::int64_t raw, base::Duration at)
 {
     m_sent = raw;
     m_sentAt = at;
-    // Somebody may have typed on while it was on its way.
+    // The user may have continued typing while it was being sent.
     if (m_editor != nullptr && value() == raw && !m_start)
         m_editor->setRaw(raw);
 }
@@ -197,7 +197,7 @@ void ControlField::resetValue()
         m_editor->setRaw(std::nullopt);
 }
 
-/// A sign from another font may be higher than the numbers are: nothing below moves when it
+/// A sign from another font may be higher than the digits; nothing below may move when it
 /// appears.
 void ControlField::reservePhysical()
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One number of a move: its name, a box for the raw number (a value with its unit may be typed as
-// well), and what that is physically. It shows what the servo has, or what was sent to it since;
-// what somebody is typing is never taken away by a newer reading. Sends nothing by itself. Owned by
-// its parent; main thread.
+// One number of a move: its name, a box for the raw number (a value with its unit can be typed as
+// well), and the physical value. It shows what the servo has, or what was sent to it since. A newer
+// reading never replaces what the user is typing. Sends nothing itself. Owned by its parent; main
+// thread.
 #pragma once
 
 #include "device/servo.h"
@@ -27,7 +27,7 @@ public:
     /// Null: the field is hidden. The profile keeps the register alive.
     void setRegister(const catalog::ProfilePtr& profile, const catalog::Register* reg);
     const catalog::Register* reg() const { return m_reg; }
-    /// The latest reading, or what was sent since, as long as nobody is typing.
+    /// The latest reading, or what was sent since, while the user is not typing.
     void showReading(const device::Servo& servo) { showReading(servo, effectiveRaw(servo)); }
     /// The same with another number than the register's own.
     void showReading(const device::Servo& servo, std::optional<std::int64_t> raw);
@@ -50,7 +50,7 @@ public:
     void clearSent();
     /// Another servo or another mode: nothing that was shown still counts.
     void resetValue();
-    void enterValue(std::int64_t raw); ///< as if somebody had typed it
+    void enterValue(std::int64_t raw); ///< as if the user had typed it
     /// What the servo is to have, whatever is being typed.
     std::optional<std::int64_t> effectiveRaw(const device::Servo& servo) const;
 

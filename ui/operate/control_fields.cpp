@@ -24,7 +24,7 @@ constexpr int columns = 2;
 
 QString noCurrentText()
 {
-    return ControlFields::tr("Current 0 = no torque at all");
+    return ControlFields::tr("Current 0 = no torque");
 }
 } // namespace
 
@@ -103,7 +103,7 @@ void ControlFields::onFieldEdited(Field which)
     showHint();
 }
 
-/// Not changed, but seen. Of speed and time only the one that counts, as typed() has it.
+/// Not changed, but shown. Of speed and time only the one that counts.
 bool ControlFields::appliesToAll(Field which) const
 {
     const bool byTime = device::zeroSpeed(m_servo) == device::ZeroSpeed::ByTime &&
@@ -127,7 +127,7 @@ std::optional<QString> ControlFields::requestedValue(Field which) const
     const auto raw = field.value();
     if (reg == nullptr || !raw)
         return std::nullopt;
-    // A travel time that shares the goal's frame goes out with it, as shown or as 0.
+    // A travel time in the same frame as the goal is sent with it, as shown or as 0.
     const catalog::Register* goal = device::goalRegister(m_servo);
     const bool isRequired =
         which == Time && goal != nullptr && reg->block && reg->block == goal->block;
@@ -186,8 +186,7 @@ void ControlFields::showHint()
     m_hint->setPalette(colors);
 }
 
-/// As much room as the longest sentence needs: what stands below must not move while a speed is
-/// being typed.
+/// Reserves the space of the longest sentence: nothing below may move while a speed is typed.
 void ControlFields::reserveHint()
 {
     QStringList all{m_hint->text()};

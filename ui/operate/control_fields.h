@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a move beside its goal: speed, acceleration, time and current, as far as this
-// family and mode have them; others are absent. Owned by the control panel; main thread.
+// The numbers of a move besides its goal: speed, acceleration, time and current, if this family and
+// mode have them. Owned by the control panel; main thread.
 #pragma once
 
 #include "session/motion/motion_controller.h"
@@ -21,18 +21,18 @@ class ControlFields final : public QWidget {
 public:
     explicit ControlFields(QWidget* parent);
 
-    /// `several`: others are to get the same; what is shown is sent to all of them, whatever they
-    /// had. One alone gets only what was changed.
+    /// `multiple`: what is shown is sent to all selected servos, whatever they had. One alone gets
+    /// only what was changed.
     void showServo(const session::ServoEntry& entry, bool multiple);
     void retranslate();
 
-    /// Adds to the wish what the user has changed (several servos: what he sees), and what goes out
-    /// with every goal.
+    /// Adds to the request what the user has changed (several servos: what is shown), and what is
+    /// sent with every goal.
     void fill(session::MoveRequest& request) const;
-    /// Why a changed field makes no sense; empty: all is well.
+    /// Why a changed field is invalid; empty: all are valid.
     QString inputError() const;
     void setSent(const session::MoveRequest& request, base::Duration at);
-    /// What was typed is dropped.
+    /// Discards what was typed.
     void discardEdits();
 
 Q_SIGNALS:
@@ -58,6 +58,6 @@ private:
     session::ServoRef m_ref = 0;
     QString m_mode;
     bool m_multiple = false;
-    std::array<bool, Count> m_has{}; ///< as they are laid out
+    std::array<bool, Count> m_has{}; ///< in the present layout
 };
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/operate/control_goal.h"
 
 #include "ui/common/theme.h"
+#include "ui/common/widget_text.h"
 #include "ui/editors/register_text.h"
 #include "ui/operate/control_field.h"
 #include "ui/operate/control_slider.h"
@@ -26,7 +27,7 @@ bool isContinuous(std::optional<GoalKind> kind)
     return kind == GoalKind::Speed || kind == GoalKind::Pwm || kind == GoalKind::Current;
 }
 
-/// Where it stands, counted as goals are. What torque-on would hold.
+/// The present position in units of the goal: what torque-on would hold.
 std::optional<std::int64_t> presentPosition(const device::Servo& servo)
 {
     const auto present = servo.raw(Role::PresentPosition);
@@ -106,7 +107,7 @@ void ControlGoal::buildSteps()
 std::optional<std::int64_t> ControlGoal::effectiveRaw(const session::ServoEntry& entry) const
 {
     const bool position = m_kind == GoalKind::Position || m_kind == GoalKind::Turns;
-    // Without torque an old goal means nothing: what counts is where the shaft is now.
+    // Without torque an old goal has no meaning: the present position counts.
     const catalog::Register* torque = entry.servo.profile->byRole(Role::TorqueSwitch);
     if (position && entry.servo.raw(Role::TorqueSwitch) != 1 &&
         !m_field->isSentAfterRead(entry.servo, torque))
@@ -149,7 +150,7 @@ void ControlGoal::showServo(const session::ServoEntry& entry, const Steps& steps
     retranslate();
 }
 
-/// The words have a sign already where no sheet names the sense of rotation.
+/// The text has a sign already if no data sheet gives the direction of rotation.
 QString ControlGoal::withDirection(const QString& sign, const QString& words) const
 {
     return m_positive == device::PositiveDirection::Forward ? words
@@ -174,7 +175,8 @@ void ControlGoal::fillSlider(const session::ServoEntry& entry)
 void ControlGoal::fillSteps(const Steps& steps)
 {
     m_repeat->setEnabled(steps.canRepeat);
-    const QString left = tr("Since connecting: %1 steps. Left: %2 %3, %4 %5 (±7.5 turns in all)")
+    const QString left = tr("Since connecting: %1 steps. Remaining: %2 %3, %4 %5 (±7.5 turns in "
+                            "total)")
                              .arg(steps.sum)
                              .arg(turnSymbol(m_positive, true))
                              .arg(device::remainingSteps(steps.sum, true))
@@ -204,7 +206,7 @@ QString ControlGoal::inputError() const
 
 void ControlGoal::setPending(std::int64_t raw)
 {
-    // What is read before the goal goes out is the old one, whenever that is.
+    // A reading from before the goal is sent is the old goal.
     m_pendingGoal = raw;
     if (m_kind != GoalKind::Step)
         m_field->setPending(raw);
@@ -284,19 +286,17 @@ void ControlGoal::retranslate()
             .arg(withDirection(turnSymbol(m_positive, false), turnText(m_positive, false)),
                  withDirection(turnSymbol(m_positive, true), turnText(m_positive, true))));
     m_slider->setAccessibleName(title);
-    m_slider->setToolTip(tr("Drag, or arrows, Page Up/Down, Home and End. The wheel turns it once "
-                            "it has been clicked (Ctrl: fine, Shift: wide)."));
+    m_slider->setToolTip(tr("Drag, or use the arrow keys, Page Up/Down, Home and End. Click once "
+                            "to enable the mouse wheel (Ctrl: fine, Shift: coarse)."));
     m_minus->setText(minus);
     m_plus->setText(plus);
     for (QPushButton* button : {m_minus, m_plus}) {
         button->setAccessibleName(button->text());
-        button->setToolTip(tr("One step this way from where the last one ends"));
+        button->setToolTip(tr("Moves one step in this direction from the end of the last step"));
     }
-    m_repeat->setText(tr("Again"));
-    m_repeat->setAccessibleName(m_repeat->text());
-    m_repeat->setToolTip(tr("The last step once more"));
+    setButtonText(m_repeat, tr("Repeat"), tr("Repeats the last step"));
     m_stop->setText(tr("■ Stop"));
     m_stop->setAccessibleName(tr("Stop turning"));
-    m_stop->setToolTip(tr("Ends the motion of this servo; torque stays on"));
+    m_stop->setToolTip(tr("Stops the motion of this servo; torque stays on"));
 }
 } // namespace ui

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The goal of the present mode: a slider with the servo's limits and a number for positions and
-// signed speeds, PWM and currents; a step with ↻ ↺ and "again" in step mode; a stop button where
-// the servo turns on by itself. Says what is wanted; sends nothing. Owned by the control panel;
-// main thread.
+// signed speeds, PWM and currents; a step with ↻ ↺ and "Repeat" in step mode; a stop button where
+// the servo keeps turning. Emits requests; sends nothing. Owned by the control panel; main thread.
 #pragma once
 
 #include "device/motion/move_limits.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QWidget>
 
@@ -30,24 +29,24 @@ public:
     void showServo(const session::ServoEntry& entry, const Steps& steps);
     void retranslate();
 
-    /// What stands in the box: to be sent by Set. Nullopt: nothing that makes sense.
+    /// The value of the box, which Set sends. Nullopt: invalid.
     std::optional<std::int64_t> goal() const;
     QString inputError() const;
-    /// The goal as the servo has it, or as it is being dragged.
+    /// The goal in the servo, or the one that is being dragged.
     std::optional<std::int64_t> shownGoal() const { return m_shown; }
-    /// It is on its way: shown until it is there or given up. Nothing is on its way any more.
+    /// The goal is being sent: shown until it is sent or canceled.
     void setPending(std::int64_t raw);
     void clearPending();
-    /// It is there, and shown until a newer reading.
+    /// The goal was sent: shown until a newer reading.
     void setSent(std::int64_t raw, base::Duration at);
     void clearSent();
-    /// What was typed is dropped.
+    /// Discards what was typed.
     void discardEdit();
-    /// As if it had been typed: nothing is sent.
+    /// As if the user had typed it; sends nothing.
     void enterValue(std::int64_t raw);
-    /// What was being dragged did not get there. What is typed stays, to be corrected.
+    /// The dragged goal was not sent. A typed goal stays, to be corrected.
     void cancelDrag();
-    /// From the dial: as if the slider had been dragged there, and let go.
+    /// From the dial: as dragging the slider there.
     void setFromDial(std::int64_t raw);
     void endDialDrag();
 
@@ -76,13 +75,13 @@ private:
     QPushButton* m_repeat;
     QLabel* m_stepsLeft;
     QPushButton* m_stop;
-    QLabel* m_directionLabel; ///< which way + and − turn
+    QLabel* m_directionLabel; ///< the directions of + and −
 
     std::optional<device::GoalKind> m_kind;
     device::PositiveDirection m_positive = device::PositiveDirection::Forward;
     session::ServoRef m_servo = 0;
     std::optional<std::int64_t> m_shown;
     bool m_dialDrag = false;
-    std::optional<std::int64_t> m_pendingGoal; ///< on its way
+    std::optional<std::int64_t> m_pendingGoal; ///< being sent
 };
 } // namespace ui

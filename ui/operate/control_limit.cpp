@@ -88,7 +88,7 @@ void ControlLimit::build()
     m_stall->setKeyboardTracking(false);
     m_advice->setObjectName(QStringLiteral("grippingAdvice"));
     m_advice->setWordWrap(true);
-    // The wheel only where somebody has clicked.
+    // The wheel works only after a click.
     for (QWidget* box : {static_cast<QWidget*>(m_percent), static_cast<QWidget*>(m_stall)}) {
         box->setFocusPolicy(Qt::StrongFocus);
         box->installEventFilter(this);
@@ -116,7 +116,7 @@ double ControlLimit::stallTorque() const
     return m_model.isEmpty() ? 0 : m_settings.pageValue(stallTorqueKey(m_model), 0.0).toDouble();
 }
 
-/// By the user: typed and settled, stepped, or moved with the slider.
+/// By the user: typed and finished, stepped, or moved with the slider.
 void ControlLimit::edited()
 {
     m_editing = true;
@@ -124,7 +124,7 @@ void ControlLimit::edited()
     showForce();
 }
 
-/// Notch upon notch of a wheel: one write at a time, and of those that wait only the latest.
+/// For fast turns of the wheel: one write at a time, and of the waiting ones only the latest.
 void ControlLimit::request(std::int64_t raw)
 {
     m_editing = false;
@@ -208,18 +208,18 @@ void ControlLimit::showForce()
 void ControlLimit::retranslate()
 {
     m_percent->setAccessibleName(tr("Torque limit"));
-    m_percent->setToolTip(tr("Share of the stall torque. Enter sends it; Esc takes torque off the "
-                             "whole bus and shows the present value again."));
+    m_percent->setToolTip(tr("Percentage of the stall torque. Enter sends the value. Esc turns "
+                             "torque off on the whole bus and shows the present value again."));
     m_slider->setAccessibleName(tr("Torque limit"));
-    m_slider->setToolTip(tr("Largest output; sent when the knob is let go"));
+    m_slider->setToolTip(tr("Maximum output; sent when the slider is released"));
     m_stallTitle->setText(tr("Stall torque of this model"));
     m_stall->setSpecialValueText(tr("not entered"));
     m_stall->setAccessibleName(m_stallTitle->text());
-    m_stall->setToolTip(tr("From the data sheet at your supply voltage; remembered for this model, "
-                           "written nowhere"));
-    m_advice->setText(tr("Gripping: set the share of the stall torque the part can take (10 % of "
-                         "10 kg·cm is about 1 kg·cm). The servo also gets slower. Only for parts "
-                         "of equal mass."));
+    m_stall->setToolTip(tr("Enter the data sheet value for your supply voltage; it is stored for "
+                           "this model, not written to the servo"));
+    m_advice->setText(tr("Gripping: set the percentage of the stall torque that the part can "
+                         "withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo "
+                         "slower. Only for parts of equal mass."));
     fill();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The torque limit in percent (register 48; SCS: 16 until power-off), with kg·cm once the stall
-// torque of this model has been entered, and the advice for gripping beside it. What is set is sent
-// when the slider is let go, or on Enter. Owned by the control panel; main thread.
+// torque of this model has been entered, and advice for gripping. It is sent when the slider is
+// released, or on Enter. Owned by the control panel; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 #include "session/settings.h"
 
 #include <QWidget>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/control_mode.h"
 
+#include "ui/common/widget_text.h"
 #include "ui/operate/control_text.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/press_guard.h"
@@ -38,10 +39,9 @@ void ControlMode::build()
     for (const catalog::Mode& mode : m_profile->modes) {
         auto* button = new SegmentButton(this);
         button->setObjectName(QStringLiteral("mode_") + mode.key);
-        button->setText(modeTitle(mode));
-        button->setAccessibleName(button->text());
-        button->setToolTip(
-            tr("%1. A click says first what the switch will change.").arg(modeHelp(mode.key)));
+        setButtonText(button, modeTitle(mode),
+                      tr("%1. Click to preview what switching to this mode changes.")
+                          .arg(modeHelp(mode.key)));
         new PressGuard(button);
         m_group->addButton(button, index++);
         m_row->addWidget(button);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operating modes of this family side by side, the present one standing out. A click asks for
+// The operating modes of this family side by side, the present one highlighted. A click requests
 // another one; nothing is switched here. Owned by the control panel; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QWidget>
 

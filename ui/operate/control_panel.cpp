@@ -1,39 +1,201 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/control_panel.h"
 
-#include "device/write_access.h"
-#include "text/error_text.h"
-#include "ui/common/theme.h"
 #include "ui/operate/control_fields.h"
 #include "ui/operate/control_goal.h"
+#include "ui/operate/control_header.h"
 #include "ui/operate/control_limit.h"
+#include "ui/operate/control_messages.h"
 #include "ui/operate/control_mode.h"
+#include "ui/operate/control_send.h"
+#include "ui/operate/control_text.h"
 #include "ui/operate/control_torque.h"
+#include "ui/operate/goal_sender.h"
+#include "ui/operate/move_result.h"
+#include "ui/operate/torque_confirmation.h"
 #include "ui/operate/torque_hint.h"
-#include "ui/widgets/banner.h"
+#include "ui/widgets/press_guard.h"
+#include "ui/widgets/question_dialog.h"
 
-#include <QButtonGroup>
+#include <QEvent>
 #include <QLabel>
-#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QShowEvent>
+#include <QVBoxLayout>
 
 namespace ui {
 using device::GoalKind;
-using device::MoveMethod;
 
 namespace {
-/// The stop did not reach it, or another program has switched it on again.
-bool isOnSinceStop(const session::ServoEntry& known)
+using namespace std::chrono_literals;
+constexpr auto refreshDelay = 25ms;
+constexpr int margin = 12;
+constexpr int minWidth = 340;
+constexpr int maxWidth = 420;
+
+/// Always takes its space, so that the controls keep their width; empty while all of them fit.
+class QuietScrollBar final : public QScrollBar {
+public:
+    using QScrollBar::QScrollBar;
+
+protected:
+    void paintEvent(QPaintEvent* event) override
+    {
+        if (minimum() < maximum())
+            QScrollBar::paintEvent(event);
+    }
+};
+
+QScrollArea* newScrollArea(QWidget* parent)
 {
-    const catalog::Register* torque =
-        known.servo.profile ? known.servo.profile->byRole(catalog::Role::TorqueSwitch) : nullptr;
-    const auto at = torque != nullptr ? known.servo.image.readAt(torque->offset) : std::nullopt;
-    return at && *at > known.stoppedAt && known.servo.raw(*torque) == 1;
+    auto* scroll = new QScrollArea(parent);
+    scroll->setObjectName(QStringLiteral("controlScroll"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setVerticalScrollBar(new QuietScrollBar(Qt::Vertical, scroll));
+    scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    return scroll;
 }
 } // namespace
 
+ControlPanel::ControlPanel(session::Workbench& workbench, Commands& commands, Selection& selection,
+                           session::Settings& settings, session::MotionController& motion,
+                           QWidget* parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_commands(commands)
+    , m_selection(selection)
+    , m_motion(motion)
+{
+    setObjectName(QStringLiteral("controlPanel"));
+    setMinimumWidth(minWidth);
+    setMaximumWidth(maxWidth);
+    build(settings);
+    connectControls();
+    connectWorkbench();
+    connectMotion();
+    retranslate();
+    onSelectionChanged();
+}
+
+ControlPanel::~ControlPanel()
+{
+    delete m_sender; // a drag in progress ends when its slider is destroyed
+    m_goal->disconnect(this);
+}
+
+void ControlPanel::build(session::Settings& settings)
+{
+    QScrollArea* scroll = newScrollArea(this);
+    m_messages = new ControlMessages(settings, this);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->setSpacing(0);
+    outer->addWidget(scroll, 1);
+    outer->addWidget(m_messages);
+    auto* body = new QWidget(scroll);
+    scroll->setWidget(body);
+    scroll->viewport()->setAutoFillBackground(false);
+    body->setAutoFillBackground(false);
+    m_header = new ControlHeader(m_commands, body);
+    m_empty = new QLabel(body);
+    m_empty->setObjectName(QStringLiteral("controlEmpty"));
+    m_empty->setWordWrap(true);
+    m_content = new QWidget(body);
+    buildContent(settings);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(margin, margin, margin, margin);
+    column->setSpacing(10);
+    column->addWidget(m_header);
+    column->addWidget(m_empty);
+    column->addWidget(m_content);
+    column->addStretch(1);
+}
+
+void ControlPanel::buildContent(session::Settings& settings)
+{
+    m_mode = new ControlMode(m_content);
+    m_dialLayout = new QVBoxLayout;
+    m_goal = new ControlGoal(m_content);
+    m_fields = new ControlFields(m_content);
+    m_send = new ControlSend(m_content);
+    m_limit = new ControlLimit(settings, m_content);
+    m_result = new MoveResult(m_content);
+    auto* column = new QVBoxLayout(m_content);
+    column->setContentsMargins({});
+    column->setSpacing(10);
+    column->addWidget(m_mode);
+    column->addLayout(m_dialLayout);
+    // The result is last: its lines come and go.
+    for (QWidget* control :
+         std::initializer_list<QWidget*>{m_goal, m_fields, m_send, m_limit, m_result})
+        column->addWidget(control);
+}
+
+void ControlPanel::connectControls()
+{
+    m_torqueConfirmation =
+        std::make_unique<TorqueConfirmation>(m_workbench, m_motion, *m_messages->hint());
+    m_sender = new GoalSender(
+        m_workbench, m_selection, m_motion,
+        {*m_goal, *m_fields, *m_send, *m_messages, *m_result, *m_torqueConfirmation}, this);
+    connect(m_sender, &GoalSender::controlsChanged, this, &ControlPanel::scheduleRefresh);
+    connect(m_header->torque(), &ControlTorque::requested, this, &ControlPanel::requestTorque);
+    connect(m_mode, &ControlMode::requested, &m_motion, &session::MotionController::previewMode);
+    connect(m_goal, &ControlGoal::stopRequested, this, &ControlPanel::stopMove);
+    connect(m_goal, &ControlGoal::goalShown, this, &ControlPanel::goalShown);
+    connect(m_limit, &ControlLimit::limitRequested, &m_motion,
+            &session::MotionController::setTorqueLimit);
+}
+
+void ControlPanel::connectWorkbench()
+{
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(refreshDelay);
+    connect(&m_refresh, &QTimer::timeout, this, &ControlPanel::refresh);
+    const auto servoChanged = [this](session::ServoRef ref) {
+        if (ref == m_selection.current())
+            scheduleRefresh();
+    };
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoChanged, this, servoChanged);
+    connect(&m_workbench.registry(), &session::ServoRegistry::tableChanged, this, servoChanged);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this, [this] {
+        m_torqueConfirmation->dismiss();
+        scheduleRefresh();
+    });
+    connect(&m_workbench, &session::Workbench::eventOccurred, this, &ControlPanel::onEvent);
+    connect(&m_selection, &Selection::selectedServosChanged, this,
+            &ControlPanel::onSelectionChanged);
+}
+
+void ControlPanel::connectMotion()
+{
+    using session::MotionController;
+    connect(&m_motion, &MotionController::changed, this, &ControlPanel::scheduleRefresh);
+    connect(&m_motion, &MotionController::modeSwitched, m_messages->hint(), &TorqueHint::dismiss);
+    connect(&m_motion, &MotionController::modePreviewed, this, &ControlPanel::confirmModeSwitch);
+    connect(&m_motion, &MotionController::failed, this, &ControlPanel::showError);
+    connect(&m_motion, &MotionController::noticesReported, this, &ControlPanel::showNotices);
+}
+
+void ControlPanel::setDial(QWidget* dial)
+{
+    m_dial = dial;
+    m_dialLayout->addWidget(dial, 0, Qt::AlignHCenter);
+    new PressGuard(dial);
+    scheduleRefresh();
+}
+
+QWidget* ControlPanel::messages() const
+{
+    return m_messages;
+}
+
 const session::ServoEntry* ControlPanel::entry() const
 {
-    return m_desk.servo(m_selection.current());
+    return m_workbench.registry().servo(m_selection.current());
 }
 
 std::size_t ControlPanel::otherCount() const
@@ -41,27 +203,32 @@ std::size_t ControlPanel::otherCount() const
     return m_motion.servos().empty() ? 0 : m_motion.servos().size() - 1;
 }
 
+bool ControlPanel::isPortOpen() const
+{
+    return m_workbench.link().state() == session::LinkState::Open;
+}
+
 void ControlPanel::onSelectionChanged()
 {
     m_motion.setServos(m_selection.selected());
-    m_banner->hideMessage();
-    clearResult();
-    m_resultLabel->setMinimumHeight(0);
-    m_hint->dismiss();
+    m_messages->hideMessage();
+    m_result->clearNotices();
+    m_result->setMinimumHeight(0);
+    m_torqueConfirmation->dismiss();
     if (isVisible())
         readUnreadTables();
-    m_selectionChanged = true;
+    m_send->resetMethod();
     refresh();
 }
 
-/// Limits and modes belong on the panel; nobody needs them while it is not seen.
+/// The panel shows limits and modes; they are not needed while it is hidden.
 void ControlPanel::readUnreadTables()
 {
     for (const session::ServoRef ref : m_motion.servos()) {
-        const session::ServoEntry* known = m_desk.servo(ref);
+        const session::ServoEntry* known = m_workbench.registry().servo(ref);
         const bool unread = known != nullptr && known->servo.profile && !known->hasFullTable;
-        if (unread && m_desk.state() == session::LinkState::Open)
-            m_desk.readTable(ref);
+        if (unread && isPortOpen())
+            m_workbench.writes().readTable(ref);
     }
 }
 
@@ -71,151 +238,38 @@ void ControlPanel::scheduleRefresh()
         m_refresh.start();
 }
 
-/// Why there is nothing to control; empty: there is.
-QString ControlPanel::emptyReason() const
-{
-    const session::ServoEntry* known = entry();
-    if (known == nullptr)
-        return tr("Choose a servo at the left. Choosing it moves nothing.");
-    if (!known->servo.profile)
-        return tr("This servo answers, but does not say what it is, so nobody knows how to move "
-                  "it. Search again, or check whether two servos share the ID.");
-    if (known->servo.profile->conflict) {
-        const auto bar = device::writeObstacle(known->servo);
-        const text::Description words = text::describe(*bar);
-        return words.message + QLatin1Char('\n') + words.cause + QLatin1Char('\n') + words.remedy;
-    }
-    if (!known->servo.profile->writable)
-        return tr("The firmware of this servo is not known. Its measurements are shown; moving it "
-                  "could do damage. A model file makes it possible.");
-    if (known->servo.mode() == nullptr)
-        return known->readError ? tr("The settings of this servo could not be read.")
-                                : tr("Reading the settings of this servo…");
-    return {};
-}
-
-bool ControlPanel::isUsable() const
-{
-    return m_desk.state() == session::LinkState::Open;
-}
-
 void ControlPanel::refresh()
 {
-    const QString why = emptyReason();
-    if (m_empty->text() != why)
-        m_empty->setText(why);
-    m_empty->setVisible(!why.isEmpty());
-    m_content->setVisible(why.isEmpty());
-    showTitle();
     const session::ServoEntry* known = entry();
-    m_torque->showServo(why.isEmpty() ? known : nullptr, isUsable());
-    showStopped();
-    if (m_hintTargets && !isUnchanged(*m_hintTargets))
-        m_hint->dismiss();
-    if (!why.isEmpty()) {
-        Q_EMIT goalStateChanged();
-        return;
-    }
-    const bool drives = isUsable() && !m_motion.isStopped();
-    if (!m_motion.isBusy())
-        m_goal->clearPending();
-    m_mode->showServo(known, isUsable());
-    m_goal->showServo(*known, {m_motion.totalSteps(known->ref), m_motion.canRepeatStep()});
-    m_fields->showServo(*known, otherCount() > 0);
-    m_limit->showServo(known, isUsable());
-    m_goal->setEnabled(drives);
-    m_fields->setEnabled(drives);
-    if (m_dial != nullptr)
-        m_dial->setVisible(device::goalRegister(known->servo) != nullptr);
-    showWrite();
+    const QString obstacle = controlObstacle(known);
+    if (m_empty->text() != obstacle)
+        m_empty->setText(obstacle);
+    m_empty->setVisible(!obstacle.isEmpty());
+    m_content->setVisible(obstacle.isEmpty());
+    m_header->showServo(known, otherCount());
+    m_header->torque()->showServo(obstacle.isEmpty() ? known : nullptr, isPortOpen());
+    m_header->showStopped(known, m_motion.isStopped());
+    m_torqueConfirmation->dismissIfOutdated();
+    if (obstacle.isEmpty())
+        showControls(*known);
     Q_EMIT goalStateChanged();
 }
 
-void ControlPanel::showTitle()
+void ControlPanel::showControls(const session::ServoEntry& known)
 {
-    const session::ServoEntry* known = entry();
-    QString words = tr("Motion");
-    if (known != nullptr) {
-        words = tr("Motion — ID %1").arg(known->servo.id);
-        if (known->servo.profile)
-            words += QStringLiteral(" · ") + known->servo.profile->modelName;
-        if (otherCount() > 0)
-            words += QLatin1Char(' ') + tr("+ %1 more").arg(otherCount());
-    }
-    if (m_title->text() != words)
-        m_title->setText(words);
-}
-
-void ControlPanel::showStopped()
-{
-    const bool stopped = m_motion.isStopped() && entry() != nullptr;
-    m_stopped->setVisible(stopped);
-    const bool stillOn = stopped && isOnSinceStop(*entry());
-    m_stopped->setText(QStringLiteral("■ ") +
-                       (stillOn ? tr("Stopped, but torque is on. Press Esc to switch it off.")
-                                : tr("Stopped. Switch torque on to go on.")));
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, tone(Tone::Warn, palette()));
-    m_stopped->setPalette(colors);
-}
-
-void ControlPanel::showWrite()
-{
-    const session::ServoEntry* known = entry();
-    if (known == nullptr || !known->servo.profile)
-        return;
-    const bool step = device::goalKind(known->servo) == GoalKind::Step;
-    const bool drives = isUsable() && !m_motion.isStopped();
-    for (const MoveMethod one : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async}) {
-        const bool offered = device::supports(known->servo, one);
-        m_writeMode->button(static_cast<int>(one))->setVisible(offered);
-        if (!offered && writeMode() == one)
-            m_writeMode->button(0)->setChecked(true);
-    }
-    selectWriteMode(*known);
-    const bool async = device::supports(known->servo, MoveMethod::Async);
-    m_execute->setVisible(async || m_motion.heldCount() > 0);
-    m_execute->setEnabled(drives && m_motion.heldCount() > 0);
-    m_execute->setText(m_motion.heldCount() > 0 ? tr("Execute (%1)").arg(m_motion.heldCount())
-                                                : tr("Execute"));
-    m_execute->setAccessibleName(m_execute->text());
-    m_set->setVisible(!step);
-    m_set->setEnabled(drives);
-}
-
-/// Several start together unless the user says otherwise; one alone goes back to the plain write.
-void ControlPanel::selectWriteMode(const session::ServoEntry& known)
-{
-    if (!m_selectionChanged || known.servo.mode() == nullptr)
-        return;
-    m_selectionChanged = false;
     const bool several = otherCount() > 0;
-    if (several && writeMode() == MoveMethod::Write &&
-        device::supports(known.servo, MoveMethod::Sync))
-        m_writeMode->button(static_cast<int>(MoveMethod::Sync))->setChecked(true);
-    else if (!several && writeMode() == MoveMethod::Sync)
-        m_writeMode->button(static_cast<int>(MoveMethod::Write))->setChecked(true);
-}
-
-MoveMethod ControlPanel::writeMode() const
-{
-    return static_cast<MoveMethod>(std::max(0, m_writeMode->checkedId()));
-}
-
-void ControlPanel::onGoalSent(const session::MoveRequest& request)
-{
-    const session::ServoEntry* known = entry();
-    const catalog::Register* reg =
-        known != nullptr && known->servo.profile ? device::goalRegister(known->servo) : nullptr;
-    if (reg == nullptr)
-        return;
-    const base::Duration now = m_desk.now();
-    m_fields->setSent(request, now);
-    const auto raw = catalog::parseValue(request.goal, *reg, known->servo.meaning(*reg));
-    if (raw && request.how != MoveMethod::Async)
-        m_goal->setSent(*raw, now);
-    m_banner->hideMessage();
-    scheduleRefresh();
+    const bool canMove = isPortOpen() && !m_motion.isStopped();
+    if (!m_motion.isBusy())
+        m_goal->clearPending();
+    m_mode->showServo(&known, isPortOpen());
+    m_goal->showServo(known, {m_motion.totalSteps(known.ref), m_motion.canRepeatStep()});
+    m_fields->showServo(known, several);
+    m_limit->showServo(&known, isPortOpen());
+    m_goal->setEnabled(canMove);
+    m_fields->setEnabled(canMove);
+    if (m_dial != nullptr)
+        m_dial->setVisible(device::goalRegister(known.servo) != nullptr);
+    m_send->showServo(known, {several, canMove, m_motion.heldCount()});
 }
 
 std::optional<std::int64_t> ControlPanel::positionGoal() const
@@ -223,42 +277,117 @@ std::optional<std::int64_t> ControlPanel::positionGoal() const
     const session::ServoEntry* known = entry();
     const auto kind =
         known != nullptr && known->servo.profile ? device::goalKind(known->servo) : std::nullopt;
-    const bool place = kind == GoalKind::Position || kind == GoalKind::Turns;
-    return place ? m_goal->shownGoal() : std::nullopt;
+    const bool isPosition = kind == GoalKind::Position || kind == GoalKind::Turns;
+    return isPosition ? m_goal->shownGoal() : std::nullopt;
 }
 
 bool ControlPanel::isGoalMovable() const
 {
-    return positionGoal() && m_goal->isEnabled() && emptyReason().isEmpty();
+    return positionGoal() && m_goal->isEnabled() && controlObstacle(entry()).isEmpty();
+}
+
+void ControlPanel::setGoalFromDial(std::int64_t raw)
+{
+    if (isGoalMovable())
+        m_sender->dragDialTo(raw);
+}
+
+void ControlPanel::requestTorque(device::Torque torque)
+{
+    const auto action = [this, torque] {
+        m_result->clearNotices();
+        m_motion.setTorque(torque);
+    };
+    m_messages->hideMessage();
+    if (torque != device::Torque::On || m_torqueConfirmation->confirm(action))
+        action();
+}
+
+void ControlPanel::stopMove()
+{
+    m_torqueConfirmation->dismiss();
+    m_result->clearNotices();
+    m_motion.halt();
+}
+
+void ControlPanel::confirmModeSwitch(const device::ModePlan& plan)
+{
+    const session::ServoEntry* known = entry();
+    if (known == nullptr || !known->servo.profile || plan.writes.empty())
+        return;
+    const catalog::Mode* mode = known->servo.profile->mode(plan.to);
+    if (mode == nullptr)
+        return;
+    Question question;
+    question.title = tr("Switch ID %1 to \"%2\"?").arg(known->servo.id).arg(modeTitle(*mode));
+    question.text = modePlanText(plan, *known->servo.profile, static_cast<int>(otherCount()));
+    question.acceptText = tr("Switch");
+    question.guard = this;
+    ask(this, question, [this, ref = known->ref, to = plan.to] {
+        if (m_selection.current() != ref)
+            return;
+        m_torqueConfirmation->dismiss();
+        m_result->clearNotices();
+        m_motion.switchMode(to);
+    });
+}
+
+void ControlPanel::onEvent(const session::Event& event)
+{
+    if (event.kind == session::Event::Kind::Started)
+        m_result->clearNotices();
+    if (event.kind != session::Event::Kind::Stopped)
+        return;
+    m_torqueConfirmation->dismiss();
+    m_result->clearNotices();
+    m_goal->discardEdit();
+    m_fields->discardEdits();
+    m_limit->discardEdit();
+    scheduleRefresh();
+}
+
+void ControlPanel::showError(const base::Error& error)
+{
+    m_goal->cancelDrag();
+    m_goal->clearSent();
+    const session::ServoEntry* known = entry();
+    m_messages->showError(error, known != nullptr ? known->servo.profile : nullptr);
+    scheduleRefresh();
+}
+
+void ControlPanel::showNotices(const device::Notices& notices)
+{
+    const session::ServoEntry* known = entry();
+    const auto profile = known != nullptr ? known->servo.profile : nullptr;
+    m_messages->showWarnings(notices, profile);
+    m_result->showNotices(notices, profile);
 }
 
 void ControlPanel::retranslate()
 {
     setAccessibleName(tr("Control"));
-    showStopped();
-    static const std::array words{
-        std::pair{QT_TR_NOOP("Write"), QT_TR_NOOP("One servo after the other, each acknowledged")},
-        std::pair{QT_TR_NOOP("Sync"),
-                  QT_TR_NOOP("One packet for all chosen servos: they start together")},
-        std::pair{QT_TR_NOOP("Async"), QT_TR_NOOP("The goal waits in the servo until Execute")}};
-    for (int i = 0; i < 3; ++i) {
-        auto* button = m_writeMode->button(i);
-        button->setText(tr(words[static_cast<std::size_t>(i)].first));
-        button->setAccessibleName(button->text());
-        button->setToolTip(tr(words[static_cast<std::size_t>(i)].second));
-    }
-    m_execute->setAccessibleName(tr("Execute"));
-    m_execute->setToolTip(tr("Starts all goals that wait in servos"));
-    m_set->setText(tr("Set"));
-    m_set->setAccessibleName(m_set->text());
-    m_set->setToolTip(tr("Sends goal and changed fields"));
-    m_torque->retranslate();
+    m_header->torque()->retranslate();
     m_mode->retranslate();
     m_goal->retranslate();
     m_fields->retranslate();
+    m_send->retranslate();
     m_limit->retranslate();
-    m_hint->retranslate();
-    showResult();
+    m_messages->hint()->retranslate();
+    m_result->retranslate();
     refresh();
+}
+
+void ControlPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!event->spontaneous())
+        readUnreadTables();
+}
+
+void ControlPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
 }
 } // namespace ui

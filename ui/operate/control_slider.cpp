@@ -16,7 +16,7 @@ namespace {
 constexpr int knobRadius = 8;
 constexpr int trackHeight = 6;
 constexpr int trackTop = 14; ///< its middle
-constexpr int minWidth = 160;
+constexpr int minSliderWidth = 160;
 constexpr int defaultWidth = 320;
 constexpr std::int64_t pageStepsPerScale = 20;
 constexpr std::int64_t coarseSteps = 10;
@@ -37,7 +37,7 @@ QSize ControlSlider::sizeHint() const
 
 QSize ControlSlider::minimumSizeHint() const
 {
-    return {minWidth, sizeHint().height()};
+    return {minSliderWidth, sizeHint().height()};
 }
 
 void ControlSlider::setScale(const Scale& scale)
@@ -90,7 +90,7 @@ void ControlSlider::setUserValue(std::int64_t value, bool dragged)
     Q_EMIT moved(value, dragged);
 }
 
-/// A value outside the limits (read from the servo) is led back to them, not further out.
+/// A value outside the limits (read from the servo) can only move towards them.
 void ControlSlider::step(std::int64_t by)
 {
     if (m_value && m_scale.min <= m_scale.max)
@@ -131,11 +131,11 @@ void ControlSlider::endDrag()
 
 void ControlSlider::wheelEvent(QWheelEvent* event)
 {
-    // A pointer that rests is told nothing when the page is scrolled, or grows, under it.
+    // A resting pointer gets no event when the page is scrolled, or grows, under it.
     if (m_clickedAt && (mapToGlobal(QPoint()) - *m_clickedAt).manhattanLength() >= height())
         m_clickedAt.reset();
     if (!hasFocus() || !m_clickedAt) {
-        event->ignore(); // whoever scrolls the page must not move a servo
+        event->ignore(); // scrolling the page must not move a servo
         return;
     }
     m_wheel += event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
@@ -175,7 +175,7 @@ void ControlSlider::keyPressEvent(QKeyEvent* event)
 void ControlSlider::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    // Nobody drags what cannot be used any more.
+    // A disabled control cannot be dragged.
     if (event->type() == QEvent::EnabledChange && !isEnabled())
         endDrag();
     if (event->type() == QEvent::FontChange)
@@ -222,21 +222,7 @@ void ControlSlider::paintEvent(QPaintEvent*)
     if (m_scale.centered && m_value)
         bar(std::min(track(0), track(*m_value)), std::max(track(0), track(*m_value)), accent);
 
-    painter.setPen(
-        palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
-    const int textTop = trackTop + knobRadius + 1;
-    const auto under = [&](double x, const QString& text) {
-        const int wide = fontMetrics().horizontalAdvance(text);
-        const int left = std::clamp(static_cast<int>(x) - wide / 2, 0, std::max(0, width() - wide));
-        painter.drawLine(QPointF(x, trackTop + trackHeight), QPointF(x, textTop + 1));
-        painter.drawText(QRect(left, textTop, wide, fontMetrics().height()), Qt::AlignCenter, text);
-    };
-    painter.setOpacity(0.8);
-    under(low, m_scale.minText);
-    under(high, m_scale.maxText);
-    if (m_scale.centered)
-        under(track(0), QStringLiteral("0"));
-    painter.setOpacity(1);
+    paintScale(painter);
     if (!m_value)
         return;
     const QPointF middle(track(*m_value), trackTop);
@@ -248,5 +234,24 @@ void ControlSlider::paintEvent(QPaintEvent*)
         painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
         painter.drawEllipse(middle, knobRadius - 0.5, knobRadius - 0.5);
     }
+}
+
+void ControlSlider::paintScale(QPainter& painter) const
+{
+    painter.setPen(
+        palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
+    const int textTop = trackTop + knobRadius + 1;
+    const auto under = [&](double x, const QString& text) {
+        const int wide = fontMetrics().horizontalAdvance(text);
+        const int left = std::clamp(static_cast<int>(x) - wide / 2, 0, std::max(0, width() - wide));
+        painter.drawLine(QPointF(x, trackTop + trackHeight), QPointF(x, textTop + 1));
+        painter.drawText(QRect(left, textTop, wide, fontMetrics().height()), Qt::AlignCenter, text);
+    };
+    painter.setOpacity(0.8);
+    under(track(m_scale.min), m_scale.minText);
+    under(track(m_scale.max), m_scale.maxText);
+    if (m_scale.centered)
+        under(track(0), QStringLiteral("0"));
+    painter.setOpacity(1);
 }
 } // namespace ui

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slider that draws the whole scale, the part of it that is allowed, and the numbers at its ends;
-// it cannot be drawn beyond the limits. Left/Right and Up/Down move it one step (with Shift ten),
-// Page Up/Down a twentieth of the scale, Home and End to the limits. The wheel moves it only from a
-// click on it until the pointer or the focus leaves it or it scrolls away, so that scrolling the
-// page past it moves nothing: a notch is ten steps, with Ctrl one, with Shift a twentieth. Owned by
-// its parent; main thread.
+// A slider that draws the whole scale, the allowed part of it, and the numbers at its ends; it
+// cannot be dragged beyond the limits. Left/Right and Up/Down move it one step (with Shift ten),
+// Page Up/Down a twentieth of the scale, Home and End to the limits. The wheel moves it only after
+// a click on it, until the pointer or the focus leaves it or it scrolls away, so that scrolling the
+// page moves nothing: a notch is ten steps, with Ctrl one, with Shift a twentieth. Owned by its
+// parent; main thread.
 #pragma once
 
 #include <QWidget>
@@ -59,6 +59,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    void paintScale(QPainter& painter) const;
     double track(std::int64_t value) const; ///< x of a value
     std::int64_t valueAt(double x) const;
     std::int64_t pageStep() const;

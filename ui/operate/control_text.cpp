@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/control_text.h"
 
+#include "device/write_access.h"
+#include "text/error_text.h"
 #include "text/language.h"
+#include "text/notice_text.h"
 #include "text/translate.h"
 #include "ui/editors/register_text.h"
 
@@ -26,11 +29,6 @@ QString valueOf(const catalog::Profile& profile, const QString& key,
     return rawWord(*raw, *reg, catalog::valueFormat(*reg, profile, catalog::noLookup));
 }
 
-QString nameOf(const catalog::Profile& profile, const QString& key)
-{
-    const catalog::Register* reg = profile.find(key);
-    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
-}
 } // namespace
 
 QString physicalValueText(std::int64_t raw, const catalog::Register& reg,
@@ -39,7 +37,7 @@ QString physicalValueText(std::int64_t raw, const catalog::Register& reg,
     if (meaning.unit.isEmpty())
         return {};
     if (reg.role == catalog::Role::Acceleration && raw == 0)
-        return translate("ControlWords", "0 = the strongest");
+        return translate("ControlText", "0 = maximum");
     const double value = catalog::toPhysical(raw, meaning);
     const QString words = physicalText(raw, reg, meaning);
     if (meaning.unit != QLatin1StringView("rpm"))
@@ -60,10 +58,10 @@ QString turnSymbol(PositiveDirection positive, bool plus)
 QString turnText(PositiveDirection positive, bool plus)
 {
     if (positive == PositiveDirection::Forward)
-        return plus ? translate("ControlWords", "forward") : translate("ControlWords", "reverse");
+        return plus ? translate("ControlText", "forward") : translate("ControlText", "reverse");
     const bool clockwise = (positive == PositiveDirection::Clockwise) == plus;
-    return clockwise ? translate("ControlWords", "clockwise")
-                     : translate("ControlWords", "counter-clockwise");
+    return clockwise ? translate("ControlText", "clockwise")
+                     : translate("ControlText", "counterclockwise");
 }
 
 bool isAboveMaxSpeed(const device::Servo& servo, std::optional<std::int64_t> speed)
@@ -78,14 +76,14 @@ QString speedHint(const device::Servo& servo, std::optional<std::int64_t> speed)
     switch (device::zeroSpeed(servo)) {
     case ZeroSpeed::Stops:
         words << (servo.profile->byRole(catalog::Role::GoalCurrent) != nullptr
-                      ? translate("ControlWords", "Speed 0 = stop")
-                      : translate("ControlWords", "Speed 0 = stop (phase bit 3)"));
+                      ? translate("ControlText", "Speed 0 = stop")
+                      : translate("ControlText", "Speed 0 = stop (phase bit 3)"));
         break;
     case ZeroSpeed::Fastest:
-        words << translate("ControlWords", "Speed 0 = maximum (phase bit 3)");
+        words << translate("ControlText", "Speed 0 = maximum (phase bit 3)");
         break;
     case ZeroSpeed::ByTime:
-        words << translate("ControlWords", "Speed 0 = the time counts");
+        words << translate("ControlText", "Speed 0 = travel time applies");
         break;
     case ZeroSpeed::Unknown:
         break;
@@ -94,19 +92,20 @@ QString speedHint(const device::Servo& servo, std::optional<std::int64_t> speed)
     const auto top = device::maxGoalSpeed(servo);
     if (reg != nullptr && top) {
         const QString maxText = physicalText(*top, *reg, servo.meaning(*reg));
-        words
-            << (isAboveMaxSpeed(servo, speed)
-                    ? translate("ControlWords", "no faster than %1 (%2): the model's maximum")
-                          .arg(*top)
-                          .arg(maxText)
-                    : translate("ControlWords", "model's maximum %1 (%2)").arg(*top).arg(maxText));
+        words << (isAboveMaxSpeed(servo, speed)
+                      ? translate("ControlText", "limited to %1 (%2), the maximum for this model")
+                            .arg(*top)
+                            .arg(maxText)
+                      : translate("ControlText", "maximum for this model: %1 (%2)")
+                            .arg(*top)
+                            .arg(maxText));
     }
     return words.join(QStringLiteral(" · "));
 }
 
 QString modeTitle(const catalog::Mode& mode)
 {
-    QString name = mode.name.in(text::isUiChinese());
+    QString name = text::localized(mode.name);
     if (!name.isEmpty())
         name[0] = name[0].toUpper();
     return name;
@@ -115,25 +114,26 @@ QString modeTitle(const catalog::Mode& mode)
 QString modeHelp(const QString& key)
 {
     static const std::pair<const char*, const char*> words[] = {
-        {"position", QT_TRANSLATE_NOOP("ControlWords", "Goes to an angle inside its limits")},
+        {"position", QT_TRANSLATE_NOOP("ControlText", "Moves to an angle within the angle limits")},
         {"multiturn",
-         QT_TRANSLATE_NOOP("ControlWords", "Goes to an angle up to 7.5 turns either way; turns are "
-                                           "counted from power-on")},
-        {"speed", QT_TRANSLATE_NOOP("ControlWords", "Turns on and on at a speed that is held "
-                                                    "under load")},
-        {"pwm", QT_TRANSLATE_NOOP("ControlWords", "Turns on and on; the speed falls under load")},
-        {"step", QT_TRANSLATE_NOOP("ControlWords",
-                                   "Each goal is a step from where it is, 7.5 turns in all")},
-        {"motor", QT_TRANSLATE_NOOP("ControlWords", "Turns on and on like a motor")},
-        {"current", QT_TRANSLATE_NOOP("ControlWords", "Pushes with a current, that is a torque")},
+         QT_TRANSLATE_NOOP("ControlText", "Moves to an angle up to 7.5 turns in either "
+                                          "direction; turns are counted from power-on")},
+        {"speed", QT_TRANSLATE_NOOP("ControlText", "Turns continuously and holds its speed "
+                                                   "under load")},
+        {"pwm", QT_TRANSLATE_NOOP("ControlText", "Turns continuously; the speed drops under load")},
+        {"step", QT_TRANSLATE_NOOP(
+                     "ControlText",
+                     "Each goal is relative to the present position, up to 7.5 turns in total")},
+        {"motor", QT_TRANSLATE_NOOP("ControlText", "Turns continuously like a motor")},
+        {"current", QT_TRANSLATE_NOOP("ControlText", "Controls the current and thus the torque")},
         {"position-pd",
-         QT_TRANSLATE_NOOP("ControlWords", "Position without integral part, of newer firmware; one "
-                                           "turn only")},
-        {"release", QT_TRANSLATE_NOOP("ControlWords", "Goes to an angle and lets go there")},
+         QT_TRANSLATE_NOOP("ControlText", "Position control without integral term (newer "
+                                          "firmware); one turn only")},
+        {"release", QT_TRANSLATE_NOOP("ControlText", "Moves to an angle, then turns torque off")},
     };
     for (const auto& [mode, word] : words) {
         if (key == QLatin1StringView(mode))
-            return translate("ControlWords", word);
+            return translate("ControlText", word);
     }
     return {};
 }
@@ -145,15 +145,17 @@ void addLimits(QStringList& lines, const device::ModePlan& plan)
         return;
     const QString limits = QStringLiteral("%1 … %2");
     if (plan.limitsSaved) {
-        lines << translate("ControlWords", "The angle limits %1 are remembered for the way back.")
+        lines << translate("ControlText", "The angle limits %1 are saved and restored when you "
+                                          "switch back.")
                      .arg(limits.arg(*plan.writes[0].oldRaw).arg(*plan.writes[1].oldRaw));
     }
     const QString now = limits.arg(plan.writes[0].newRaw).arg(plan.writes[1].newRaw);
     if (plan.limitsRestored)
-        lines << translate("ControlWords", "The angle limits %1 from before come back.").arg(now);
+        lines << translate("ControlText", "The previous angle limits %1 are restored.").arg(now);
     if (plan.limitsSetToDefault) {
-        lines << translate("ControlWords", "No angle limits are remembered for this servo: it gets "
-                                           "those of the factory, %1.")
+        lines << translate(
+                     "ControlText",
+                     "No angle limits are saved for this servo, so the factory limits %1 are used.")
                      .arg(now);
     }
 }
@@ -163,27 +165,91 @@ QString modePlanText(const device::ModePlan& plan, const catalog::Profile& profi
 {
     QStringList lines;
     lines << (plan.torqueGoesOff
-                  ? translate("ControlWords", "Torque goes off first and stays off until you "
-                                              "switch it on.")
-                  : translate("ControlWords", "Torque is off and stays off."));
+                  ? translate("ControlText", "Torque is turned off first and stays off until "
+                                             "you turn it on.")
+                  : translate("ControlText", "Torque is off and stays off."));
     for (const device::ModePlan::Write& write : plan.writes) {
         const catalog::Register* reg = profile.find(write.key);
         lines << QStringLiteral("• %1 (%2): %3 → %4")
-                     .arg(nameOf(profile, write.key))
+                     .arg(text::registerName(&profile, write.key))
                      .arg(reg != nullptr ? reg->address : 0)
                      .arg(valueOf(profile, write.key, write.oldRaw),
                           valueOf(profile, write.key, write.newRaw));
     }
     addLimits(lines, plan);
     if (!plan.zeroed.isEmpty()) {
-        lines << translate("ControlWords", "\"%1\" becomes 0, so that nothing starts by itself.")
-                     .arg(nameOf(profile, plan.zeroed));
+        lines << translate("ControlText", "\"%1\" is set to 0 to prevent unexpected movement.")
+                     .arg(text::registerName(&profile, plan.zeroed));
     }
-    lines << translate("ControlWords", "Everything is read back; the mode stays after power-off.");
+    lines << translate("ControlText",
+                       "All written values are read back. The mode is kept after power-off.");
     if (others > 0) {
-        lines << translate("ControlWords", "The other chosen servos are switched the same way: %1")
-                     .arg(others);
+        lines << translate("ControlText",
+                           "%n other selected servo(s) will be switched the same way", nullptr,
+                           others);
     }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString controlObstacle(const session::ServoEntry* entry)
+{
+    if (entry == nullptr)
+        return translate("ControlText",
+                         "Select a servo on the left. Selecting a servo does not move it.");
+    if (!entry->servo.profile)
+        return translate("ControlText", "This servo answers but does not report its model, so "
+                                        "ServoDesk cannot move it. Search again, or check whether "
+                                        "two servos share this ID.");
+    if (entry->servo.profile->conflict) {
+        const auto obstacle = device::writeObstacle(entry->servo);
+        const text::Description words = text::describe(*obstacle);
+        return QStringList{words.message, words.cause, words.remedy}.join(QLatin1Char('\n'));
+    }
+    if (!entry->servo.profile->writable)
+        return translate("ControlText",
+                         "The firmware of this servo is unknown. Its measurements are shown, but "
+                         "moving it could cause damage. To allow movement, add a model file.");
+    if (entry->servo.mode() != nullptr)
+        return {};
+    return entry->readError
+               ? translate("ControlText", "The settings of this servo could not be read.")
+               : translate("ControlText", "Reading the settings of this servo…");
+}
+
+namespace {
+NoticeKind kindOf(device::NoticeCode code)
+{
+    using device::NoticeCode;
+    switch (code) {
+    case NoticeCode::OverloadActive:
+    case NoticeCode::OvercurrentActive:
+    case NoticeCode::VoltageAlarmActive:
+    case NoticeCode::TemperatureAlarmActive:
+    case NoticeCode::SensorAlarmActive:
+    case NoticeCode::DerivedTemperature:
+    case NoticeCode::DerivedVoltage:
+    case NoticeCode::CurrentLimitZero:
+    case NoticeCode::LockLeftOpen:
+        return NoticeKind::Warning;
+    default:
+        return NoticeKind::Result;
+    }
+}
+} // namespace
+
+QString noticeLines(const device::Notices& notices, const catalog::ProfilePtr& profile,
+                    NoticeKind kind)
+{
+    QStringList lines;
+    for (device::Notice notice : notices) {
+        if (kindOf(notice.code) != kind)
+            continue;
+        const catalog::Register* reg = profile ? profile->find(notice.key) : nullptr;
+        if (reg != nullptr)
+            notice.key = text::localized(reg->name);
+        lines << text::describe(notice);
+    }
+    lines.removeDuplicates();
     return lines.join(QLatin1Char('\n'));
 }
 } // namespace ui

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the control panel: physical values beside raw ones, which way a goal turns, what a
-// speed of 0 means, what a mode switch will do. Pure functions, in the language of the interface;
-// main thread.
+// The texts of the control panel: physical values beside raw ones, the direction in which a goal
+// turns, what a speed of 0 means, what a mode switch does, notices, and why a servo cannot be
+// controlled. Pure functions, in the language of the interface; main thread.
 #pragma once
 
 #include "device/motion/motion.h"
 #include "device/motion/move_limits.h"
+#include "session/servos/servo_entry.h"
 
 #include <QString>
 
@@ -24,10 +25,22 @@ QString speedHint(const device::Servo& servo, std::optional<std::int64_t> speed)
 /// The speed is above the model's own maximum.
 bool isAboveMaxSpeed(const device::Servo& servo, std::optional<std::int64_t> speed);
 
-/// "Position", as a button says it.
+/// "Position", for a button.
 QString modeTitle(const catalog::Mode& mode);
 /// What the mode does, for the button's tooltip.
 QString modeHelp(const QString& key);
 /// What the switch will do, one sentence a line. `others`: servos that get the same.
 QString modePlanText(const device::ModePlan& plan, const catalog::Profile& profile, int others);
+
+/// Why this servo cannot be controlled; empty: it can be. nullptr: no servo is selected.
+QString controlObstacle(const session::ServoEntry* entry);
+
+enum class NoticeKind : std::uint8_t {
+    Warning, ///< an alarm, or something the user must act on
+    Result   ///< how the action was carried out
+};
+/// The notices of this kind, one a line. Registers are called by their names in the profile, which
+/// may be null.
+QString noticeLines(const device::Notices& notices, const catalog::ProfilePtr& profile,
+                    NoticeKind kind);
 } // namespace ui

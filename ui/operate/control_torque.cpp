@@ -38,7 +38,7 @@ ControlTorque::ControlTorque(Commands& commands, QWidget* parent)
     row->setSpacing(4);
     row->addWidget(m_switch);
     row->addWidget(m_more);
-    // What it shows is what the servo says, not what was clicked.
+    // It shows what was read from the servo, not what was clicked.
     connect(m_switch, &QToolButton::clicked, this, [this] {
         const bool on = m_state == torqueOn || m_state == torqueDamping;
         showState();
@@ -56,7 +56,7 @@ void ControlTorque::fillMenu()
     if (m_damping) {
         QAction* damp = m_menu->addAction(tr("Damping"));
         damp->setObjectName(QStringLiteral("torqueDamp"));
-        damp->setToolTip(tr("Holds nothing, but brakes the shaft when it is turned"));
+        damp->setToolTip(tr("Does not hold the position, but brakes the shaft when it is turned"));
         connect(damp, &QAction::triggered, this,
                 [this] { Q_EMIT requested(device::Torque::Damp); });
     }
@@ -128,10 +128,10 @@ void ControlTorque::changeEvent(QEvent* event)
 
 void ControlTorque::retranslate()
 {
-    m_switch->setToolTip(tr("On: the servo holds where it stands now, whatever its mode. Off: the "
+    m_switch->setToolTip(tr("On: the servo holds its present position in any mode. Off: the "
                             "shaft is free."));
-    m_more->setAccessibleName(tr("More of torque"));
-    m_more->setToolTip(tr("Damping and centring"));
+    m_more->setAccessibleName(tr("More torque options"));
+    m_more->setToolTip(tr("Damping and midpoint"));
     fillMenu();
     reserveWidth();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The torque switch of the chosen servo: shows what the servo says, asks for on, off, damping and
-// centering; the latter two only where the family has them. Owned by the control panel; main
+// The torque switch of the selected servo: shows its state as read, and requests on, off, damping
+// and centering; the latter two only if the family has them. Owned by the control panel; main
 // thread.
 #pragma once
 

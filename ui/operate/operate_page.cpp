@@ -35,20 +35,19 @@ QString turnCountText(const session::ServoEntry& entry)
         return OperatePage::tr("turns: %1").arg(count);
     if (turns->turns == 0 && turns->isCertain)
         return {};
-    return turns->isCertain
-               ? OperatePage::tr("turns since connecting: %1").arg(count)
-               : OperatePage::tr("turns since connecting: %1 (not certain)").arg(count);
+    return turns->isCertain ? OperatePage::tr("turns since connecting: %1").arg(count)
+                            : OperatePage::tr("turns since connecting: %1 (uncertain)").arg(count);
 }
 } // namespace
 
 OperatePage::OperatePage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(appContext.desk)
-    , m_deskGuard(&appContext.desk)
+    , m_workbench(appContext.workbench)
+    , m_workbenchGuard(&appContext.workbench)
     , m_commands(appContext.commands)
     , m_selection(appContext.selection)
-    , m_motion(appContext.motion)
-    , m_liveData(appContext.liveData)
+    , m_motion(appContext.workbench.motion())
+    , m_liveData(appContext.workbench.liveData())
 {
     build(settings);
     connectAll();
@@ -62,7 +61,7 @@ void OperatePage::build(session::Settings& settings)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 6, 0, 0);
     row->setSpacing(8);
-    m_control = new ControlPanel(m_desk, m_commands, m_selection, settings, m_motion, this);
+    m_control = new ControlPanel(m_workbench, m_commands, m_selection, settings, m_motion, this);
     m_dial = new PositionDial(this);
     m_dial->setObjectName(QStringLiteral("positionDial"));
     m_control->setDial(m_dial);
@@ -87,8 +86,8 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
         m_gauges[i]->setObjectName(QStringLiteral("gauge%1").arg(i));
         gauges->addWidget(m_gauges[i], 1);
     }
-    m_trend = new TrendPanel(m_desk, m_liveData, m_selection, settings, m_watch);
-    m_strip = new ServoStrip(m_desk, m_selection, m_watch);
+    m_trend = new TrendPanel(m_workbench, m_liveData, m_selection, settings, m_watch);
+    m_strip = new ServoStrip(m_workbench, m_selection, m_watch);
     column->addWidget(m_status);
     column->addLayout(gauges);
     column->addWidget(m_trend, 1);
@@ -100,22 +99,25 @@ void OperatePage::connectAll()
 {
     connect(&m_selection, &Selection::selectedServosChanged, this, &OperatePage::select);
     connect(m_status, &OperateStatus::acknowledgeRequested, this,
-            [this] { m_desk.acknowledgeAlarms(m_selection.current()); });
+            [this] { m_workbench.registry().acknowledgeAlarms(m_selection.current()); });
     connect(m_dial, &PositionDial::goalRequested, m_control, &ControlPanel::setGoalFromDial);
     connect(m_control, &ControlPanel::goalStateChanged, this, [this] { showDial(entry()); });
     connect(m_trend, &TrendPanel::periodChanged, this, &OperatePage::updateSubscription);
-    const auto wish = [this] { updateSubscription(); };
-    connect(&m_desk, &session::Desk::servoAdded, this, wish);
-    connect(&m_desk, &session::Desk::servoRemoved, this, wish);
-    connect(&m_desk, &session::Desk::servosCleared, this, wish);
-    connect(&m_desk, &session::Desk::searchChanged, this, wish);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoAdded, this,
+            &OperatePage::updateSubscription);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoRemoved, this,
+            &OperatePage::updateSubscription);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servosCleared, this,
+            &OperatePage::updateSubscription);
+    connect(&m_workbench.search(), &session::SearchService::searchChanged, this,
+            &OperatePage::updateSubscription);
     m_refreshTimer.setInterval(refreshInterval);
     connect(&m_refreshTimer, &QTimer::timeout, this, &OperatePage::show);
 }
 
 const session::ServoEntry* OperatePage::entry() const
 {
-    return m_desk.servo(m_selection.current());
+    return m_workbench.registry().servo(m_selection.current());
 }
 
 void OperatePage::select()
@@ -124,30 +126,30 @@ void OperatePage::select()
     show();
 }
 
-/// All servos for the strip; the chart says its own.
+/// All servos, for the strip; the chart has a subscription of its own.
 void OperatePage::updateSubscription()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
-    session::Subscription wish;
-    wish.period = m_trend->period();
-    for (const session::ServoRef ref : m_desk.servos()) {
-        const session::ServoEntry* known = m_desk.servo(ref);
+    session::Subscription subscription;
+    subscription.period = m_trend->period();
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        const session::ServoEntry* known = m_workbench.registry().servo(ref);
         if (known == nullptr || !known->servo.profile || !isVisible())
             continue;
-        // Settings only of those that are driven: the others' would cost the wire its speed.
+        // Settings only of selected servos: those of all would slow down the readings.
         const auto& chosen = m_selection.selected();
         const bool driven = std::find(chosen.begin(), chosen.end(), ref) != chosen.end();
-        wish.parts.push_back(
+        subscription.parts.push_back(
             {ref, feedbackKeys(known->servo), driven ? settingKeys(known->servo) : QStringList()});
     }
-    m_desk.subscribe(subscriptionName, wish);
+    m_workbench.polling().subscribe(subscriptionName, subscription);
 }
 
 void OperatePage::show()
 {
     const session::ServoEntry* known = entry();
-    m_status->show(known, m_desk);
+    m_status->show(known, m_workbench);
     showDial(known);
     showGauges(known);
     m_strip->refresh();
@@ -155,7 +157,8 @@ void OperatePage::show()
 
 void OperatePage::showDial(const session::ServoEntry* known)
 {
-    DialState view = known != nullptr ? dialState(*known, isFresh(*known, m_desk)) : DialState{};
+    DialState view =
+        known != nullptr ? dialState(*known, isFresh(*known, m_workbench)) : DialState{};
     if (known != nullptr) {
         view.isGoalMovable = m_control->isGoalMovable();
         if (const auto goal = m_control->positionGoal(); goal && view.goal)
@@ -168,7 +171,7 @@ void OperatePage::showDial(const session::ServoEntry* known)
 
 void OperatePage::showGauges(const session::ServoEntry* known)
 {
-    const bool old = known == nullptr || !isFresh(*known, m_desk);
+    const bool old = known == nullptr || !isFresh(*known, m_workbench);
     for (std::size_t i = 0; i < m_gauges.size(); ++i) {
         const GaugeState view =
             known != nullptr ? gaugeState(*known, allQuantities[i]) : GaugeState{};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drive the chosen servos, watch them on dial, gauges and charts. Says to Desk what is to be read
-// while it is seen. Opening it and selecting a servo write nothing and move nothing. Owned by the
-// window; main thread, never waits.
+// Drives the selected servos and shows them on dial, gauges and charts. Subscribes to their
+// registers while it is visible. Opening it and selecting a servo write nothing and move nothing.
+// Owned by the window; main thread, never waits.
 #pragma once
 
+#include "session/motion/motion_controller.h"
+#include "session/recording/live_data.h"
 #include "session/settings.h"
 #include "ui/common/app_context.h"
 
@@ -47,8 +49,8 @@ private:
     void showGauges(const session::ServoEntry* entry);
     const session::ServoEntry* entry() const;
 
-    session::Desk& m_desk;
-    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
+    session::Workbench& m_workbench;
+    QPointer<session::Workbench> m_workbenchGuard; ///< a window may hide its pages on its way out
     Commands& m_commands;
     Selection& m_selection;
     session::MotionController& m_motion;

@@ -2,6 +2,7 @@
 #include "ui/operate/operate_status.h"
 
 #include "text/translate.h"
+#include "ui/common/widget_text.h"
 #include "ui/widgets/feedback.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/pill.h"
@@ -74,52 +75,53 @@ OperateStatus::OperateStatus(QWidget* parent)
     retranslate();
 }
 
-void OperateStatus::show(const session::ServoEntry* entry, const session::Desk& desk)
+void OperateStatus::show(const session::ServoEntry* entry, const session::Workbench& workbench)
 {
     setVisible(entry != nullptr);
     if (entry == nullptr)
         return;
-    showLink(*entry, desk);
-    showMoving(*entry, desk);
-    showAlarms(*entry, desk);
-    showAge(*entry, desk);
+    showLink(*entry, workbench);
+    showMoving(*entry, workbench);
+    showAlarms(*entry, workbench);
+    showAge(*entry, workbench);
 }
 
-/// The words are FD's: a technician knows them.
-void OperateStatus::showLink(const session::ServoEntry& entry, const session::Desk& desk)
+/// The words are those of the FD software, which technicians know.
+void OperateStatus::showLink(const session::ServoEntry& entry, const session::Workbench& workbench)
 {
-    if (desk.state() != session::LinkState::Open) {
+    if (workbench.link().state() != session::LinkState::Open) {
         m_link->setState(Tone::Quiet, tr("Not connected"));
         return;
     }
     const bool silent = entry.silent || entry.linkMonitor.isLost();
-    const auto& counters = desk.statistics().byId;
+    const auto& counters = workbench.link().statistics().byId;
     const auto own = counters.find(entry.servo.id);
     QString more;
     if (own != counters.end())
-        more = tr("Answers: %1 · time-outs: %2 · wrong checksums: %3")
+        more = tr("Replies: %1 · timeouts: %2 · checksum errors: %3")
                    .arg(own->second.ok)
                    .arg(own->second.timeouts)
                    .arg(own->second.badChecksums);
-    const bool fresh = isFresh(entry, desk);
+    const bool fresh = isFresh(entry, workbench);
     m_link->setState(silent  ? Tone::Bad
                      : fresh ? Tone::Good
                              : Tone::Quiet,
-                     silent && entry.garbled ? tr("Unreadable answers")
-                     : silent                ? tr("Time-out")
-                     : fresh                 ? tr("Communication fine")
+                     silent && entry.garbled ? tr("Unreadable replies")
+                     : silent                ? tr("Timeout")
+                     : fresh                 ? tr("Communication OK")
                                              : text::translate("ServoRow", "Last seen: %1")
-                                   .arg(timeAgoText(desk.now() - entry.lastSeen)),
+                                   .arg(timeAgoText(workbench.now() - entry.lastSeen)),
                      {}, more);
 }
 
-void OperateStatus::showMoving(const session::ServoEntry& entry, const session::Desk& desk)
+void OperateStatus::showMoving(const session::ServoEntry& entry,
+                               const session::Workbench& workbench)
 {
     const catalog::Register* reg =
         entry.servo.profile ? entry.servo.profile->byRole(Role::Moving) : nullptr;
     const auto moving = reg != nullptr ? entry.displayedRaw(*reg) : std::nullopt;
-    if (!isFresh(entry, desk))
-        m_moving->setState(Tone::Quiet, tr("moving: not known"));
+    if (!isFresh(entry, workbench))
+        m_moving->setState(Tone::Quiet, tr("moving: unknown"));
     else if (reg == nullptr)
         m_moving->setState(Tone::Quiet, tr("no moving flag"));
     else if (!moving)
@@ -129,8 +131,9 @@ void OperateStatus::showMoving(const session::ServoEntry& entry, const session::
                            *moving != 0 ? tr("moving") : tr("stopped"));
 }
 
-/// Faults are known where the servo answers and what tells of them has been read.
-void OperateStatus::showAlarms(const session::ServoEntry& entry, const session::Desk& desk)
+/// Faults are known if the servo answers and the registers that report them have been read.
+void OperateStatus::showAlarms(const session::ServoEntry& entry,
+                               const session::Workbench& workbench)
 {
     const auto& alarms = entry.alarms.alarms();
     for (std::size_t i = 0; i < m_alarms.size(); ++i) {
@@ -142,37 +145,39 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry, const session::
         QString words = (alarm.active ? QStringLiteral("✗ ") : QStringLiteral("! ")) +
                         faultText(alarm.what.key);
         if (!alarm.active)
-            words += tr(" — over");
+            words += tr(" — cleared");
         if (alarm.count > 1)
             words += QStringLiteral(" × %1").arg(alarm.count);
         const QString first = locale().toString(alarm.firstSeen.time(), QLocale::LongFormat);
-        QString more = tr("First seen %1, %2 times").arg(first).arg(alarm.count);
+        QString more =
+            tr("First seen %1, %n time(s) in total", nullptr, int(alarm.count)).arg(first);
         if (alarm.what.derived)
-            more += QLatin1Char('\n') + tr("Worked out from its limits: it reports no faults");
+            more += QLatin1Char('\n') +
+                    tr("Derived from the limits: this servo does not report faults");
         m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
     }
     m_noAlarm->setVisible(alarms.empty());
-    const bool judged = isFresh(entry, desk) && faultsRead(entry.servo);
+    const bool judged = isFresh(entry, workbench) && faultsRead(entry.servo);
     m_noAlarm->setState(Tone::Quiet, judged ? tr("no alarm") : tr("alarms: –"), {},
-                        !judged ? tr("Not known: the servo does not answer, or what tells of "
-                                     "faults has not been read")
+                        !judged ? tr("Unknown: the servo does not answer, or its fault status "
+                                     "has not been read")
                         : reportsFaults(entry.servo)
                             ? QString()
-                            : tr("Worked out from its limits: it reports no faults"));
+                            : tr("Derived from the limits: this servo does not report faults"));
     m_acknowledge->setVisible(!alarms.empty());
 }
 
-void OperateStatus::showAge(const session::ServoEntry& entry, const session::Desk& desk)
+void OperateStatus::showAge(const session::ServoEntry& entry, const session::Workbench& workbench)
 {
-    const session::PollRate rate = desk.pollRate(entry.ref);
+    const session::PollRate rate = workbench.polling().pollRate(entry.ref);
     if (!rate.lastAt) {
         m_age->setText(tr("not read yet"));
         return;
     }
-    const double age = std::max(0.0, double((desk.now() - *rate.lastAt).count()) / 1e3);
+    const double age = std::max(0.0, double((workbench.now() - *rate.lastAt).count()) / 1e3);
     const QString old = age < 1000 ? tr("%1 ms").arg(qRound(age))
                                    : tr("%1 s").arg(age / 1e3, 0, 'f', age < 10000 ? 1 : 0);
-    QString words = tr("value age %1 · %2 Hz").arg(old).arg(qRound(rate.hz));
+    QString words = tr("updated %1 ago · %2 Hz").arg(old).arg(qRound(rate.hz));
     if (rate.missed > 0)
         words += tr(" · missed: %1").arg(rate.missed);
     m_age->setText(words);
@@ -180,11 +185,9 @@ void OperateStatus::showAge(const session::ServoEntry& entry, const session::Des
 
 void OperateStatus::retranslate()
 {
-    m_acknowledge->setText(tr("Acknowledge"));
-    m_acknowledge->setAccessibleName(m_acknowledge->text());
-    m_acknowledge->setToolTip(tr("Faults that are over go from here; the others stay"));
-    m_age->setToolTip(tr("How old the newest value is, and how many readings came in the last "
-                         "second"));
+    setButtonText(m_acknowledge, tr("Acknowledge"),
+                  tr("Removes cleared faults from this list; active faults stay"));
+    m_age->setToolTip(tr("Age of the newest value, and number of readings in the last second"));
     m_age->setAccessibleName(tr("Age and rate"));
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lights above the gauges: does the servo answer, does it move, which faults are there or have
-// been since they were last acknowledged, how old the values are and how often they come. Owned by
-// the page; main thread.
+// The lights above the gauges: whether the servo answers and moves, present faults and those since
+// the last acknowledgment, the age of the values and their rate. Owned by the page; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 
 #include <QWidget>
 
@@ -22,7 +21,7 @@ public:
     explicit OperateStatus(QWidget* parent = nullptr);
 
     /// Null: no servo is selected.
-    void show(const session::ServoEntry* entry, const session::Desk& desk);
+    void show(const session::ServoEntry* entry, const session::Workbench& workbench);
 
 Q_SIGNALS:
     void acknowledgeRequested();
@@ -31,10 +30,10 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showLink(const session::ServoEntry& entry, const session::Desk& desk);
-    void showMoving(const session::ServoEntry& entry, const session::Desk& desk);
-    void showAlarms(const session::ServoEntry& entry, const session::Desk& desk);
-    void showAge(const session::ServoEntry& entry, const session::Desk& desk);
+    void showLink(const session::ServoEntry& entry, const session::Workbench& workbench);
+    void showMoving(const session::ServoEntry& entry, const session::Workbench& workbench);
+    void showAlarms(const session::ServoEntry& entry, const session::Workbench& workbench);
+    void showAge(const session::ServoEntry& entry, const session::Workbench& workbench);
     void retranslate();
 
     FlowLayout* m_row = nullptr;

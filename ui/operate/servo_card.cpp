@@ -112,7 +112,14 @@ void ServoCard::paintEvent(QPaintEvent*)
     painter.drawText(QRect(room.left(), room.top(), titleWidth, line), Qt::AlignVCenter,
                      QFontMetrics(bold).elidedText(m_view.title, Qt::ElideRight, titleWidth));
     painter.setFont(font());
-    const QRectF bar(room.left(), room.top() + line + 5, room.width(), barHeight);
+    paintBar(painter, QRectF(room.left(), room.top() + line + 5, room.width(), barHeight));
+    painter.setPen(tone(Tone::Quiet, palette()));
+    painter.drawText(QRect(room.left(), room.bottom() - line, room.width(), line), Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_view.numbers, Qt::ElideRight, room.width()));
+}
+
+void ServoCard::paintBar(QPainter& painter, const QRectF& bar) const
+{
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::Mid));
     painter.drawRoundedRect(bar, 2, 2);
@@ -126,8 +133,5 @@ void ServoCard::paintEvent(QPaintEvent*)
         painter.drawEllipse(QPointF(bar.left() + *m_view.position * bar.width(), bar.center().y()),
                             4.5, 4.5);
     }
-    painter.setPen(tone(Tone::Quiet, palette()));
-    painter.drawText(QRect(room.left(), room.bottom() - line, room.width(), line), Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_view.numbers, Qt::ElideRight, room.width()));
 }
 } // namespace ui

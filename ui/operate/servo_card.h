@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One servo of many in little room: ID, state, position between its limits, the numbers that warn.
-// A button: pressing it selects the servo. Owned by the strip; main thread.
+// One of many servos as a small card: ID, state, position between its limits, measurements that
+// warn. A button: pressing it selects the servo. Owned by the strip; main thread.
 #pragma once
 
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 #include "ui/common/theme.h"
 
 #include <QAbstractButton>
@@ -17,7 +17,7 @@ struct CardState {
     std::optional<double> goal{};
     QString numbers; ///< "187.4° · 7.4 V · 31 °C"
     QString toolTip;
-    bool isStale = false; ///< what stands here may not be so any more
+    bool isStale = false; ///< the values may have changed since
     bool operator==(const CardState&) const = default;
 };
 /// `fresh`: isFresh() of the same moment.
@@ -36,6 +36,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintBar(QPainter& painter, const QRectF& bar) const;
+
     CardState m_view;
     bool m_selected = false;
 };

@@ -14,9 +14,9 @@
 namespace ui {
 using session::ServoRef;
 
-ServoStrip::ServoStrip(session::Desk& desk, Selection& selection, QWidget* parent)
+ServoStrip::ServoStrip(session::Workbench& workbench, Selection& selection, QWidget* parent)
     : QScrollArea(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_selection(selection)
     , m_body(new QWidget(this))
     , m_row(new QHBoxLayout(m_body))
@@ -31,18 +31,20 @@ ServoStrip::ServoStrip(session::Desk& desk, Selection& selection, QWidget* paren
     m_row->setSpacing(6);
     m_row->addStretch();
     setWidget(m_body);
-    const auto again = [this] { rebuild(); };
-    connect(&desk, &session::Desk::servoAdded, this, again);
-    connect(&desk, &session::Desk::servoRemoved, this, again);
-    connect(&desk, &session::Desk::servosCleared, this, again);
-    connect(&desk, &session::Desk::orderChanged, this, again);
+    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this, &ServoStrip::rebuild);
+    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this,
+            &ServoStrip::rebuild);
+    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this,
+            &ServoStrip::rebuild);
+    connect(&workbench.registry(), &session::ServoRegistry::orderChanged, this,
+            &ServoStrip::rebuild);
     connect(&selection, &Selection::selectedServosChanged, this, &ServoStrip::refresh);
     rebuild();
 }
 
 void ServoStrip::rebuild()
 {
-    const std::vector<ServoRef>& servos = m_desk.servos();
+    const std::vector<ServoRef>& servos = m_workbench.registry().order();
     const auto same = [](const auto& card, ServoRef ref) { return card.first == ref; };
     if (std::equal(m_cards.begin(), m_cards.end(), servos.begin(), servos.end(), same))
         return refresh();
@@ -84,8 +86,8 @@ void ServoStrip::refresh()
 {
     const std::vector<ServoRef>& chosen = m_selection.selected();
     for (const auto& [ref, card] : m_cards) {
-        if (const session::ServoEntry* entry = m_desk.servo(ref))
-            card->show(cardState(*entry, isFresh(*entry, m_desk), m_desk.now()),
+        if (const session::ServoEntry* entry = m_workbench.registry().servo(ref))
+            card->show(cardState(*entry, isFresh(*entry, m_workbench), m_workbench.now()),
                        std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
     }
 }

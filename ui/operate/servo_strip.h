@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All servos of the bus side by side, in little room; pressing one selects it, with Ctrl it moves
+// All servos of the bus side by side as small cards. Pressing one selects it; with Ctrl it moves
 // together with the others. Hidden while there are fewer than two. Owned by the page; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/common/selection.h"
 
 #include <QScrollArea>
@@ -17,7 +17,7 @@ class ServoStrip final : public QScrollArea {
     Q_OBJECT
 
 public:
-    ServoStrip(session::Desk& desk, Selection& selection, QWidget* parent = nullptr);
+    ServoStrip(session::Workbench& workbench, Selection& selection, QWidget* parent = nullptr);
 
     void refresh(); ///< new numbers
 
@@ -28,7 +28,7 @@ private:
     void rebuild();
     void selectServo(session::ServoRef ref);
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     Selection& m_selection;
     QWidget* m_body = nullptr;
     QHBoxLayout* m_row = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/operate/torque_hint.h"
 
 #include "ui/common/theme.h"
+#include "ui/common/widget_text.h"
 #include "ui/widgets/press_guard.h"
 
 #include <QCheckBox>
@@ -83,21 +84,16 @@ void TorqueHint::proceed()
 
 void TorqueHint::retranslate()
 {
-    m_title->setText(QStringLiteral("⚠ ") + tr("Before the first torque of this session"));
-    m_text->setText(tr("• No bracket or horn that could catch or jam\n"
-                       "• Fingers and cables away from the shaft\n"
-                       "• Polarity and voltage of the supply checked\n"
-                       "• Thick leads above 12 V"));
-    m_neverAsk->setText(tr("Do not show this again"));
-    m_neverAsk->setAccessibleName(m_neverAsk->text());
-    m_neverAsk->setToolTip(tr("Also not in later sessions"));
-    m_cancel->setText(tr("Cancel"));
-    m_cancel->setAccessibleName(m_cancel->text());
-    m_cancel->setToolTip(tr("Leave the servo as it is"));
-    m_yes->setText(tr("Checked, go on"));
-    m_yes->setAccessibleName(m_yes->text());
-    m_yes->setToolTip(tr("Do what was asked for; the hint stays away until the program is started "
-                         "again"));
+    m_title->setText(QStringLiteral("⚠ ") + tr("Before turning torque on for the first time in "
+                                               "this session"));
+    m_text->setText(
+        tr("• No bracket or horn that can catch or jam\n• Fingers and cables away from the "
+           "shaft\n• Polarity and voltage of the power supply checked\n• Thick wires above 12 V"));
+    setButtonText(m_neverAsk, tr("Do not show this again"), tr("Applies to later sessions too"));
+    setButtonText(m_cancel, tr("Cancel"), tr("Leaves the servo as it is"));
+    setButtonText(m_yes, tr("Continue"),
+                  tr("Performs the requested action; this reminder does not appear again "
+                     "until the program is restarted"));
 }
 
 void TorqueHint::paintEvent(QPaintEvent*)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What to look at before a servo is given torque for the first time in a session. Keeps the action
-// that waits for the answer. Owned by the control panel; main thread.
+// What to check before a servo is energized for the first time in a session. Keeps the action that
+// waits for the answer. Owned by the control panel; main thread.
 #pragma once
 
 #include "session/settings.h"

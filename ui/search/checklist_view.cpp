@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_text.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -42,9 +43,8 @@ ChecklistView::ChecklistView(QWidget* parent)
 
 void ChecklistView::retranslate()
 {
-    m_wider->setText(tr("Search everything"));
-    m_wider->setToolTip(tr("All IDs at all rates in all protocols; writes nothing"));
-    m_wider->setAccessibleName(m_wider->text());
+    setButtonText(m_wider, tr("Search everything"),
+                  tr("Searches all IDs at all baud rates in all protocols; writes nothing"));
 }
 
 void ChecklistView::show(const SearchFacts& facts)
@@ -74,7 +74,7 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
     auto* column = new QVBoxLayout(widget);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    const QString symptom = row.symptom.in(text::isUiChinese());
+    const QString symptom = text::localized(row.symptom);
     auto* heading = new QToolButton(widget);
     heading->setObjectName(QStringLiteral("checklistRow%1").arg(row.number));
     heading->setToolButtonStyle(Qt::ToolButtonIconOnly);
@@ -84,7 +84,7 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
     heading->setChecked(row.matches);
     heading->setArrowType(row.matches ? Qt::DownArrow : Qt::RightArrow);
     heading->setAccessibleName(symptom);
-    heading->setToolTip(tr("Show or hide what may be the cause"));
+    heading->setToolTip(tr("Shows or hides the possible cause"));
     QLabel* words = label(widget, symptom, !row.matches);
     QFont bold = words->font();
     bold.setBold(row.matches);
@@ -136,7 +136,7 @@ QWidget* ChecklistView::itemWidget(const AdviceItem& item, int row)
             else
                 m_ticked.erase(box->objectName());
         });
-        box->setToolTip(tr("Tick off what you have looked at"));
+        box->setToolTip(tr("Mark the items you have checked"));
         line->addWidget(box, 0, Qt::AlignTop);
         column->addWidget(label(widget, cause, false));
         column->addWidget(label(widget, item.check.in(chinese), true));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checklist after a search in words: rows that fit open, the others to be opened; each cause
-// with a box to tick off what one has looked at, or with what has ruled it out already. Owned by
-// the search panel; main thread.
+// The checklist after a search: rows that fit are open, the others can be opened; each cause has a
+// box to check off, or shows what the search has ruled out. Owned by the search panel; main thread.
 #pragma once
 
 #include "ui/search/search_advice.h"

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-// Q_INIT_RESOURCE must stand outside every namespace.
+// Q_INIT_RESOURCE must be outside every namespace.
 static void initHelp()
 {
     Q_INIT_RESOURCE(help);
@@ -110,7 +110,7 @@ QString duplicateIdsText(const SearchFacts& facts)
     return ids.join(QStringLiteral(", "));
 }
 
-/// What the search says of one cause: ruled out, pointed at, or nothing.
+/// The finding of the search about one cause: ruled out, indicated, or nothing.
 struct Verdict {
     bool ruledOut = false;
     std::optional<QString> finding; ///< fills the sentence
@@ -193,7 +193,7 @@ bool matches(const SearchFacts& facts, int row)
     }
 }
 
-/// What was really seen comes before what may be.
+/// Observed facts come before possible causes.
 int sortPriority(const AdviceRow& row)
 {
     if (!row.matches)
@@ -202,18 +202,19 @@ int sortPriority(const AdviceRow& row)
 }
 } // namespace
 
-SearchFacts searchFacts(const session::Desk& desk, const SearchHistory& history)
+SearchFacts searchFacts(const session::Workbench& workbench, const SearchHistory& history)
 {
     SearchFacts facts;
-    facts.spec = desk.lastSearchSpec();
-    facts.report = desk.lastSearch().value_or(jobs::ScanReport{});
-    facts.port = desk.lastRequest();
-    facts.canSetBaud = desk.canSetBaud() || desk.state() != session::LinkState::Open;
+    facts.spec = workbench.search().lastSpec();
+    facts.report = workbench.search().lastReport().value_or(jobs::ScanReport{});
+    facts.port = workbench.link().lastRequest();
+    facts.canSetBaud =
+        workbench.link().canSetBaud() || workbench.link().state() != session::LinkState::Open;
     facts.history = history;
-    facts.otherPrograms = desk.otherPrograms();
+    facts.otherPrograms = workbench.search().otherPrograms();
     for (const base::Protocol protocol : base::allProtocols) {
         const auto isPossibleAt = [&](int rate) {
-            const auto met = desk.catalog().protocolsAt(rate);
+            const auto met = workbench.catalog().protocolsAt(rate);
             return std::find(met.begin(), met.end(), protocol) != met.end();
         };
         const auto& rates = facts.report.rates;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a search may have found nobody, or not everybody: the fault table's rows, the likely ones
-// first, each cause with what to look at, and what the search itself has ruled out already. The
-// table is data in both languages (resources/help/search_checklist.json). Pure; any thread.
+// Why a search may have missed servos: the rows of the fault table, the likely ones first, each
+// cause with what to check and whether the search itself has ruled it out. The table is data in
+// both languages (resources/help/search_checklist.json). Pure; any thread.
 #pragma once
 
 #include "catalog/catalog.h"
 #include "jobs/scan/scan.h"
-#include "session/desk.h"
+#include "session/workbench.h"
 
 namespace ui {
 /// What happened before the search.
@@ -20,7 +20,7 @@ struct SearchFacts {
     jobs::ScanReport report;
     session::PortRequest port;
     bool canSetBaud = true; ///< false: a bridge sets the rate
-    /// Those that were tried when nobody named any: what can be met at the rates searched.
+    /// The protocols tried when none was selected: those possible at the searched baud rates.
     std::vector<base::Protocol> candidates{};
     SearchHistory history{};
     QString otherPrograms{}; ///< that have the port open too, as far as that can be seen
@@ -42,7 +42,7 @@ struct AdviceRow {
 };
 
 /// Of the latest search.
-SearchFacts searchFacts(const session::Desk& desk, const SearchHistory& history);
+SearchFacts searchFacts(const session::Workbench& workbench, const SearchHistory& history);
 
 /// All rows of the table, whatever the result.
 std::vector<AdviceRow> searchAdvice(const SearchFacts& facts);

@@ -2,6 +2,7 @@
 #include "ui/search/search_panel.h"
 
 #include "text/error_text.h"
+#include "ui/common/widget_text.h"
 #include "ui/search/checklist_view.h"
 #include "ui/search/search_scope.h"
 #include "ui/search/servo_delegate.h"
@@ -35,7 +36,7 @@ QSize SearchPanel::sizeHint() const
 
 void SearchPanel::search()
 {
-    m_desk.search(m_liveData->spec());
+    m_workbench.search().start(m_liveData->spec());
 }
 
 void SearchPanel::searchAll()
@@ -46,7 +47,7 @@ void SearchPanel::searchAll()
 
 void SearchPanel::searchChanged()
 {
-    const bool now = m_desk.isSearching();
+    const bool now = m_workbench.search().isSearching();
     if (now && !m_searching) {
         m_removed = 0;
         m_error.reset();
@@ -58,7 +59,7 @@ void SearchPanel::searchChanged()
     showStatus();
 }
 
-/// The end is told after the list has been put right; searchChanged() comes before that.
+/// The end is reported after the list has been updated; searchChanged() comes before that.
 void SearchPanel::onEvent(const session::Event& event)
 {
     if (event.kind == session::Event::Kind::SearchEnded) {
@@ -66,7 +67,7 @@ void SearchPanel::onEvent(const session::Event& event)
         m_history.lostServos = m_removed;
         searchEnded();
     }
-    // What an earlier search has missed is no news while servos are set up one by one.
+    // Servos missed by an earlier search are not reported while servos are set up one by one.
     const bool line = event.task == QLatin1String("commission");
     if (line && event.kind == session::Event::Kind::Started)
         showList(true);
@@ -88,10 +89,10 @@ void SearchPanel::onEvent(const session::Event& event)
 
 void SearchPanel::searchEnded()
 {
-    m_progress->setValue(m_error || !m_desk.lastSearch() ? 0 : permille);
+    m_progress->setValue(m_error || !m_workbench.search().lastReport() ? 0 : permille);
     showStatus();
     const bool nobody = m_model->rowCount() == 0;
-    const auto& report = m_desk.lastSearch();
+    const auto& report = m_workbench.search().lastReport();
     if (!m_error && report && !report->stopped && (nobody || report->found.empty()))
         showChecklist();
 }
@@ -108,47 +109,46 @@ void SearchPanel::showStatus()
     QString words;
     QString tip;
     if (m_searching && m_lastProgress) {
-        words = tr("%1 % · servos: %2 · %3 left")
+        words = tr("%1 % · %n servo(s) · %2 left", nullptr, int(m_lastProgress->found))
                     .arg(int(m_lastProgress->fraction * 100))
-                    .arg(m_lastProgress->found)
                     .arg(spanText(m_lastProgress->remaining));
-        if (m_desk.canSetBaud())
+        if (m_workbench.link().canSetBaud())
             words += tr(" · at %1").arg(shortRate(m_lastProgress->baud));
     } else if (m_commissioning) {
-        words = tr("Commissioning is running: its page shows the servos.");
+        words = tr("Commissioning is running. See the Commissioning page for the servos.");
     } else if (m_searching) {
-        words = tr("The search begins …");
+        words = tr("Starting the search…");
     } else if (m_error) {
         const text::Description error = text::describe(*m_error);
         words = error.message;
         tip = error.cause + QLatin1Char('\n') + error.remedy;
-    } else if (const auto& report = m_desk.lastSearch()) {
-        words = (report->stopped ? tr("Stopped after %1 · servos: %2")
-                                 : tr("Searched in %1 · servos: %2"))
-                    .arg(spanText(report->elapsed))
-                    .arg(report->found.size());
+    } else if (const auto& report = m_workbench.search().lastReport()) {
+        const int found = int(report->found.size());
+        words = (report->stopped ? tr("Stopped after %1 · %n servo(s)", nullptr, found)
+                                 : tr("Searched for %1 · %n servo(s)", nullptr, found))
+                    .arg(spanText(report->elapsed));
         if (report->slowPassAdvised)
-            words += QLatin1Char('\n') + tr("Some answered late: search again with \"wait "
-                                            "longer\", there may be more.");
+            words += QLatin1Char('\n') + tr("Some servos replied late, so others may have been "
+                                            "missed. Search again with \"wait longer\".");
     }
     m_status->setText(words);
     m_status->setToolTip(tip.isEmpty() ? words : words + QLatin1Char('\n') + tip);
-    const bool done = m_desk.lastSearch().has_value() && !m_searching;
+    const bool done = m_workbench.search().lastReport().has_value() && !m_searching;
     m_showChecklist->setVisible((done && !m_commissioning) || m_stack->currentWidget() == m_scroll);
 }
 
 void SearchPanel::showScope()
 {
     const jobs::ScanSpec spec = m_liveData->spec();
-    const base::Duration span = m_desk.searchEstimate(spec);
+    const base::Duration span = m_workbench.search().estimate(spec);
     const int ids = spec.lastId - spec.firstId + 1;
-    QString words = tr("IDs to ask: %1").arg(ids);
+    QString words = tr("%n ID(s) to search", nullptr, ids);
     if (spec.bauds.size() > 1)
-        words += tr(" · rates: %1").arg(spec.bauds.size());
+        words += tr(" · baud rates: %1").arg(spec.bauds.size());
     if (span.count() > 0)
         words += tr(" · about %1").arg(spanText(span));
     m_estimate->setText(words);
-    m_estimate->setToolTip(tr("How long a search takes that finds nobody"));
+    m_estimate->setToolTip(tr("Search time if no servos are found"));
 }
 
 void SearchPanel::showList(bool list)
@@ -161,8 +161,8 @@ void SearchPanel::showList(bool list)
 
 void SearchPanel::showChecklist()
 {
-    if (m_desk.lastSearch()) {
-        m_checklist->show(searchFacts(m_desk, m_history));
+    if (m_workbench.search().lastReport()) {
+        m_checklist->show(searchFacts(m_workbench, m_history));
         m_stack->setCurrentWidget(m_scroll);
         retranslate();
     }
@@ -187,7 +187,7 @@ void SearchPanel::showContextMenu(const QPoint& place)
     menu->popup(m_list->viewport()->mapToGlobal(place));
 }
 
-/// The one that was current stays the first as long as it is chosen.
+/// The current servo stays the first while it is selected.
 void SearchPanel::onListSelectionChanged()
 {
     std::vector<ServoRef> refs;
@@ -196,7 +196,7 @@ void SearchPanel::onListSelectionChanged()
             refs.push_back(ref);
     }
     if (refs.empty())
-        return followSelection(); // a click beside the rows is nobody's choice
+        return followSelection(); // a click beside the rows selects nothing
     const auto has = [&](ServoRef ref) {
         return std::find(refs.begin(), refs.end(), ref) != refs.end();
     };
@@ -226,8 +226,8 @@ void SearchPanel::followSelection()
 
 void SearchPanel::linkChanged()
 {
-    const bool open = m_desk.state() == LinkState::Open;
-    m_liveData->setHasBaud(!open || m_desk.canSetBaud());
+    const bool open = m_workbench.link().state() == LinkState::Open;
+    m_liveData->setHasBaud(!open || m_workbench.link().canSetBaud());
     m_delegate->setDimmed(!open);
     m_list->viewport()->update();
     showScope();
@@ -245,21 +245,19 @@ void SearchPanel::retranslate()
         button->setAccessibleName(button->text());
     }
     m_progress->setAccessibleName(tr("Progress of the search"));
-    m_progress->setToolTip(tr("How much of the search is done"));
+    m_progress->setToolTip(tr("Completed part of the search"));
     m_list->setAccessibleName(tr("Servos"));
-    m_list->setToolTip(tr("Servos that have answered; choosing one reads it and writes "
-                          "nothing. With Ctrl or Shift several are chosen, to move together"));
+    m_list->setToolTip(tr("Servos that have replied; selecting one reads it and writes nothing. "
+                          "Hold Ctrl or Shift to select several servos and move them together"));
     m_empty->setText(m_commissioning ? QString()
-                     : m_desk.state() == LinkState::Open
-                         ? tr("No servo in the list yet. Search the bus.")
-                         : tr("Servos appear here as they are found."));
+                     : m_workbench.link().state() == LinkState::Open
+                         ? tr("No servos in the list yet. Search the bus.")
+                         : tr("Servos appear here when they are found."));
     m_empty->setToolTip(m_empty->text());
     const bool checklist = m_stack->currentWidget() == m_scroll;
-    m_showChecklist->setText(checklist ? tr("Back to the list")
-                                       : tr("Not all there? Find out why…"));
-    m_showChecklist->setToolTip(checklist ? tr("Show the servos again")
-                                          : tr("What to look at when servos are missing"));
-    m_showChecklist->setAccessibleName(m_showChecklist->text());
+    setButtonText(
+        m_showChecklist, checklist ? tr("Back to the list") : tr("Servos missing? Find out why…"),
+        checklist ? tr("Show the servos again") : tr("What to check when servos are missing"));
 }
 
 void SearchPanel::changeEvent(QEvent* event)

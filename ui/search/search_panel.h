@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The left dock: what to search, how far it is, the servos as they are found, and where nobody
-// answered, why that may be. Selecting a servo here selects it everywhere, and the other way round.
-// Does the work of Command::Search. Searching writes nothing. Owned by the window; main thread.
+// The left dock: what to search, the progress, the servos as they are found, and, if none answered,
+// the possible reasons. Selecting a servo here selects it everywhere, and vice versa. Executes
+// Command::Search. Searching writes nothing. Owned by the window; main thread.
 #pragma once
 
-#include "session/desk.h"
 #include "session/settings.h"
+#include "session/workbench.h"
 #include "ui/common/commands.h"
 #include "ui/common/selection.h"
 #include "ui/search/search_advice.h"
@@ -29,7 +29,7 @@ class SearchPanel final : public QWidget {
     Q_OBJECT
 
 public:
-    SearchPanel(session::Desk& desk, Commands& commands, Selection& selection,
+    SearchPanel(session::Workbench& workbench, Commands& commands, Selection& selection,
                 session::Settings& settings, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
@@ -60,7 +60,7 @@ private:
 
     static constexpr int permille = 1000; ///< of the progress
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     Commands& m_commands;
     Selection& m_selection;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the search panel is made of, and who tells whom.
+// The parts of the search panel and their connections.
 #include "ui/search/checklist_view.h"
 #include "ui/search/search_panel.h"
 #include "ui/search/search_scope.h"
@@ -30,10 +30,10 @@ QLabel* secondaryLabel(QWidget* parent, const char* name)
 }
 } // namespace
 
-SearchPanel::SearchPanel(session::Desk& desk, Commands& commands, Selection& selection,
+SearchPanel::SearchPanel(session::Workbench& workbench, Commands& commands, Selection& selection,
                          session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_commands(commands)
     , m_selection(selection)
     , m_liveData(new SearchScope(settings, this))
@@ -45,7 +45,7 @@ SearchPanel::SearchPanel(session::Desk& desk, Commands& commands, Selection& sel
     , m_stack(new QStackedWidget(this))
     , m_list(new QListView(this))
     , m_empty(secondaryLabel(this, "servoListEmpty"))
-    , m_model(new ServoListModel(desk, this))
+    , m_model(new ServoListModel(workbench, this))
     , m_delegate(new ServoDelegate(this))
     , m_scroll(new QScrollArea(this))
     , m_checklist(new ChecklistView(this))
@@ -126,11 +126,15 @@ void SearchPanel::connectDesk()
         else
             showChecklist();
     });
-    connect(&m_desk, &session::Desk::searchChanged, this, &SearchPanel::searchChanged);
-    connect(&m_desk, &session::Desk::searchProgress, this, &SearchPanel::showProgress);
-    connect(&m_desk, &session::Desk::eventOccurred, this, &SearchPanel::onEvent);
-    connect(&m_desk, &session::Desk::linkChanged, this, &SearchPanel::linkChanged);
-    connect(&m_desk, &session::Desk::servoRemoved, this, [this] { ++m_removed; });
+    connect(&m_workbench.search(), &session::SearchService::searchChanged, this,
+            &SearchPanel::searchChanged);
+    connect(&m_workbench.search(), &session::SearchService::searchProgress, this,
+            &SearchPanel::showProgress);
+    connect(&m_workbench, &session::Workbench::eventOccurred, this, &SearchPanel::onEvent);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &SearchPanel::linkChanged);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoRemoved, this,
+            [this] { ++m_removed; });
     m_tick.setInterval(1s);
     connect(&m_tick, &QTimer::timeout, m_model, &ServoListModel::updateAges);
     m_tick.start();
@@ -142,12 +146,12 @@ void SearchPanel::connectList()
             &SearchPanel::onListSelectionChanged);
     connect(&m_selection, &Selection::selectedServosChanged, this, &SearchPanel::followSelection);
     connect(m_list, &QListView::customContextMenuRequested, this, &SearchPanel::showContextMenu);
-    const auto again = [this] {
+    const auto updateList = [this] {
         showList(true);
         followSelection();
     };
-    connect(m_model, &QAbstractItemModel::rowsInserted, this, again);
-    connect(m_model, &QAbstractItemModel::modelReset, this, again);
+    connect(m_model, &QAbstractItemModel::rowsInserted, this, updateList);
+    connect(m_model, &QAbstractItemModel::modelReset, this, updateList);
     connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this] {
         followSelection();
         showList(m_stack->currentWidget() != m_scroll);

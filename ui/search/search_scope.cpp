@@ -2,6 +2,7 @@
 #include "ui/search/search_scope.h"
 
 #include "session/session.h"
+#include "ui/common/widget_text.h"
 #include "ui/widgets/rate_chooser.h"
 
 #include <QCheckBox>
@@ -176,29 +177,27 @@ void SearchScope::retranslate()
 {
     const QSignalBlocker ratesBlocker(m_rates);
     const QSignalBlocker protocolBlocker(m_protocol);
-    const auto name = [](QWidget* field, const QString& label, const QString& tip) {
-        field->setAccessibleName(label);
-        field->setToolTip(tip);
-    };
     m_idLabel->setText(tr("ID"));
-    name(m_first, tr("First ID"), tr("First ID to ask"));
-    name(m_last, tr("Last ID"), tr("Last ID to ask"));
-    m_rates->setItemText(ThisRate, tr("this rate"));
-    m_rates->setItemText(ChosenRates, tr("chosen rates"));
-    m_rates->setItemText(AllRates, tr("all rates"));
-    name(m_rates, tr("Rates"),
-         m_hasBaud ? tr("At which baud rates to search; the port's own rate is put back afterwards")
-                   : tr("The far end of the TCP connection sets the rate"));
-    name(m_choose, tr("Choose rates"), tr("Tick the rates to search"));
+    setAccessText(m_first, tr("First ID"), tr("First ID to search"));
+    setAccessText(m_last, tr("Last ID"), tr("Last ID to search"));
+    m_rates->setItemText(ThisRate, tr("this baud rate"));
+    m_rates->setItemText(ChosenRates, tr("selected baud rates"));
+    m_rates->setItemText(AllRates, tr("all baud rates"));
+    setAccessText(m_rates, tr("Baud rates"),
+                  m_hasBaud
+                      ? tr("Baud rates to search; the port's own baud rate is restored afterwards")
+                      : tr("The other end of the TCP connection sets the baud rate"));
+    setAccessText(m_choose, tr("Select baud rates"), tr("Select the baud rates to search"));
     m_protocol->setItemText(AsConnected, tr("Protocol: as connected"));
     m_protocol->setItemText(AllProtocols, tr("All protocols"));
     const std::array words{tr("Feetech"), tr("Modbus"), tr("LX")};
     for (int i = 0; i < int(words.size()); ++i)
         m_protocol->setItemText(FirstProtocol + i, words[std::size_t(i)]);
-    name(m_protocol, tr("Protocol"), tr("In which protocols to ask"));
+    setAccessText(m_protocol, tr("Protocol"), tr("Protocols to search with"));
     m_slow->setText(tr("wait longer"));
-    name(m_slow, tr("Wait longer"),
-         tr("Ask silent IDs again with long patience, for adapters that answer late"));
+    setAccessText(
+        m_slow, tr("Wait longer"),
+        tr("Queries silent IDs again with a longer timeout, for adapters that reply late"));
 }
 
 void SearchScope::changeEvent(QEvent* event)

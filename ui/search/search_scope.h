@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields that say what a search asks: IDs, rates, protocol, patience. Remembered between
-// starts. Owned by the search panel; main thread.
+// The fields that define a search: IDs, baud rates, protocol, timeout. Remembered between starts.
+// Owned by the search panel; main thread.
 #pragma once
 
 #include "jobs/scan/scan.h"

@@ -22,7 +22,7 @@ QFont smallFont(const QFont& font)
     return small;
 }
 
-/// Room for three digits, whatever the ID, so that the names stand in one column.
+/// Space for three digits, whatever the ID, so that the names are in one column.
 int idWidth(const QFont& font)
 {
     return QFontMetrics(font).horizontalAdvance(QStringLiteral("000")) + gap;
@@ -49,8 +49,8 @@ public:
     int right(int y, int height, const QString& text, const QColor& color, bool light)
     {
         const QFontMetrics metrics = m_painter.fontMetrics();
-        const int most = m_room.width() / 2;
-        const QString shown = metrics.elidedText(text, Qt::ElideRight, most);
+        const int maxWidth = m_room.width() / 2;
+        const QString shown = metrics.elidedText(text, Qt::ElideRight, maxWidth);
         const int width = metrics.horizontalAdvance(shown);
         const int x = m_room.right() - width;
         m_painter.setPen(color);
@@ -97,8 +97,21 @@ void ServoDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setPen(option.palette.color(QPalette::Mid));
     painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
 
+    paintRow(*painter, option, row);
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+        QStyleOptionFocusRect focus;
+        focus.QStyleOption::operator=(option);
+        focus.rect = option.rect.adjusted(1, 1, -1, -2);
+        QApplication::style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, painter);
+    }
+    painter->restore();
+}
+
+void ServoDelegate::paintRow(QPainter& painter, const QStyleOptionViewItem& option,
+                             const ServoRow& row) const
+{
     const QRect room = option.rect.adjusted(side, above, -side, -above);
-    Pen pen(*painter, option.palette, room, m_dimmed || row.isSilent);
+    Pen pen(painter, option.palette, room, m_dimmed || row.isSilent);
     const QFont small = smallFont(option.font);
     const int high = QFontMetrics(option.font).height();
     const int low = QFontMetrics(small).height();
@@ -118,13 +131,6 @@ void ServoDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
             remark.tone == Tone::Accent ? QStringLiteral("↑ ") : QStringLiteral("⚠ ");
         pen.left(text, room.right(), y, low, sign + remark.text, pen.color(remark.tone));
     }
-    if (option.state.testFlag(QStyle::State_HasFocus)) {
-        QStyleOptionFocusRect focus;
-        focus.QStyleOption::operator=(option);
-        focus.rect = option.rect.adjusted(1, 1, -1, -2);
-        QApplication::style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, painter);
-    }
-    painter->restore();
 }
 
 QSize ServoDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const

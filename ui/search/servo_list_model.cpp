@@ -8,15 +8,20 @@
 namespace ui {
 using session::ServoRef;
 
-ServoListModel::ServoListModel(session::Desk& desk, QObject* parent)
+ServoListModel::ServoListModel(session::Workbench& workbench, QObject* parent)
     : QAbstractTableModel(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
 {
-    connect(&desk, &session::Desk::servoAdded, this, &ServoListModel::added);
-    connect(&desk, &session::Desk::servoChanged, this, &ServoListModel::changed);
-    connect(&desk, &session::Desk::tableChanged, this, &ServoListModel::changed);
-    connect(&desk, &session::Desk::servoRemoved, this, &ServoListModel::removed);
-    connect(&desk, &session::Desk::servosCleared, this, &ServoListModel::reload);
+    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this,
+            &ServoListModel::added);
+    connect(&workbench.registry(), &session::ServoRegistry::servoChanged, this,
+            &ServoListModel::changed);
+    connect(&workbench.registry(), &session::ServoRegistry::tableChanged, this,
+            &ServoListModel::changed);
+    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this,
+            &ServoListModel::removed);
+    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this,
+            &ServoListModel::reload);
     reload();
 }
 
@@ -80,7 +85,7 @@ QVariant ServoListModel::headerData(int section, Qt::Orientation orientation, in
     case Map:
         return tr("Register map");
     case Line:
-        return tr("Line");
+        return tr("Bus type");
     case Rate:
         return tr("Baud rate");
     case Alarm:
@@ -107,10 +112,10 @@ int ServoListModel::rowOf(ServoRef ref) const
 
 ServoRow ServoListModel::makeRow(ServoRef ref)
 {
-    const session::ServoEntry* entry = m_desk.servo(ref);
+    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
     if (entry == nullptr)
         return {};
-    return servoRow(*entry, newerFirmware(entry->servo.profile), m_desk.now());
+    return servoRow(*entry, newerFirmware(entry->servo.profile), m_workbench.now());
 }
 
 const std::optional<catalog::KnownFirmware>&
@@ -118,13 +123,13 @@ ServoListModel::newerFirmware(const catalog::ProfilePtr& profile)
 {
     const auto [place, isNew] = m_newer.try_emplace(profile);
     if (isNew && profile)
-        place->second = m_desk.catalog().newerFirmware(*profile);
+        place->second = m_workbench.catalog().newerFirmware(*profile);
     return place->second;
 }
 
 void ServoListModel::added(ServoRef ref)
 {
-    const auto& order = m_desk.servos();
+    const auto& order = m_workbench.registry().order();
     const auto place = std::find(order.begin(), order.end(), ref);
     if (place == order.end() || rowOf(ref) >= 0)
         return;
@@ -134,18 +139,18 @@ void ServoListModel::added(ServoRef ref)
     endInsertRows();
 }
 
-/// An ID or rate that has changed may have moved it; its index goes along, and with it the choice.
+/// A changed ID or baud rate may move the row; its index and the selection move with it.
 void ServoListModel::changed(ServoRef ref)
 {
     const int row = rowOf(ref);
-    if (row < 0 || m_desk.servo(ref) == nullptr)
+    if (row < 0 || m_workbench.registry().servo(ref) == nullptr)
         return;
     ServoRow now = makeRow(ref);
     if (now != m_rows[std::size_t(row)]) {
         m_rows[std::size_t(row)] = std::move(now);
         Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     }
-    const auto& order = m_desk.servos();
+    const auto& order = m_workbench.registry().order();
     const int target =
         std::min(int(std::find(order.begin(), order.end(), ref) - order.begin()), rowCount() - 1);
     if (target == row)
@@ -171,7 +176,7 @@ void ServoListModel::reload()
 {
     beginResetModel();
     m_rows.clear();
-    for (const ServoRef ref : m_desk.servos())
+    for (const ServoRef ref : m_workbench.registry().order())
         m_rows.push_back(makeRow(ref));
     endResetModel();
 }
@@ -179,9 +184,10 @@ void ServoListModel::reload()
 void ServoListModel::updateAges()
 {
     for (int row = 0; row < rowCount(); ++row) {
-        const session::ServoEntry* entry = m_desk.servo(m_rows[std::size_t(row)].ref);
+        const session::ServoEntry* entry =
+            m_workbench.registry().servo(m_rows[std::size_t(row)].ref);
         const QString ago =
-            entry != nullptr ? timeAgoText(m_desk.now() - entry->lastSeen) : QString();
+            entry != nullptr ? timeAgoText(m_workbench.now() - entry->lastSeen) : QString();
         if (ago.isEmpty() || ago == m_rows[std::size_t(row)].lastSeen)
             continue;
         m_rows[std::size_t(row)] = makeRow(entry->ref); // its color may have aged as well

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The servos of the desk as a table, one row a servo, in the desk's order: they come in as they are
-// found. Each cell's tooltip tells everything; the row as a value is under RowRole, for the
+// The servos of the workbench as a table, one row per servo, in the order in which they are found.
+// The tooltip of each cell contains all its text; the row as a value is under RowRole, for the
 // delegate that draws it in two lines. Owned by its panel; main thread.
 #pragma once
 
@@ -16,7 +16,7 @@ public:
     enum Column { Id, Model, Firmware, Map, Line, Rate, Alarm, LastSeen, ColumnCount };
     enum Roles { RefRole = Qt::UserRole, RowRole };
 
-    explicit ServoListModel(session::Desk& desk, QObject* parent = nullptr);
+    explicit ServoListModel(session::Workbench& workbench, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -40,7 +40,7 @@ private:
     ServoRow makeRow(session::ServoRef ref);
     const std::optional<catalog::KnownFirmware>& newerFirmware(const catalog::ProfilePtr& profile);
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     std::vector<ServoRow> m_rows;
     std::map<catalog::ProfilePtr, std::optional<catalog::KnownFirmware>>
         m_newer; ///< looked up once

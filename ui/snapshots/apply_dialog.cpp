@@ -5,6 +5,7 @@
 #include "text/error_text.h"
 #include "text/notice_text.h"
 #include "text/restore_text.h"
+#include "ui/common/file_dialog.h"
 #include "ui/snapshots/restore_text.h"
 #include "ui/widgets/question_dialog.h"
 #include "ui/widgets/test_text.h"
@@ -13,7 +14,6 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -26,8 +26,8 @@ namespace ui {
 using jobs::ApplyVerdict;
 
 namespace {
-constexpr int initialWidth = 760;
-constexpr int initialHeight = 520;
+constexpr int applyWidth = 760;
+constexpr int applyHeight = 520;
 constexpr int margin = 24;
 
 Tone toneOf(ApplyVerdict verdict)
@@ -63,7 +63,7 @@ RegisterNames keyNames()
             [](const QString&, std::int64_t raw) { return QString::number(raw); }};
 }
 
-/// "P gain 40 → 32" for each row to come, or what became of each.
+/// "P gain 40 → 32" for each row that will be written, or the result of each.
 QString details(const jobs::ApplyResult& one)
 {
     QStringList lines;
@@ -92,7 +92,7 @@ QString details(const jobs::ApplyResult& one)
     return lines.join(QLatin1Char('\n'));
 }
 
-/// What happened to it; rows that were left out make a good end no better than a warning.
+/// The result for one servo; with rows that were left out, a success is only a warning.
 Tone toneOf(const jobs::ApplyResult& one)
 {
     const Tone how = toneOf(one.verdict);
@@ -106,10 +106,10 @@ bool hasProblem(const jobs::ApplyResult& one)
 }
 } // namespace
 
-ApplyDialog::ApplyDialog(session::Desk& desk, session::Snapshots& snapshots, ApplySource source,
-                         QWidget* parent)
+ApplyDialog::ApplyDialog(session::Workbench& workbench, session::Snapshots& snapshots,
+                         ApplySource source, QWidget* parent)
     : QDialog(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_snapshots(snapshots)
     , m_source(std::move(source))
 {
@@ -118,8 +118,10 @@ ApplyDialog::ApplyDialog(session::Desk& desk, session::Snapshots& snapshots, App
     fillServos();
     build();
     retranslate();
-    connect(&m_desk, &session::Desk::taskChanged, this, &ApplyDialog::updateControls);
-    connect(&m_desk, &session::Desk::linkChanged, this, &ApplyDialog::updateControls);
+    connect(&m_workbench.tasks(), &session::TaskQueue::taskChanged, this,
+            &ApplyDialog::updateControls);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &ApplyDialog::updateControls);
     connect(&m_snapshots, &session::Snapshots::saved, this, [this](const QString& path) {
         m_result->showResult([path] {
             return TaskText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
@@ -130,17 +132,18 @@ ApplyDialog::ApplyDialog(session::Desk& desk, session::Snapshots& snapshots, App
     });
 }
 
-/// The servos of the bundle, or all of the list that can be written to.
+/// The servos of the bundle, or all writable servos of the list.
 void ApplyDialog::fillServos()
 {
     if (m_source.bundle) {
-        for (const record::Snapshot& one : m_source.bundle->servos)
+        for (const snapshot::Snapshot& one : m_source.bundle->servos)
             m_rows.push_back({one.servo.id, one.servo.model});
         return;
     }
-    for (const session::ServoRef ref : m_desk.servos()) {
-        const session::ServoEntry* entry = m_desk.servo(ref);
-        const bool here = !m_desk.canSetBaud() || entry->servo.baud == m_desk.baud();
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+        const bool here =
+            !m_workbench.link().canSetBaud() || entry->servo.baud == m_workbench.link().baud();
         if (here && entry->servo.profile && entry->servo.profile->writable)
             m_rows.push_back({entry->servo.id, entry->servo.profile->modelName});
     }
@@ -183,7 +186,7 @@ void ApplyDialog::build()
     m_otherModel->setVisible(m_source.bundle != nullptr);
     m_dangerous = check("applyDangerous");
     m_dangerous->setVisible(m_source.bundle != nullptr);
-    m_result = new TaskResult(initialWidth - margin, this);
+    m_result = new TaskResult(applyWidth - margin, this);
     auto* row = new QHBoxLayout;
     const auto button = [&](const char* name) {
         auto* made = new QPushButton(this);
@@ -209,10 +212,10 @@ void ApplyDialog::build()
     connect(m_table, &QTableWidget::itemChanged, this, &ApplyDialog::updateControls);
     connect(m_dryRun, &QPushButton::clicked, this, [this] { run(true); });
     connect(m_write, &QPushButton::clicked, this, &ApplyDialog::askForConfirmation);
-    connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.stopTask(); });
+    connect(m_stop, &QPushButton::clicked, this, [this] { m_workbench.tasks().stop(); });
     connect(m_save, &QPushButton::clicked, this, &ApplyDialog::askForSavePath);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    resize(initialWidth, initialHeight);
+    resize(applyWidth, applyHeight);
 }
 
 void ApplyDialog::fillRow(int row)
@@ -236,10 +239,9 @@ void ApplyDialog::fillRow(int row)
     const std::size_t left = jobs::omittedRows(one.plan).size();
     QString words = symbolFor(how) + text::restoreVerdictText(jobs::verdictName(one.verdict));
     if (one.outcome && !one.outcome->notReverted.isEmpty())
-        words += QStringLiteral(" · ") + tr("old values not put back");
+        words += QStringLiteral(" · ") + tr("old values not restored");
     if (left > 0)
-        words += QStringLiteral(" · ") +
-                 (left == 1 ? tr("1 row left out") : tr("%1 rows left out").arg(left));
+        words += QStringLiteral(" · ") + tr("%n row(s) skipped", nullptr, int(left));
     const std::vector<const jobs::RestoreRow*> alarms = jobs::predictedAlarms(one.plan);
     const bool alarm = std::any_of(alarms.begin(), alarms.end(),
                                    [](const jobs::RestoreRow* limit) { return limit->selected; });
@@ -257,11 +259,11 @@ void ApplyDialog::retranslate()
     setAccessibleName(windowTitle());
     m_summary->setText(
         m_source.bundle
-            ? tr("“%1”: each servo gets its own snapshot, by its ID. IDs and rates are never "
-                 "written here.")
+            ? tr("“%1”: each servo gets its own snapshot, matched by ID. IDs and baud rates are "
+                 "never written here.")
                   .arg(m_source.name)
-            : tr("“%1”: each ticked servo is read and gets the rows that differ. IDs and rates "
-                 "are never written here.")
+            : tr("“%1”: each selected servo is read, and only the rows that differ are written. "
+                 "IDs and baud rates are never written here.")
                   .arg(m_source.name));
     m_table->setAccessibleName(tr("Servos"));
     m_table->setHorizontalHeaderLabels({tr("Servo"), tr("Model"), tr("Rows"), tr("Verdict")});
@@ -271,18 +273,20 @@ void ApplyDialog::retranslate()
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
-    setTexts(m_rollBack, tr("If a row fails, put this servo back as it was"),
-             tr("Otherwise writing to this servo ends at the row that fails, and what is written "
-                "stays"));
-    setTexts(m_otherModel, tr("Also where another model has the ID now"),
-             tr("By register name; what cannot be mapped is left out and listed"));
-    setTexts(m_dangerous, tr("Dangerous rows too"),
-             tr("Rows in which a wrong value can make a servo unreachable; left out otherwise"));
-    setTexts(m_dryRun, tr("Dry run"), tr("Read the servos and show what would be written to each"));
-    setTexts(m_write, tr("Write"), tr("Write the rows that differ to each ticked servo"));
-    setTexts(m_stop, tr("Stop"), tr("Stop after the servo that is being written to"));
-    setTexts(m_save, tr("Save result…"), tr("Save what became of each row as a file"));
-    setTexts(m_close, tr("Close"), tr("Close this window"));
+    setTexts(m_rollBack, tr("If a row fails, restore the old values of this servo"),
+             tr("If not selected, writing to this servo stops at the failed row; values already "
+                "written stay in the servo"));
+    setTexts(m_otherModel, tr("Include IDs that now belong to another model"),
+             tr("Matches registers by name; registers without a match are skipped and listed"));
+    setTexts(m_dangerous, tr("Include dangerous rows"),
+             tr("Also writes rows where a wrong value can make a servo unreachable"));
+    setTexts(m_dryRun, tr("Dry run"),
+             tr("Reads the servos and shows what would be written to "
+                "each"));
+    setTexts(m_write, tr("Write"), tr("Writes the differing rows to each selected servo"));
+    setTexts(m_stop, tr("Stop"), tr("Stops after the current servo has been written"));
+    setTexts(m_save, tr("Save result…"), tr("Saves the result of each row to a file"));
+    setTexts(m_close, tr("Close"), tr("Closes this window"));
     for (int row = 0; row < int(m_rows.size()); ++row)
         fillRow(row);
     updateControls();
@@ -300,7 +304,8 @@ std::vector<int> ApplyDialog::selected() const
 
 void ApplyDialog::updateControls()
 {
-    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
+    const bool open =
+        m_workbench.link().state() == session::LinkState::Open && !m_workbench.tasks().isTesting();
     const bool ready = open && !m_running && !selected().empty();
     m_dryRun->setEnabled(ready);
     m_write->setEnabled(ready);
@@ -317,11 +322,11 @@ bool ApplyDialog::dangerous() const
 void ApplyDialog::askForConfirmation()
 {
     Question question;
-    question.title = tr("Write to %1 servos?").arg(selected().size());
-    question.text = tr("Torque goes off at each servo that is written to, and stays off.");
+    question.title = tr("Write to %n servo(s)?", nullptr, int(selected().size()));
+    question.text = tr("Torque is turned off on each servo before writing and stays off.");
     if (dangerous())
-        question.risk = tr("Dangerous rows are among those that are ticked: a wrong value can make "
-                           "a servo unreachable.");
+        question.risk = tr("Dangerous rows are selected: a wrong value can make a servo "
+                           "unreachable.");
     question.acceptText = tr("Write");
     question.acceptIsDefault = !dangerous();
     question.guard = this;
@@ -336,7 +341,7 @@ void ApplyDialog::run(bool dryRun)
         order.bundle = *m_source.bundle;
         auto& servos = order.bundle->servos;
         servos.erase(std::remove_if(servos.begin(), servos.end(),
-                                    [&](const record::Snapshot& one) {
+                                    [&](const snapshot::Snapshot& one) {
                                         return std::find(ids.begin(), ids.end(), one.servo.id) ==
                                                ids.end();
                                     }),
@@ -346,9 +351,10 @@ void ApplyDialog::run(bool dryRun)
         order.ids = ids;
     }
     order.options.choice.only = m_source.only;
-    order.options.choice.dangerous = dangerous();
+    const auto consent = dangerous() ? device::Consent::confirmed() : device::Consent();
+    order.options.choice.consent = consent;
     order.options.choice.otherModelLimits = m_source.otherModelLimits;
-    order.options.restore.dangerous = dangerous();
+    order.options.restore.consent = consent;
     order.options.restore.onFailure =
         m_rollBack->isChecked() ? jobs::OnFailure::RollBack : jobs::OnFailure::Stop;
     order.options.otherModel = m_otherModel->isChecked();
@@ -364,7 +370,7 @@ void ApplyDialog::run(bool dryRun)
     m_written = false;
     m_result->clear();
     updateControls();
-    m_desk.apply(std::move(order));
+    m_workbench.restores().apply(std::move(order));
 }
 
 void ApplyDialog::addResult(const jobs::ApplyResult& one)
@@ -394,41 +400,34 @@ void ApplyDialog::onFinished(const session::ApplyCompletion& end, bool dryRun)
         });
     m_result->showResult([dryRun, failedCount, partly, all] {
         if (failedCount > 0)
-            return TaskText{Tone::Bad,
-                            tr("%1 of %2 servos did not come to it; the tooltip of each says why.")
-                                .arg(failedCount)
-                                .arg(all)};
+            return TaskText{Tone::Bad, tr("%1 of %2 servos failed; their tooltips show the reason.")
+                                           .arg(failedCount)
+                                           .arg(all)};
         if (partly > 0 && !dryRun)
-            return TaskText{Tone::Warn,
-                            tr("Written, but rows were left out at %1 of %2 servos; the tooltip "
-                               "of each says which and why.")
-                                .arg(partly)
-                                .arg(all)};
-        return TaskText{Tone::Good,
-                        dryRun ? tr("Nothing was written. The tooltip of each servo lists its "
-                                    "rows.")
-                               : tr("All %1 servos are as the snapshot says.").arg(all)};
+            return TaskText{Tone::Warn, tr("Written, but rows were skipped on %1 of %2 servos; "
+                                           "their tooltips show which rows and why.")
+                                            .arg(partly)
+                                            .arg(all)};
+        return TaskText{Tone::Good, dryRun ? tr("Nothing was written. Each servo's tooltip lists "
+                                                "the rows that would be written.")
+                                           : tr("All %1 servos match the snapshot.").arg(all)};
     });
 }
 
 void ApplyDialog::askForSavePath()
 {
-    std::vector<record::RestoreResult> results;
+    std::vector<snapshot::RestoreResult> results;
     for (const Row& row : m_rows) {
         if (row.applied && row.applied->outcome && row.applied->servo)
             results.push_back(jobs::toRestoreResult(*row.applied->outcome, *row.applied->servo,
                                                     m_source.name, session::programName()));
     }
-    auto* dialog = new QFileDialog(this, tr("Save the result"));
-    dialog->setObjectName(QStringLiteral("applyFileDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("Table (*.csv)"), tr("Data (*.json)")});
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->selectFile(QStringLiteral("restore-result.csv"));
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, results](const QString& path) { m_snapshots.save(results, path); });
-    dialog->open();
+    ui::askForSavePath(this,
+                       {QStringLiteral("applyFileDialog"),
+                        tr("Save the result"),
+                        {tr("Table (*.csv)"), tr("Data (*.json)")},
+                        QStringLiteral("restore-result.csv")},
+                       [this, results](const QString& path) { m_snapshots.save(results, path); });
 }
 
 void ApplyDialog::changeEvent(QEvent* event)

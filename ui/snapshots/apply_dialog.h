@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One snapshot or template for several servos, or a bundle back onto its bus: which servos, what
-// would be written to each (dry run), then the writing with a verdict each, and the list of results
-// as a file. Closed while it writes, it goes on and ends in the message log. Main thread, never
+// Writes one snapshot or template to several servos, or a bundle to the servos of a bus: the choice
+// of servos, a dry run, the writing with a verdict for each servo, and the results as a file. When
+// it is closed, writing continues and ends with an entry in the message log. Main thread, never
 // waits.
 #pragma once
 
@@ -21,11 +21,11 @@ class QTableWidgetItem;
 
 namespace ui {
 struct ApplySource {
-    QString name{};                     ///< as the user calls it
+    QString name{};                     ///< as the user sees it
     session::SharedSnapshot snapshot{}; ///< or
     session::SharedBundle bundle{};
-    QStringList only{};             ///< keys; empty: all that is usual
-    bool dangerous = false;         ///< dangerous rows are among them
+    QStringList only{};             ///< keys; empty: all that a restore selects
+    bool dangerous = false;         ///< `only` has dangerous rows
     QStringList otherModelLimits{}; ///< limits that were ticked for another model
 };
 
@@ -33,7 +33,7 @@ class ApplyDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ApplyDialog(session::Desk& desk, session::Snapshots& snapshots, ApplySource source,
+    ApplyDialog(session::Workbench& workbench, session::Snapshots& snapshots, ApplySource source,
                 QWidget* parent);
 
 protected:
@@ -59,17 +59,17 @@ private:
     void updateControls();
     void askForSavePath();
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     session::Snapshots& m_snapshots;
     const ApplySource m_source;
     std::vector<Row> m_rows;
     bool m_running = false;
-    bool m_written = false; ///< results worth a file
+    bool m_written = false; ///< there are results to save
     QLabel* m_summary = nullptr;
     QTableWidget* m_table = nullptr;
     QCheckBox* m_rollBack = nullptr;
     QCheckBox* m_otherModel = nullptr;
-    QCheckBox* m_dangerous = nullptr; ///< of a bundle; else the ticks say it
+    QCheckBox* m_dangerous = nullptr; ///< of a bundle; otherwise the ticks decide
 
     TaskResult* m_result = nullptr;
     QPushButton* m_dryRun = nullptr;

@@ -8,8 +8,8 @@
 #include "ui/widgets/test_text.h"
 
 namespace ui {
-using record::CompareRow;
-using record::RowVerdict;
+using snapshot::CompareRow;
+using snapshot::RowVerdict;
 
 namespace {
 const QString separator = QStringLiteral(" · ");
@@ -25,11 +25,11 @@ bool isTemporary(const jobs::RestoreRow* row)
     return row != nullptr && row->reasons.testFlag(jobs::RestoreReason::OnlyTemporary);
 }
 
-/// The number as this table's own profile words it; its unit may hang on other rows of the table.
+/// The value as the profile of this table formats it; its unit may depend on other rows.
 QString formattedIn(const CompareColumn& in, const catalog::Register& reg, std::int64_t raw)
 {
     const auto lookup = [&](const QString& key) -> std::optional<std::int64_t> {
-        const record::SnapshotRegister* other = in.table->find(key);
+        const snapshot::SnapshotRegister* other = in.table->find(key);
         return other != nullptr ? other->raw : std::nullopt;
     };
     return catalog::formatValue(raw, reg, catalog::valueFormat(reg, *in.profile, lookup),
@@ -38,7 +38,7 @@ QString formattedIn(const CompareColumn& in, const catalog::Register& reg, std::
 } // namespace
 
 namespace {
-bool hasSameRows(const record::SnapshotComparison& one, const record::SnapshotComparison& other)
+bool hasSameRows(const snapshot::SnapshotComparison& one, const snapshot::SnapshotComparison& other)
 {
     return std::equal(one.rows.begin(), one.rows.end(), other.rows.begin(), other.rows.end(),
                       [](const CompareRow& a, const CompareRow& b) {
@@ -47,14 +47,14 @@ bool hasSameRows(const record::SnapshotComparison& one, const record::SnapshotCo
 }
 } // namespace
 
-/// Where only numbers have changed, what is selected and in sight stays.
+/// If only values have changed, the selection and the scroll position stay.
 void CompareModel::show(std::vector<CompareColumn> tables, std::optional<jobs::RestorePlan> plan)
 {
-    std::vector<const record::Snapshot*> compared;
+    std::vector<const snapshot::Snapshot*> compared;
     for (const CompareColumn& one : tables)
         compared.push_back(one.table.get());
     auto found =
-        compared.empty() ? record::SnapshotComparison{} : record::compareSnapshots(compared);
+        compared.empty() ? snapshot::SnapshotComparison{} : snapshot::compareSnapshots(compared);
     const bool same = tables.size() == m_tables.size() && hasSameRows(found, m_found);
     if (!same)
         beginResetModel();
@@ -65,7 +65,6 @@ void CompareModel::show(std::vector<CompareColumn> tables, std::optional<jobs::R
         retranslate();
     else
         endResetModel();
-    Q_EMIT selectedRowsChanged();
 }
 
 void CompareModel::retranslate()
@@ -114,7 +113,7 @@ const catalog::Register* CompareModel::registerOf(const QString& key) const
 QString CompareModel::nameOf(const QString& key) const
 {
     const catalog::Register* reg = registerOf(key);
-    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
+    return reg != nullptr ? text::localized(reg->name) : key;
 }
 
 QString CompareModel::formatted(const QString& key, std::int64_t raw) const
@@ -150,15 +149,15 @@ Qt::ItemFlags CompareModel::flags(const QModelIndex& index) const
 
 QString CompareModel::cellText(const CompareRow& row, std::size_t table) const
 {
-    const record::CompareCell& cell = row.cells[table];
+    const snapshot::CompareCell& cell = row.cells[table];
     switch (cell.state) {
-    case record::CellState::Unknown:
-        return tr("not known");
-    case record::CellState::Missing:
+    case snapshot::CellState::Unknown:
+        return tr("unknown");
+    case snapshot::CellState::Missing:
         return tr("no such register");
-    case record::CellState::NotChosen:
-        return tr("left alone");
-    case record::CellState::Known:
+    case snapshot::CellState::NotChosen:
+        return tr("not written");
+    case snapshot::CellState::Known:
         break;
     }
     if (!cell.raw)
@@ -178,7 +177,7 @@ QString CompareModel::stateText(const CompareRow& row) const
 {
     if (m_tables.size() < 2)
         return {}; // nothing to be different from
-    const QString verdict = record::verdictName(row.verdict);
+    const QString verdict = snapshot::verdictName(row.verdict);
     const QString word =
         text::compareVerdictSymbol(verdict) + QLatin1Char(' ') + text::compareVerdictText(verdict);
     const jobs::RestoreRow* planned = rowOf(m_plan, row.key);
@@ -196,7 +195,7 @@ QString CompareModel::tip(const CompareRow& row, int column) const
         const QString name = nameOf(row.key);
         const QString title = name == row.key ? name : QStringLiteral("%1 (%2)").arg(name, row.key);
         const catalog::Register* reg = registerOf(row.key);
-        const QString help = reg != nullptr ? reg->help.in(text::isUiChinese()) : QString();
+        const QString help = reg != nullptr ? text::localized(reg->help) : QString();
         return help.isEmpty() ? title : title + QLatin1Char('\n') + help;
     }
     if (column == stateColumn()) {
@@ -211,7 +210,7 @@ QString CompareModel::tip(const CompareRow& row, int column) const
     return m_tables[table].title + QStringLiteral(": ") + cellText(row, table);
 }
 
-/// What differs from the first column stands out; color beside the sign of the last column.
+/// Highlights what differs from the first column; the last column has the sign for it.
 QVariant CompareModel::toneOf(const CompareRow& row, int column) const
 {
     if (row.verdict == RowVerdict::Identical || row.verdict == RowVerdict::ReadOnly)
@@ -220,11 +219,11 @@ QVariant CompareModel::toneOf(const CompareRow& row, int column) const
         return int(row.verdict == RowVerdict::Different ? Tone::Accent : Tone::Quiet);
     if (column < FirstTable)
         return {};
-    const record::CompareCell& cell = row.cells[std::size_t(column - FirstTable)];
-    if (cell.state != record::CellState::Known)
+    const snapshot::CompareCell& cell = row.cells[std::size_t(column - FirstTable)];
+    if (cell.state != snapshot::CellState::Known)
         return int(Tone::Quiet);
-    const record::CompareCell& first = row.cells.front();
-    const bool other = first.state == record::CellState::Known &&
+    const snapshot::CompareCell& first = row.cells.front();
+    const bool other = first.state == snapshot::CellState::Known &&
                        (first.raw != cell.raw || first.value != cell.value);
     return other && row.verdict == RowVerdict::Different ? QVariant(int(Tone::Accent)) : QVariant();
 }

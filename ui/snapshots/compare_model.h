@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory tables side by side, one row a register, differing ones first. With a plan, the first
-// table is the servo and the second what may be written to it: rows then have a tick, and say why
-// they are off. Values as they were given; owned by its pane; main thread.
+// Memory tables side by side, one row per register, differing rows first. With a plan, the first
+// table is the servo and the second the snapshot that can be written to it: rows then have a tick
+// and the reason why they are off. Keeps copies of what it is given; owned by its pane; main
+// thread.
 #pragma once
 
 #include "jobs/restore/restore_plan.h"
@@ -17,7 +18,7 @@ namespace ui {
 struct CompareColumn {
     QString title{};
     QString tip{};
-    std::shared_ptr<const record::Snapshot> table{};
+    std::shared_ptr<const snapshot::Snapshot> table{};
     catalog::ProfilePtr profile{}; ///< for names and units; null: as the table has them
 };
 
@@ -34,13 +35,13 @@ public:
     void show(std::vector<CompareColumn> tables, std::optional<jobs::RestorePlan> plan);
     void retranslate();
 
-    const record::SnapshotComparison& comparison() const { return m_found; }
+    const snapshot::SnapshotComparison& comparison() const { return m_found; }
     const std::vector<CompareColumn>& tables() const { return m_tables; }
     const std::optional<jobs::RestorePlan>& plan() const { return m_plan; }
-    /// Of the rows that differ those the plan can never write, each with its name and the reason;
-    /// none without a plan.
+    /// The differing rows that the plan can never write, each with its name and the reason; none
+    /// without a plan.
     QStringList unrestorableRows() const;
-    /// All rows that may be ticked for this reason, or none of them.
+    /// Ticks all rows that can be selected for this reason, or none of them.
     void setAllSelected(jobs::RestoreReason reason, bool on);
     QString nameOf(const QString& key) const; ///< of a register, in the language of the window
     QString formatted(const QString& key, std::int64_t raw) const; ///< as the servo's own
@@ -54,28 +55,28 @@ public:
                         int role = Qt::DisplayRole) const override;
 
 Q_SIGNALS:
-    void selectedRowsChanged();
+    void selectedRowsChanged(); ///< by setData() or setAllSelected()
 
 private:
     int stateColumn() const { return FirstTable + int(m_tables.size()); }
     const catalog::Register* registerOf(const QString& key) const;
-    QString cellText(const record::CompareRow& row, std::size_t table) const;
-    QString stateText(const record::CompareRow& row) const;
-    QString tip(const record::CompareRow& row, int column) const;
-    QVariant toneOf(const record::CompareRow& row, int column) const;
-    QVariant checkState(const record::CompareRow& row) const;
+    QString cellText(const snapshot::CompareRow& row, std::size_t table) const;
+    QString stateText(const snapshot::CompareRow& row) const;
+    QString tip(const snapshot::CompareRow& row, int column) const;
+    QVariant toneOf(const snapshot::CompareRow& row, int column) const;
+    QVariant checkState(const snapshot::CompareRow& row) const;
 
     std::vector<CompareColumn> m_tables;
-    record::SnapshotComparison m_found;
+    snapshot::SnapshotComparison m_found;
     std::optional<jobs::RestorePlan> m_plan;
 };
 
-/// "12.0 V": what a row's limit was held against.
+/// "12.0 V": the reading that the limit of a row was compared with.
 QString readingText(const jobs::RestoreRow& row);
 /// "Maximum input voltage: voltage alarm at once …"; the row has an alarm.
 QString alarmLine(const CompareModel& model, const jobs::RestoreRow& row);
 
-/// Only the rows that differ or might, or all.
+/// The rows that differ or may differ, or all.
 class CompareFilter final : public QSortFilterProxyModel {
     Q_OBJECT
 

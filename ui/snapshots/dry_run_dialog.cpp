@@ -16,8 +16,8 @@
 
 namespace ui {
 namespace {
-constexpr int initialWidth = 640;
-constexpr int initialHeight = 460;
+constexpr int dryRunWidth = 640;
+constexpr int dryRunHeight = 460;
 } // namespace
 
 DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& plan,
@@ -83,7 +83,7 @@ void DryRunDialog::build()
     connect(m_copy, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(text()); });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    resize(initialWidth, initialHeight);
+    resize(dryRunWidth, dryRunHeight);
     m_close->setFocus();
 }
 
@@ -92,9 +92,9 @@ void DryRunDialog::retranslate()
     setWindowTitle(tr("What would be written"));
     setAccessibleName(windowTitle());
     m_title->setText(m_lines.empty()
-                         ? tr("ID %1: nothing. Every ticked row is already so.").arg(m_id)
-                         : tr("ID %1, in this order. Every row is read back; nothing has been "
-                              "written yet.")
+                         ? tr("ID %1: nothing to write. All selected rows already match.").arg(m_id)
+                         : tr("ID %1: the rows are written in this order, and each is read back. "
+                              "Nothing has been written yet.")
                                .arg(m_id));
     const QString warning = alarmsText();
     m_warning->setText(warning);
@@ -105,9 +105,9 @@ void DryRunDialog::retranslate()
     int row = 0;
     for (const Line& line : m_lines) {
         const QString step = text::restoreStepText(jobs::restoreStepName(line.step.kind));
-        const QStringList cells{
-            step, line.step.key.isEmpty() ? QString() : line.name.in(text::isUiChinese()),
-            line.from, line.to};
+        const QStringList cells{step,
+                                line.step.key.isEmpty() ? QString() : text::localized(line.name),
+                                line.from, line.to};
         for (int column = 0; column < int(cells.size()); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             item->setToolTip(column == 1 ? line.step.key : cells[column]);
@@ -117,10 +117,10 @@ void DryRunDialog::retranslate()
     }
     m_copy->setText(tr("Copy"));
     m_copy->setAccessibleName(m_copy->text());
-    m_copy->setToolTip(tr("Copy the steps as text"));
+    m_copy->setToolTip(tr("Copies the steps as text"));
     m_close->setText(tr("Close"));
     m_close->setAccessibleName(m_close->text());
-    m_close->setToolTip(tr("Close; nothing is written"));
+    m_close->setToolTip(tr("Closes the dialog; nothing is written"));
 }
 
 /// Which limits the servo's readings are outside of, selected or not.
@@ -128,10 +128,10 @@ QString DryRunDialog::alarmsText() const
 {
     QStringList lines;
     if (!m_otherModel.isEmpty())
-        lines << tr("The snapshot is of another model: %1.").arg(m_otherModel);
+        lines << tr("The snapshot is from another model: %1.").arg(m_otherModel);
     for (const AlarmLine& alarm : m_alarms) {
         const QString words = text::restoreAlarmText(alarm.fault, alarm.limit, alarm.reading);
-        const QString name = alarm.name.in(text::isUiChinese());
+        const QString name = text::localized(alarm.name);
         lines << (alarm.selected ? tr("✗ %1: %2").arg(name, words)
                                  : tr("%1, not selected: %2").arg(name, words));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exactly what restoring would do, step by step, before anything is written; can be copied. A
-// picture of the plan it was given; main thread.
+// The exact steps of a restore before anything is written; they can be copied. Shows the plan it
+// was given, which it does not follow afterwards; main thread.
 #pragma once
 
 #include "ui/snapshots/compare_model.h"
@@ -44,7 +44,7 @@ private:
     };
     std::vector<Line> m_lines;
     std::vector<AlarmLine> m_alarms;
-    QString m_otherModel; ///< that the snapshot is of; empty: of this one
+    QString m_otherModel; ///< of the snapshot; empty: the model of the servo
     int m_id = -1;
     QLabel* m_title = nullptr;
     QLabel* m_warning = nullptr;

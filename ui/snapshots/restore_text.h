@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What became of a restore whose old values were to be put back and could not: which registers,
-// what was last read of each, and where to go on. Pure functions; any thread.
+// The result of a restore in words: what was written, which old values could not be restored and
+// what to do then. Pure functions, in the current language; main thread.
 #pragma once
 
 #include "jobs/restore/restore.h"
+#include "ui/widgets/banner.h"
 
 #include <functional>
 
@@ -14,10 +15,14 @@ struct RegisterNames {
     std::function<QString(const QString& key, std::int64_t raw)> value;
 };
 
-/// Empty: nothing had to be put back, or all of it was.
+/// Written and read back, at least until power-off.
+bool isRowApplied(const jobs::RestoreRowResult& row);
+/// The result for one servo.
+BannerText restoreOutcomeText(const jobs::RestoreOutcome& outcome, const RegisterNames& names);
+/// Empty: no old value had to be restored, or all were.
 QString notRolledBackText(const jobs::RestoreOutcome& outcome, const RegisterNames& names);
-/// What to do when it failed, put back or not.
+/// What to do after a restore that failed, rolled back or not.
 QString restoreRemedy(const jobs::RestoreOutcome& outcome);
-/// Empty: it is closed, or there is none.
+/// Empty: the EPROM lock is closed, or there is none.
 QString openLockText(device::LockState lock);
 } // namespace ui

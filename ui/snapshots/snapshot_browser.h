@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to compare with and to restore from: opened files, bundles with their servos, and
-// the snapshots of the history, newest first. Several may be selected; the current one is what
-// would be restored. Loads what is selected by itself, without waiting. Owned by the snapshots
-// page; main thread.
+// The snapshots to compare with and to restore: opened files, bundles with their servos, and the
+// snapshots of the history, newest first. Several can be selected; the current one is restored.
+// Loads the selected ones by itself, without waiting. Owned by the snapshots page; main thread.
 #pragma once
 
+#include "session/history/history_service.h"
 #include "session/snapshot/snapshots.h"
 #include "ui/common/selection.h"
 
@@ -21,7 +21,9 @@ class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace ui {
-/// One table that was chosen.
+struct SnapshotItem;
+
+/// One selected table.
 struct SnapshotSelection {
     QString title{}; ///< short: "reference, tested", "12 Nov 09:40"
     QString tip{};
@@ -34,23 +36,23 @@ class SnapshotBrowser final : public QWidget {
     Q_OBJECT
 
 public:
-    SnapshotBrowser(session::Desk& desk, session::HistoryService& historyService,
+    SnapshotBrowser(session::Workbench& workbench, session::HistoryService& historyService,
                     Selection& selection, QWidget* parent);
 
-    /// The current one first, then the others that are selected; those that are loaded.
+    /// The current one first, then the other selected ones; only those that are loaded.
     std::vector<SnapshotSelection> selectedSnapshots() const;
     session::SharedBundle bundle() const; ///< the current row's; null: it is none
     QString bundlePath() const;
     std::vector<std::int64_t> selectedNumbers() const; ///< rows of the history
-    /// The selected row, where it is one alone and of the history.
-    std::optional<record::HistorySnapshot> selectedHistoryRow() const;
+    /// The selected row, if it is the only one and from the history.
+    std::optional<history::HistorySnapshot> selectedHistoryRow() const;
 
-    /// They become the current row.
+    /// The added snapshot becomes the current row.
     void add(const session::OpenedFile& file);
     void add(session::SharedSnapshot snapshot, const QString& title);
-    /// That row of the history, when the list has it.
+    /// Selects that row of the history as soon as the list has it.
     void selectNumber(std::int64_t number);
-    /// It has changed in the history and is loaded anew.
+    /// It has changed in the history and is loaded again.
     void invalidate(std::int64_t number);
 
 Q_SIGNALS:
@@ -63,36 +65,31 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    struct Item;
-    struct Row;
     void build();
     void retranslate();
     void ask();
-    void fill(const std::vector<record::HistorySnapshot>& all);
+    void fill(const std::vector<history::HistorySnapshot>& all);
     std::map<std::int64_t, session::SharedSnapshot> takeHistoryRows();
-    void insertHistoryRows(const std::vector<record::HistorySnapshot>& rows);
-    bool hasRows(const std::vector<record::HistorySnapshot>& rows) const;
+    void insertHistoryRows(const std::vector<history::HistorySnapshot>& rows);
+    bool hasRows(const std::vector<history::HistorySnapshot>& rows) const;
     std::int64_t topNumber() const;
     void scrollToTop(std::int64_t number);
     void addFile(const session::OpenedFile& file, const QString& title);
-    void updateRowText(QTreeWidgetItem* row) const; ///< its words
-    void load(const std::shared_ptr<Item>& item);
+    void load(const std::shared_ptr<SnapshotItem>& item);
     void selectionChanged();
-    static Item* itemOf(const QTreeWidgetItem* row);
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     session::HistoryService& m_historyService;
-    QPointer<session::HistoryService>
-        m_archiveGuard; ///< a window may hide its pages on its way out
+    QPointer<session::HistoryService> m_historyGuard; ///< the window may hide its pages after it
     Selection& m_selection;
     QLabel* m_title = nullptr;
     QComboBox* m_servoFilter = nullptr;
     QLineEdit* m_search = nullptr;
     QTreeWidget* m_tree = nullptr;
     QLabel* m_emptyLabel = nullptr;
-    QTimer m_queryTimer; ///< several changes, one question
+    QTimer m_queryTimer; ///< several changes cause one query
     int m_queryId = 0;
-    std::int64_t m_pendingNumber = 0; ///< to become current when the list has it
+    std::int64_t m_pendingNumber = 0; ///< becomes current when the list has it
     bool m_filling = false;
 };
 } // namespace ui

@@ -17,7 +17,7 @@
 namespace ui {
 namespace {
 constexpr int rowPadding = 8;
-constexpr int widestColumn = 30; ///< characters
+constexpr int maxColumnWidth = 30; ///< characters
 } // namespace
 
 SnapshotPane::SnapshotPane(QWidget* parent)
@@ -78,9 +78,8 @@ void SnapshotPane::build()
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + rowPadding);
     m_table->horizontalHeader()->setHighlightSections(false);
-    // One long list of flags must not push the other columns out of sight; its tooltip has it
-    // whole.
-    m_table->horizontalHeader()->setMaximumSectionSize(widestColumn *
+    // A long list of flags must not push other columns out of view; its tooltip shows all of it.
+    m_table->horizontalHeader()->setMaximumSectionSize(maxColumnWidth *
                                                        m_table->fontMetrics().averageCharWidth());
     m_table->installEventFilter(this);
     m_emptyLabel = new QLabel(this);
@@ -94,19 +93,19 @@ void SnapshotPane::build()
 }
 
 void SnapshotPane::show(const QString& title, std::vector<CompareColumn> tables,
-                        std::optional<jobs::RestorePlan> plan, const QString& nothing,
+                        std::optional<jobs::RestorePlan> plan, const QString& emptyText,
                         const QStringList& ages)
 {
     m_ages = ages;
     m_title->setText(title);
-    m_emptyLabel->setText(nothing);
+    m_emptyLabel->setText(emptyText);
     m_model.show(std::move(tables), std::move(plan));
     showCounts();
 }
 
 void SnapshotPane::showCounts()
 {
-    const record::SnapshotComparison& found = m_model.comparison();
+    const snapshot::SnapshotComparison& found = m_model.comparison();
     const bool some = !m_model.tables().empty();
     const bool several = m_model.tables().size() > 1;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_different, m_same, m_otherRows, m_all})
@@ -121,23 +120,24 @@ void SnapshotPane::showCounts()
                     m_ages.mid(1).join(QLatin1Char('\n')));
     m_different->setState(different > 0 ? Tone::Accent : good,
                           different > 0 ? tr("≠ %1 differ").arg(different)
-                          : current     ? tr("= no setting differs")
-                                        : tr("= no setting differed then"));
+                          : current     ? tr("= no differences")
+                                        : tr("= no differences at that time"));
     m_excluded->setVisible(some && several && !never.isEmpty());
     m_excluded->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
                          never.join(QLatin1Char('\n')));
-    m_same->setState(good, tr("= %1 the same").arg(found.identical));
-    m_otherRows->setState(Tone::Quiet,
-                          tr("%1 read-only, %2 missing, %3 not known")
-                              .arg(found.readOnly)
-                              .arg(found.missing)
-                              .arg(found.unknown),
-                          tr("%1 others").arg(found.readOnly + found.missing + found.unknown));
+    m_same->setState(good, tr("= %1 identical").arg(found.identical));
+    m_otherRows->setState(
+        Tone::Quiet,
+        tr("%1 read-only, %2 missing, %3 unknown")
+            .arg(found.readOnly)
+            .arg(found.missing)
+            .arg(found.unknown),
+        tr("%n other(s)", nullptr, int(found.readOnly + found.missing + found.unknown)));
     const bool empty = m_filter.rowCount() == 0;
     if (some && empty)
-        m_emptyLabel->setText(current
-                                  ? tr("Nothing to set differs.")
-                                  : tr("Nothing to set differed when the servo was last read."));
+        m_emptyLabel->setText(current ? tr("No writable setting differs.")
+                                      : tr("No writable setting differed when the servo was last "
+                                           "read."));
     m_emptyLabel->setVisible(empty);
     m_table->setVisible(!empty);
 }
@@ -152,7 +152,7 @@ void SnapshotPane::toggleCheck()
     m_model.setData(cell, on ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
 }
 
-/// Space ticks the row, wherever in it the cursor stands.
+/// The space bar ticks the row in any column.
 bool SnapshotPane::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_table && event->type() == QEvent::KeyPress &&
@@ -167,13 +167,13 @@ void SnapshotPane::retranslate()
 {
     m_all->setText(tr("All rows"));
     m_all->setAccessibleName(m_all->text());
-    m_all->setToolTip(tr("Show the rows that are the same, too, and those that are only read"));
+    m_all->setToolTip(tr("Shows identical and read-only rows too"));
     m_columns->setText(tr("Columns"));
     m_columns->setAccessibleName(m_columns->text());
-    m_columns->setToolTip(tr("Compare with the factory default and with other servos, too. More "
-                             "snapshots: hold Ctrl while clicking them"));
-    m_table->setAccessibleName(tr("Tables side by side"));
-    m_table->setToolTip(tr("Space ticks a row; what is ticked is written"));
+    m_columns->setToolTip(tr("Also compares with the factory default and other servos. To compare "
+                             "more snapshots, hold Ctrl and click them"));
+    m_table->setAccessibleName(tr("Memory tables side by side"));
+    m_table->setToolTip(tr("The space bar selects a row; selected rows are written"));
     m_model.retranslate();
     showCounts();
 }

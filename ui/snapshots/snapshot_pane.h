@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables that were chosen side by side, how many rows differ, and the ticks of what would be
-// restored. Owned by the snapshots page; main thread.
+// The compared tables side by side, the number of rows that differ, and the ticks of the rows to
+// restore. Owned by the snapshots page; main thread.
 #pragma once
 
 #include "ui/snapshots/compare_model.h"
@@ -23,10 +23,10 @@ public:
 
     CompareModel& model() { return m_model; }
     QToolButton* columns() const { return m_columns; } ///< its menu is the page's
-    /// `nothing` stands where there is no table to show. `ages`: a line for each servo whose table
-    /// is not of now.
+    /// `emptyText` is shown without a table. `ages`: a line for each servo whose table is not
+    /// current.
     void show(const QString& title, std::vector<CompareColumn> tables,
-              std::optional<jobs::RestorePlan> plan, const QString& nothing,
+              std::optional<jobs::RestorePlan> plan, const QString& emptyText,
               const QStringList& ages);
 
 protected:
@@ -45,7 +45,7 @@ private:
     QStringList m_ages;
     Pill* m_age = nullptr;
     Pill* m_different = nullptr;
-    Pill* m_excluded = nullptr; ///< differ too, but a restore leaves them alone
+    Pill* m_excluded = nullptr; ///< rows that differ but are never restored
     Pill* m_same = nullptr;
     Pill* m_otherRows = nullptr;
     QToolButton* m_all = nullptr;

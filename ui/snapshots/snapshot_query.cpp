@@ -4,19 +4,19 @@
 #include <algorithm>
 
 namespace ui {
-base::Result<std::vector<record::HistorySnapshot>>
-findSnapshots(const record::History& history, const std::optional<base::ServoIdentity>& identity,
+base::Result<std::vector<history::HistorySnapshot>>
+findSnapshots(const history::History& history, const std::optional<base::ServoIdentity>& identity,
               std::int64_t required, int limit)
 {
-    const record::HistoryLog log = history.log();
-    record::HistoryFilter filter;
+    const history::HistoryLog log = history.log();
+    history::HistoryFilter filter;
     filter.limit = limit;
     if (identity) {
         const auto servo = log.of(*identity);
         if (!servo)
             return tl::unexpected(servo.error());
         if (!*servo)
-            return std::vector<record::HistorySnapshot>(); // never met
+            return std::vector<history::HistorySnapshot>(); // not in the history
         filter.servo = (*servo)->number;
     }
     auto rows = log.snapshots(filter);

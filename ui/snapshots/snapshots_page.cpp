@@ -1,330 +1,216 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown. The parts are made in snapshots_page_build.cpp, the actions are in
-// snapshots_page_actions.cpp.
 #include "ui/snapshots/snapshots_page.h"
 
-#include "session/polling/max_reading_age.h"
-#include "snapshot/factory_snapshot.h"
+#include "ui/snapshots/compare_tables.h"
+#include "ui/snapshots/restore_panel.h"
+#include "ui/snapshots/restore_text.h"
+#include "ui/snapshots/snapshot_actions.h"
 #include "ui/snapshots/snapshot_browser.h"
 #include "ui/snapshots/snapshot_pane.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/rate_text.h"
+#include "ui/widgets/floating_overlay.h"
 #include "ui/widgets/task_text.h"
 
-#include <QAction>
-#include <QCheckBox>
+#include <QDir>
 #include <QDragEnterEvent>
-#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
-#include <QPushButton>
+#include <QSplitter>
 #include <QToolButton>
+#include <QVBoxLayout>
+
+#include <utility>
 
 namespace ui {
 namespace {
-using namespace std::chrono_literals;
-
-constexpr base::Duration readInterval = 500ms;
-
-/// The settings that it answers to; the whole table has shown which.
-QStringList settingsOf(const session::ServoEntry& entry)
-{
-    QStringList keys;
-    for (const catalog::Register& reg : entry.servo.profile->registers) {
-        if (reg.writable() && entry.servo.raw(reg))
-            keys << reg.key;
-    }
-    return keys;
-}
-
-/// Of its settings the oldest.
-base::Duration tableAge(const session::ServoEntry& entry, base::Duration now)
-{
-    base::Duration oldest = now;
-    for (const catalog::Register& reg : entry.servo.profile->registers) {
-        if (reg.writable() && entry.servo.raw(reg))
-            oldest = std::min(oldest, entry.servo.image.readAt(reg.offset).value_or(now));
-    }
-    return now - oldest;
-}
-
-bool isCurrent(const session::ServoEntry& entry, base::Duration now)
-{
-    return entry.hasFullTable && !entry.silent && tableAge(entry, now) <= session::maxReadingAge;
-}
-
-bool sameParts(const std::vector<session::SubscriptionItem>& one,
-               const std::vector<session::SubscriptionItem>& other)
-{
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                      [](const session::SubscriptionItem& a, const session::SubscriptionItem& b) {
-                          return a.servo == b.servo && a.slowKeys == b.slowKeys;
-                      });
-}
+constexpr int minBrowserWidth = 230;
+constexpr int browserWidth = 280;
+constexpr auto refreshDelay = std::chrono::milliseconds(150);
+constexpr auto ageStep = std::chrono::seconds(1);
 } // namespace
 
 SnapshotsPage::SnapshotsPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(appContext.desk)
-    , m_deskGuard(&appContext.desk)
-    , m_historyService(appContext.history)
-    , m_selection(appContext.selection)
+    , m_context(appContext)
+    , m_workbench(appContext.workbench)
+    , m_workbenchGuard(&appContext.workbench)
     , m_settings(settings)
-    , m_snapshots(appContext.desk, appContext.history)
+    , m_snapshots(appContext.workbench.snapshots())
+    , m_selection(appContext.selection)
+    , m_tables(new CompareTables(appContext, this))
 {
     setObjectName(QStringLiteral("snapshotsPage"));
+    setAccessibleName(tr("Snapshots"));
     setAcceptDrops(true);
     build();
-    connectAll();
-    retranslate();
+    connectParts();
+    connectSession();
     onServoSelected();
 }
 
-const session::ServoEntry* SnapshotsPage::entry() const
+void SnapshotsPage::build()
 {
-    const session::ServoEntry* found = m_desk.servo(m_selection.current());
-    return found != nullptr && found->servo.profile ? found : nullptr;
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    m_banner = new Banner(this);
+    m_banner->setObjectName(QStringLiteral("snapshotsBanner"));
+    m_banner->hideMessage();
+    auto* split = new QSplitter(Qt::Horizontal, this);
+    split->setObjectName(QStringLiteral("snapshotsSplit"));
+    split->setChildrenCollapsible(false);
+    split->addWidget(buildBrowser());
+    split->addWidget(buildCompare());
+    split->setStretchFactor(0, 0);
+    split->setStretchFactor(1, 1);
+    split->setSizes({browserWidth, 3 * browserWidth});
+    column->addWidget(split, 1);
+    new FloatingOverlay(m_banner, m_pane, FloatingOverlay::Corner::BottomRight);
+    m_columns = new QMenu(this);
+    m_columns->setObjectName(QStringLiteral("compareColumnsMenu"));
+    m_pane->columns()->setMenu(m_columns);
+    m_refreshTimer.setSingleShot(true);
+    m_refreshTimer.setInterval(refreshDelay);
+    m_ageTimer.setInterval(ageStep);
 }
 
-/// Compared is what was really read: the table is read anew when a servo is looked at.
+QWidget* SnapshotsPage::buildBrowser()
+{
+    auto* box = new QWidget(this);
+    box->setMinimumWidth(minBrowserWidth);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 6, 0);
+    m_browser = new SnapshotBrowser(m_workbench, m_workbench.history(), m_selection, box);
+    m_actions = new SnapshotActions(m_context, m_settings, *m_browser, box);
+    column->addWidget(m_browser, 1);
+    column->addWidget(m_actions);
+    return box;
+}
+
+QWidget* SnapshotsPage::buildCompare()
+{
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(6, 0, 0, 0);
+    m_pane = new SnapshotPane(box);
+    m_restore = new RestorePanel(m_context, m_settings, *m_browser, m_pane->model(), box);
+    column->addWidget(m_pane, 1);
+    column->addWidget(m_restore);
+    return box;
+}
+
+void SnapshotsPage::connectParts()
+{
+    connect(&m_refreshTimer, &QTimer::timeout, this, &SnapshotsPage::refresh);
+    connect(&m_ageTimer, &QTimer::timeout, this, &SnapshotsPage::scheduleRefresh);
+    connect(m_browser, &SnapshotBrowser::snapshotSelectionChanged, this, &SnapshotsPage::refresh);
+    connect(m_browser, &SnapshotBrowser::failed, this, &SnapshotsPage::showError);
+    connect(m_actions, &SnapshotActions::started, m_banner, &Banner::hideMessage);
+    connect(m_actions, &SnapshotActions::failed, this, &SnapshotsPage::showError);
+    connect(m_restore, &RestorePanel::started, m_banner, &Banner::hideMessage);
+    connect(m_restore, &RestorePanel::finished, this, &SnapshotsPage::onRestored);
+    connect(m_restore, &RestorePanel::failed, this, &SnapshotsPage::showError);
+    connect(m_restore, &RestorePanel::templateRequested, m_actions, &SnapshotActions::saveTemplate);
+    connect(m_columns, &QMenu::aboutToShow, this, [this] { m_tables->fillMenu(*m_columns); });
+    connect(m_tables, &CompareTables::selectionChanged, this, &SnapshotsPage::refresh);
+    connect(m_tables, &CompareTables::servoChanged, this, &SnapshotsPage::scheduleRefresh);
+}
+
+void SnapshotsPage::connectSession()
+{
+    connect(&m_snapshots, &session::Snapshots::failed, this, &SnapshotsPage::showError);
+    connect(&m_snapshots, &session::Snapshots::saved, this, &SnapshotsPage::showSaved);
+    connect(&m_snapshots, &session::Snapshots::fileOpened, this,
+            [this](const session::OpenedFile& file) { m_browser->add(file); });
+    connect(&m_snapshots, &session::Snapshots::bundleTaken, this,
+            [this](const session::SharedBundle& bundle, const QString& path) {
+                m_browser->add({path, {}, bundle});
+                showSaved(path);
+            });
+    // After undo, the result of the restore no longer applies.
+    connect(&m_workbench, &session::Workbench::eventOccurred, this,
+            [this](const session::Event& event) {
+                if ((event.isUndo || event.isRedo) && std::exchange(m_bannerShowsRestore, false))
+                    m_banner->hideMessage();
+            });
+    connect(&m_selection, &Selection::changed, this, &SnapshotsPage::onServoSelected);
+    connect(&m_workbench, &session::Workbench::stateChanged, this, &SnapshotsPage::scheduleRefresh);
+}
+
+/// The servo is compared as it is now: its table is read anew when it is selected.
 void SnapshotsPage::onServoSelected()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
-    if (isVisible() && entry() != nullptr && !m_writing)
-        m_desk.readTable(m_selection.current());
+    if (isVisible() && m_tables->servo() != nullptr && !m_restore->isWriting())
+        m_workbench.writes().readTable(m_selection.current());
     scheduleRefresh();
 }
 
 void SnapshotsPage::scheduleRefresh()
 {
-    if (isVisible() && !m_refresh.isActive())
-        m_refresh.start();
-}
-
-CompareColumn SnapshotsPage::servoTable(session::ServoRef ref) const
-{
-    const session::ServoEntry* servo = m_desk.servo(ref);
-    if (servo == nullptr || !servo->servo.profile)
-        return {};
-    const base::Duration now = m_desk.now();
-    const QString title = isCurrent(*servo, now) ? tr("ID %1 now").arg(servo->servo.id)
-                          : servo->hasFullTable  ? QStringLiteral("ID %1 · %2")
-                                                      .arg(servo->servo.id)
-                                                      .arg(timeAgoText(tableAge(*servo, now)))
-                                                : QStringLiteral("ID %1").arg(servo->servo.id);
-    return {title, servoTitle(*servo), m_snapshots.currentSnapshot(ref), servo->servo.profile};
-}
-
-/// One line for each servo whose column does not say how it is set now.
-QStringList SnapshotsPage::ages() const
-{
-    std::set<session::ServoRef> shown = m_others;
-    shown.insert(m_selection.current());
-    QStringList lines;
-    for (const session::ServoRef ref : shown) {
-        const session::ServoEntry* servo = m_desk.servo(ref);
-        const base::Duration now = m_desk.now();
-        if (servo == nullptr || !servo->servo.profile || isCurrent(*servo, now))
-            continue;
-        const QString ago = timeAgoText(tableAge(*servo, now));
-        lines << (!servo->hasFullTable ? tr("ID %1 · not read yet").arg(servo->servo.id)
-                  : servo->silent ? tr("ID %1 · no answer · read %2").arg(servo->servo.id).arg(ago)
-                                  : tr("ID %1 · read %2").arg(servo->servo.id).arg(ago));
-    }
-    return lines;
-}
-
-/// Other programs may write too, and a servo may be exchanged for one of the same model.
-void SnapshotsPage::updateLive()
-{
-    std::vector<session::SubscriptionItem> parts;
-    std::set<session::ServoRef> shown = m_others;
-    shown.insert(m_selection.current());
-    for (const session::ServoRef ref : shown) {
-        const session::ServoEntry* servo = isVisible() ? m_desk.servo(ref) : nullptr;
-        if (servo != nullptr && servo->servo.profile && servo->hasFullTable)
-            parts.push_back({ref, {}, settingsOf(*servo)});
-    }
-    if (sameParts(parts, m_live))
-        return;
-    m_live = parts;
-    m_desk.subscribe(QStringLiteral("snapshots"), {std::move(parts), readInterval});
-}
-
-std::vector<CompareColumn>
-SnapshotsPage::tables(const std::vector<SnapshotSelection>& selectedSnapshots) const
-{
-    std::vector<CompareColumn> all;
-    if (entry() != nullptr)
-        all.push_back(servoTable(m_selection.current()));
-    for (const SnapshotSelection& one : selectedSnapshots)
-        all.push_back(
-            {one.title, one.tip, one.snapshot, record::profileOf(*one.snapshot, m_desk.catalog())});
-    for (const session::ServoRef ref : m_others) {
-        if (ref != m_selection.current() && m_desk.servo(ref) != nullptr)
-            all.push_back(servoTable(ref));
-    }
-    if (m_factory && !all.empty()) {
-        const session::SharedSnapshot factory =
-            entry() != nullptr ? std::make_shared<const record::Snapshot>(
-                                     record::factorySnapshot(*entry()->servo.profile))
-                               : m_snapshots.factorySnapshot(*all.front().table);
-        if (factory)
-            all.push_back({tr("Factory"), tr("Default of this model, as far as it is known"),
-                           factory, all.front().profile});
-    }
-    return all;
-}
-
-/// What was ticked by hand stays so while servo and snapshot are the same.
-void SnapshotsPage::rememberChecks()
-{
-    const auto& now = m_pane->model().plan();
-    if (m_showing || !now)
-        return;
-    for (const jobs::RestoreRow& row : now->rows)
-        m_checks[row.key] = row.selected;
-}
-
-std::optional<jobs::RestorePlan>
-SnapshotsPage::makePlan(const std::vector<SnapshotSelection>& selectedSnapshots)
-{
-    const session::ServoEntry* servo = entry();
-    const bool known = servo != nullptr && servo->hasFullTable && !selectedSnapshots.empty();
-    const record::Snapshot* source = known ? selectedSnapshots.front().snapshot.get() : nullptr;
-    const session::ServoRef about = known ? m_selection.current() : 0;
-    if (source != m_checkedSource || about != m_checkedServo)
-        m_checks.clear();
-    m_checkedSource = source;
-    m_checkedServo = about;
-    if (!known)
-        return std::nullopt;
-    jobs::RestoreChoice choice;
-    choice.identity = m_identity->isChecked();
-    jobs::RestorePlan made = jobs::planRestore(servo->servo, *source, choice);
-    jobs::selectTemporary(made, device::temporaryValues(servo->history, servo->servo), false);
-    for (const auto& [key, on] : m_checks)
-        (void)made.setSelected(key, on);
-    return made;
-}
-
-QString SnapshotsPage::emptyText() const
-{
-    if (entry() == nullptr)
-        return tr("Choose a servo in the list, or a snapshot at the left.");
-    if (!entry()->hasFullTable)
-        return tr("The servo's table is being read.");
-    return tr("Choose a snapshot at the left to compare the servo with, or open a file.");
-}
-
-bool SnapshotsPage::isOfAnotherModel(const record::Snapshot& table) const
-{
-    if (entry() == nullptr)
-        return false;
-    const catalog::Profile& profile = *entry()->servo.profile;
-    return table.servo.map != profile.mapKey || table.servo.modelId != profile.identity.modelId();
-}
-
-QString SnapshotsPage::titleText(const std::vector<SnapshotSelection>& selectedSnapshots) const
-{
-    if (const session::SharedBundle bundle = m_browser->bundle())
-        return tr("Bundle with %1 servos; choose one of them to compare it")
-            .arg(bundle->servos.size());
-    const QString servo = entry() != nullptr ? servoTitle(*entry()) : QString();
-    if (selectedSnapshots.empty())
-        return servo;
-    const record::Snapshot& table = *selectedSnapshots.front().snapshot;
-    const QDateTime at = table.at.toLocalTime();
-    QStringList about{selectedSnapshots.front().title,
-                      QStringLiteral("%1 · ID %2").arg(table.servo.model).arg(table.servo.id)};
-    if (at.isValid())
-        about << at.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
-    if (isOfAnotherModel(table))
-        about << tr("another model");
-    const QString against = about.join(QStringLiteral(" · "));
-    return servo.isEmpty() ? against : tr("%1 against %2").arg(servo, against);
+    if (isVisible() && !m_refreshTimer.isActive())
+        m_refreshTimer.start();
 }
 
 void SnapshotsPage::refresh()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
-    m_showing = true;
-    const std::vector<SnapshotSelection> selectedSnapshots = m_browser->selectedSnapshots();
-    auto restorePlan = makePlan(selectedSnapshots);
-    m_pane->show(titleText(selectedSnapshots), tables(selectedSnapshots), std::move(restorePlan),
-                 emptyText(), ages());
-    m_showing = false;
-    showState();
-    updateLive();
+    m_pane->show(titleText(), m_tables->columns(m_browser->selectedSnapshots()),
+                 m_restore->makePlan(m_tables->servo()), emptyText(), m_tables->ages());
+    updateControls();
+    m_tables->setActive(isVisible());
 }
 
-void SnapshotsPage::showState()
+void SnapshotsPage::updateControls()
 {
-    if (!m_deskGuard)
-        return;
-    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
-    const auto& now = m_pane->model().plan();
-    const std::size_t count = now ? jobs::plannedWrites(*now).size() : 0;
-    const bool bundle = m_browser->bundle() != nullptr;
-    const std::vector<SnapshotSelection> selectedSnapshots = m_browser->selectedSnapshots();
-    m_take->setEnabled(open && entry() != nullptr && !m_snapshots.isTaking());
-    m_bundle->setEnabled(open && !m_desk.servos().empty() && !m_snapshots.isTaking());
-    m_saveCopy->setEnabled(!selectedSnapshots.empty() && !bundle);
-    m_note->setEnabled(m_browser->selectedHistoryRow().has_value());
-    m_remove->setEnabled(!m_browser->selectedNumbers().empty());
-    m_write->setText(count == 0   ? tr("Write ticked rows")
-                     : count == 1 ? tr("Write 1 ticked row")
-                                  : tr("Write %1 ticked rows").arg(count));
-    m_write->setAccessibleName(m_write->text());
-    m_write->setEnabled(open && count > 0 && !m_writing);
-    m_dryRun->setEnabled(now.has_value());
-    m_applyToSeveral->setText(bundle ? tr("Restore the bundle…") : tr("Several servos…"));
-    m_applyToSeveral->setAccessibleName(m_applyToSeveral->text());
-    m_applyToSeveral->setEnabled(open && !m_writing && (bundle || !selectedSnapshots.empty()));
-    m_template->setEnabled(
-        !selectedSnapshots.empty() && !selectedSnapshots.front().snapshot->isTemplate &&
-        record::profileOf(*selectedSnapshots.front().snapshot, m_desk.catalog()));
-    m_identity->setEnabled(now.has_value());
-    const bool torque = now && torqueIsOn(*now);
-    m_order->setText(count == 0 ? QString()
-                     : torque
-                         ? tr("Torque goes off first and stays off. Limits, mode, gains; the lock "
-                              "last. Every row is read back; Undo stays possible.")
-                         : tr("Limits, mode, gains; the lock last. Every row is read back; Undo "
-                              "stays possible."));
+    m_actions->updateControls();
+    m_restore->updateControls();
 }
 
-/// Servos come and go; the menu is made when it is opened.
-void SnapshotsPage::fillColumns()
+QString SnapshotsPage::emptyText() const
 {
-    m_columns->clear();
-    QAction* factory = m_columns->addAction(tr("Factory default"));
-    factory->setCheckable(true);
-    factory->setChecked(m_factory);
-    connect(factory, &QAction::toggled, this, [this](bool on) {
-        m_factory = on;
-        refresh();
-    });
-    m_columns->addSeparator();
-    for (const session::ServoRef ref : m_desk.servos()) {
-        const session::ServoEntry* other = m_desk.servo(ref);
-        if (ref == m_selection.current() || !other->servo.profile)
-            continue;
-        QAction* action = m_columns->addAction(servoTitle(*other));
-        action->setCheckable(true);
-        action->setChecked(m_others.count(ref) > 0);
-        connect(action, &QAction::toggled, this, [this, ref](bool on) {
-            if (on) {
-                m_others.insert(ref);
-                m_desk.readTable(ref);
-            } else {
-                m_others.erase(ref);
-            }
-            refresh();
-        });
-    }
+    const session::ServoEntry* servo = m_tables->servo();
+    if (servo == nullptr)
+        return tr("Select a servo in the list or a snapshot on the left.");
+    if (!servo->hasFullTable)
+        return tr("Reading the servo's memory table…");
+    return tr("Select a snapshot on the left to compare the servo with it, or open a file.");
+}
+
+bool SnapshotsPage::isOfOtherModel(const snapshot::Snapshot& table) const
+{
+    if (m_tables->servo() == nullptr)
+        return false;
+    const catalog::Profile& profile = *m_tables->servo()->servo.profile;
+    return table.servo.map != profile.mapKey || table.servo.modelId != profile.identity.modelId();
+}
+
+QString SnapshotsPage::titleText() const
+{
+    if (const session::SharedBundle bundle = m_browser->bundle())
+        return tr("Bundle with %1 servos; select one of them to compare it")
+            .arg(bundle->servos.size());
+    const session::ServoEntry* entry = m_tables->servo();
+    const QString servo = entry != nullptr ? servoTitle(*entry) : QString();
+    const std::vector<SnapshotSelection> selected = m_browser->selectedSnapshots();
+    if (selected.empty())
+        return servo;
+    const snapshot::Snapshot& table = *selected.front().snapshot;
+    const QDateTime at = table.at.toLocalTime();
+    QStringList parts{selected.front().title,
+                      QStringLiteral("%1 · ID %2").arg(table.servo.model).arg(table.servo.id)};
+    if (at.isValid())
+        parts << at.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    if (isOfOtherModel(table))
+        parts << tr("another model");
+    const QString snapshot = parts.join(QStringLiteral(" · "));
+    return servo.isEmpty() ? snapshot : tr("%1 vs. %2").arg(servo, snapshot);
+}
+
+void SnapshotsPage::takeSnapshot()
+{
+    m_actions->take();
 }
 
 void SnapshotsPage::showHistorySnapshot(std::int64_t number)
@@ -337,11 +223,47 @@ void SnapshotsPage::showTable(session::SharedSnapshot table, const QString& titl
     m_browser->add(std::move(table), title);
 }
 
+void SnapshotsPage::onRestored(const session::RestoreCompletion& end)
+{
+    if (end.error) {
+        showError(*end.error);
+    } else if (end.outcome) {
+        m_bannerShowsRestore = true;
+        m_banner->showMessage(
+            [&model = m_pane->model(), outcome = *end.outcome] {
+                const RegisterNames names{
+                    [&model](const QString& key) { return model.nameOf(key); },
+                    [&model](const QString& key, std::int64_t raw) {
+                        return model.formatted(key, raw);
+                    }};
+                return restoreOutcomeText(outcome, names);
+            },
+            {m_restore->saveResultAction()});
+    }
+    scheduleRefresh();
+}
+
+void SnapshotsPage::showSaved(const QString& path)
+{
+    m_bannerShowsRestore = false;
+    m_banner->showMessage([path] {
+        return BannerText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+    });
+}
+
+void SnapshotsPage::showError(const base::Error& error)
+{
+    m_bannerShowsRestore = false;
+    if (error.code != base::ErrorCode::Stopped)
+        m_banner->showMessage(error);
+    updateControls();
+}
+
 void SnapshotsPage::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_order != nullptr) {
-        retranslate();
+    if (event->type() == QEvent::LanguageChange && m_columns != nullptr) {
+        setAccessibleName(tr("Snapshots"));
         refresh();
     }
 }
@@ -363,15 +285,14 @@ void SnapshotsPage::dropEvent(QDropEvent* event)
 void SnapshotsPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_age.start();
+    m_ageTimer.start();
     onServoSelected();
 }
 
 void SnapshotsPage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
-    m_age.stop();
-    if (m_deskGuard)
-        updateLive();
+    m_ageTimer.stop();
+    m_tables->setActive(false);
 }
 } // namespace ui

@@ -15,11 +15,11 @@
 
 namespace ui {
 namespace {
-constexpr int initialWidth = 520;
-constexpr int initialHeight = 560;
+constexpr int templateWidth = 520;
+constexpr int templateHeight = 560;
 constexpr int keyRole = Qt::UserRole;
 
-/// Settings that other servos may be given: no identity, nothing of the moment.
+/// Settings that other servos can have: no identity and no present values.
 bool isTransferable(const catalog::Register& reg)
 {
     using jobs::RestoreReason;
@@ -29,7 +29,7 @@ bool isTransferable(const catalog::Register& reg)
 }
 } // namespace
 
-TemplateDialog::TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr profile,
+TemplateDialog::TemplateDialog(const snapshot::Snapshot& from, catalog::ProfilePtr profile,
                                QWidget* parent)
     : QDialog(parent)
     , m_profile(std::move(profile))
@@ -59,18 +59,18 @@ TemplateDialog::TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     fill(from);
     retranslate();
-    resize(initialWidth, initialHeight);
+    resize(templateWidth, templateHeight);
 }
 
-void TemplateDialog::fill(const record::Snapshot& from)
+void TemplateDialog::fill(const snapshot::Snapshot& from)
 {
     const QSignalBlocker blocker(m_table);
     const auto lookup = [&](const QString& key) -> std::optional<std::int64_t> {
-        const record::SnapshotRegister* other = from.find(key);
+        const snapshot::SnapshotRegister* other = from.find(key);
         return other != nullptr ? other->raw : std::nullopt;
     };
     for (const catalog::Register& reg : m_profile->registers) {
-        const record::SnapshotRegister* has = from.find(reg.key);
+        const snapshot::SnapshotRegister* has = from.find(reg.key);
         if (has == nullptr || !has->raw || !isTransferable(reg))
             continue;
         const int row = m_table->rowCount();
@@ -104,17 +104,18 @@ void TemplateDialog::updateCount()
 {
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
     const auto count = keys().size();
-    save->setText(count == 1 ? tr("Save 1 row…") : tr("Save %1 rows…").arg(count));
+    save->setText(tr("Save %n row(s)…", nullptr, int(count)));
     save->setAccessibleName(save->text());
     save->setEnabled(count > 0);
 }
 
 void TemplateDialog::retranslate()
 {
-    setWindowTitle(tr("Make a template"));
+    setWindowTitle(tr("Create a template"));
     setAccessibleName(windowTitle());
-    m_summary->setText(tr("Tick what other servos are to be given. ID and rate are never part of a "
-                          "template. Ticked at first is what differs from the factory default."));
+    m_summary->setText(
+        tr("Select the rows to write to other servos. ID and baud rate are never part of a "
+           "template. Rows that differ from the factory default are preselected."));
     m_table->setAccessibleName(tr("Rows of the template"));
     m_table->setHorizontalHeaderLabels({tr("Register"), tr("Value"), tr("Meaning")});
     m_table->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -122,14 +123,14 @@ void TemplateDialog::retranslate()
     for (int row = 0; row < m_table->rowCount(); ++row) {
         QTableWidgetItem* item = m_table->item(row, 0);
         const QString key = item->data(keyRole).toString();
-        item->setText(m_profile->find(key)->name.in(text::isUiChinese()));
+        item->setText(text::localized(m_profile->find(key)->name));
         item->setToolTip(key);
     }
-    m_buttons->button(QDialogButtonBox::Save)->setToolTip(tr("Save the ticked rows as a file"));
+    m_buttons->button(QDialogButtonBox::Save)->setToolTip(tr("Saves the selected rows to a file"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
     cancel->setText(tr("Cancel"));
     cancel->setAccessibleName(cancel->text());
-    cancel->setToolTip(tr("Save nothing"));
+    cancel->setToolTip(tr("Closes without saving"));
     updateCount();
 }
 

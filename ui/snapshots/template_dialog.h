@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows of a snapshot become a template for other servos: those that can be given to others,
-// ticked at first where they are not the factory's. Opened, never waited for; main thread.
+// Selects the rows of a snapshot that become a template for other servos. Lists the rows that other
+// servos can have, with a tick where they differ from the factory default. Does not block; main
+// thread.
 #pragma once
 
 #include "catalog/profile.h"
@@ -17,8 +18,8 @@ class TemplateDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// `profile`: of the snapshot's kind; must be known.
-    TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr profile, QWidget* parent);
+    /// `profile` of the model of the snapshot; must not be null.
+    TemplateDialog(const snapshot::Snapshot& from, catalog::ProfilePtr profile, QWidget* parent);
 
     QStringList keys() const; ///< ticked, in the order of the table
 
@@ -26,7 +27,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void fill(const record::Snapshot& from);
+    void fill(const snapshot::Snapshot& from);
     void retranslate();
     void updateCount();
 

@@ -87,7 +87,7 @@ void StepForm::showServo(const session::ServoEntry* entry)
     const catalog::Profile& profile = *entry->servo.profile;
     if (!m_sizeEdited)
         m_size->setText(QString::number(profile.stepsPerTurn / defaultTurnFraction));
-    // What its present mode has may be known only after the mode has been switched.
+    // The fields of a mode may be known only after the mode was switched.
     const device::MoveFieldSet fields = device::moveFields(entry->servo);
     const bool positions = device::goalKind(entry->servo) == device::GoalKind::Position ||
                            device::goalKind(entry->servo) == device::GoalKind::Turns;
@@ -99,9 +99,9 @@ void StepForm::showServo(const session::ServoEntry* entry)
     m_acceleration->setVisible(acceleration);
 }
 
-record::StepSpec StepForm::spec() const
+results::StepSpec StepForm::spec() const
 {
-    record::StepSpec spec;
+    results::StepSpec spec;
     spec.size = m_size->text().trimmed();
     spec.from = m_from->text().trimmed();
     spec.repeats = m_repeats->value();
@@ -128,23 +128,26 @@ void StepForm::retranslate()
         field->setAccessibleName(name);
         field->setToolTip(tip);
     };
-    setTexts(m_sizeLabel, m_size, tr("Step"),
-             tr("How far: in steps, or with a unit (30deg); negative: downwards first"));
     setTexts(
-        m_fromLabel, m_from, tr("Start"),
-        tr("Where the step begins; empty: where the servo stands, or as near as there is room"));
-    setTexts(m_repeatsLabel, m_repeats, tr("Repeats"), tr("So many times there and back"));
+        m_sizeLabel, m_size, tr("Step"),
+        tr("Step size: in steps, or with a unit (30deg); negative: toward lower positions first"));
+    setTexts(m_fromLabel, m_from, tr("Start"),
+             tr("Start position of the step; leave empty to use the present position, or the "
+                "nearest one with enough room"));
+    setTexts(m_repeatsLabel, m_repeats, tr("Repeats"), tr("Number of back-and-forth steps"));
     setTexts(m_holdLabel, m_hold, tr("Wait"),
-             tr("From one goal to the next; 0: as long as the step needs"));
+             tr("Time from one goal to the next; 0: as long as the step takes"));
     setTexts(m_speedLabel, m_speed, tr("Speed"),
-             tr("Raw or with a unit; empty: as fast as it can. It gets its own value back"));
+             tr("Raw value, or a value with its unit; leave empty for the maximum. The previous "
+                "value is restored afterwards"));
     setTexts(m_accelerationLabel, m_acceleration, tr("Acceleration"),
-             tr("Raw or with a unit; empty: as fast as it can. It gets its own value back"));
-    m_from->setPlaceholderText(tr("where it stands"));
-    m_speed->setPlaceholderText(tr("as fast as it can"));
-    m_acceleration->setPlaceholderText(tr("as fast as it can"));
+             tr("Raw value, or a value with its unit; leave empty for the maximum. The previous "
+                "value is restored afterwards"));
+    m_from->setPlaceholderText(tr("present position"));
+    m_speed->setPlaceholderText(tr("maximum"));
+    m_acceleration->setPlaceholderText(tr("maximum"));
     m_hold->setSuffix(QStringLiteral(" ms"));
-    m_hold->setSpecialValueText(tr("as it needs"));
+    m_hold->setSpecialValueText(tr("automatic"));
 }
 
 void StepForm::changeEvent(QEvent* event)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step-response run is asked to do: how far, from where, how often, how long it waits, how
-// fast. Empty start, hold, speed and acceleration mean "as it fits". Sends nothing. Owned by its
+// The fields of a step-response run: size, start, repeats, wait, speed, acceleration. Empty start,
+// wait, speed and acceleration are chosen automatically. Sends nothing. Owned by its
 // page; main thread.
 #pragma once
 
 #include "results/step_run.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 #include "session/settings.h"
 
 #include <QWidget>
@@ -21,10 +21,10 @@ class StepForm final : public QWidget {
 public:
     StepForm(session::Settings& settings, QWidget* parent);
 
-    /// Proposes a size that suits it, until somebody types one; hides the fields it has not.
+    /// Proposes a size for this servo until the user types one; hides fields that it lacks.
     void showServo(const session::ServoEntry* entry);
-    record::StepSpec spec() const; ///< without a trial
-    void saveSettings();           ///< for the next start of the program
+    results::StepSpec spec() const; ///< without a trial
+    void saveSettings();            ///< for the next start of the program
 
 Q_SIGNALS:
     void changed();

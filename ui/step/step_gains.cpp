@@ -110,7 +110,7 @@ void StepGains::showServo(const session::ServoEntry* entry)
     }
 }
 
-/// What is tried stands out by weight, not by color alone.
+/// Changed values are bold, not only colored.
 void StepGains::markChanged(Row& row)
 {
     const bool differs = row.raw && row.trial->value() != *row.raw;
@@ -122,9 +122,9 @@ void StepGains::markChanged(Row& row)
     row.trial->setFont(number);
 }
 
-std::vector<record::StepGain> StepGains::trial() const
+std::vector<results::StepGain> StepGains::trial() const
 {
-    std::vector<record::StepGain> gains;
+    std::vector<results::StepGain> gains;
     for (const Row& row : m_rows) {
         if (row.raw && row.trial->value() != *row.raw)
             gains.push_back({row.reg->key, row.trial->value()});
@@ -153,19 +153,19 @@ void StepGains::retranslate()
     m_nowTitle->setText(tr("Now"));
     m_trialTitle->setText(tr("Try"));
     m_none->setText(m_profile ? tr("This family has no gains to set.")
-                              : tr("Choose a servo to see its gains."));
+                              : tr("Select a servo to see its gains."));
     m_none->setVisible(m_rows.empty());
     m_nowTitle->setVisible(!m_rows.empty());
     m_trialTitle->setVisible(!m_rows.empty());
     for (const Row& row : m_rows) {
-        const QString name = row.reg->name.in(text::isUiChinese());
+        const QString name = text::localized(row.reg->name);
         row.name->setText(name);
-        row.name->setToolTip(row.reg->key + QStringLiteral("\n") +
-                             row.reg->help.in(text::isUiChinese()));
+        row.name->setToolTip(row.reg->key + QStringLiteral("\n") + text::localized(row.reg->help));
         row.trial->setAccessibleName(tr("%1: value to try").arg(name));
-        row.trial->setToolTip(tr("%1 … %2; in force during a trial run only, until it is accepted")
-                                  .arg(row.trial->minimum())
-                                  .arg(row.trial->maximum()));
+        row.trial->setToolTip(
+            tr("%1 … %2; the value is used only in trial runs until you accept it")
+                .arg(row.trial->minimum())
+                .arg(row.trial->maximum()));
     }
 }
 

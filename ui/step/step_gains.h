@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The registers of a servo's loop: what they are now and what is to be tried, side by side. Values
+// The registers of a servo's control loop: present values and values to try, side by side. Values
 // stay inside the register's range. Sends nothing. Owned by its page; main thread.
 #pragma once
 
 #include "results/step_run.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QWidget>
 
@@ -19,15 +19,14 @@ class StepGains final : public QWidget {
 public:
     explicit StepGains(QWidget* parent);
 
-    /// Another servo starts with nothing to try; for the same one what is tried stays, unless the
-    /// value now has become another.
+    /// For another servo the values to try are the present ones; for the same servo they stay,
+    /// unless the present value has changed.
     void showServo(const session::ServoEntry* entry);
 
-    /// What differs from now.
-    std::vector<record::StepGain> trial() const;
-    bool hasRegisters() const { return !m_rows.empty(); } ///< it has such registers
-    void setTrial(const QString& key, std::int64_t raw);  ///< into what is tried
-    void reset();                                         ///< what is tried becomes what is now
+    /// The values that differ from the present ones.
+    std::vector<results::StepGain> trial() const;
+    void setTrial(const QString& key, std::int64_t raw); ///< into what is tried
+    void reset();                                        ///< what is tried becomes what is now
 
 Q_SIGNALS:
     void changed();

@@ -7,6 +7,7 @@
 #include "ui/step/step_form.h"
 #include "ui/step/step_gains.h"
 #include "ui/step/step_results.h"
+#include "ui/step/step_runs_dialog.h"
 #include "ui/step/step_text.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/question_dialog.h"
@@ -30,11 +31,11 @@ constexpr int setupPercent = 27;
 
 StepPage::StepPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(appContext.desk)
-    , m_deskGuard(&appContext.desk)
+    , m_workbench(appContext.workbench)
+    , m_workbenchGuard(&appContext.workbench)
     , m_selection(appContext.selection)
-    , m_historyService(appContext.history)
-    , m_test(appContext.desk)
+    , m_historyService(appContext.workbench.history())
+    , m_test(appContext.workbench.stepTest())
 {
     setObjectName(QStringLiteral("stepPage"));
     build(settings);
@@ -57,46 +58,75 @@ void StepPage::connectAll()
         m_test.revert(m_selection.current());
     });
     connect(m_results, &StepResults::adviceRequested, this,
-            [this](const record::StepAdvice& advice) {
+            [this](const results::StepAdvice& advice) {
                 m_gains->setTrial(advice.key, advice.proposed);
                 m_try->setFocus();
             });
+    connect(m_results, &StepResults::previousRunsRequested, this, &StepPage::showPreviousRuns);
     connect(&m_test, &session::StepTest::progressChanged, this, &StepPage::showProgress);
     connect(&m_test, &session::StepTest::finished, this, &StepPage::onTestFinished);
     connect(&m_test, &session::StepTest::failed, this, &StepPage::onTestFailed);
     connect(&m_test, &session::StepTest::acceptedChanged, this, &StepPage::showState);
     connect(&m_selection, &Selection::changed, this, &StepPage::onServoSelected);
-    for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
-                              &session::Desk::servosCleared, &session::Desk::taskChanged})
-        connect(&m_desk, signal, this, &StepPage::showState);
+    connect(&m_workbench, &session::Workbench::stateChanged, this, &StepPage::showState);
     const auto isShownServo = [this](session::ServoRef ref) {
         if (ref == m_selection.current())
             onServoSelected();
     };
-    connect(&m_desk, &session::Desk::servoChanged, this, isShownServo);
-    connect(&m_desk, &session::Desk::tableChanged, this, isShownServo);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoChanged, this, isShownServo);
+    connect(&m_workbench.registry(), &session::ServoRegistry::tableChanged, this, isShownServo);
 }
 
 void StepPage::onServoSelected()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
-    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_selection.current());
     m_form->showServo(entry);
-    // What a trial sets is no value of the servo's own.
+    // The values of a trial are not the servo's own.
     if (!m_test.isRunning())
         m_gains->showServo(entry);
     if (m_test.servo() != 0 && m_test.servo() != m_selection.current() && !m_test.isRunning() &&
         !m_test.runs().empty()) {
-        m_test.clear();
+        m_test.clearMeasured();
         m_results->refresh();
     }
     showState();
 }
 
+void StepPage::showPreviousRuns()
+{
+    auto* runs = findChild<StepRunsDialog*>(); // one is enough
+    if (runs == nullptr) {
+        runs = new StepRunsDialog(m_historyService, this);
+        connect(runs, &StepRunsDialog::openRequested, this, &StepPage::openStored);
+    }
+    runs->show();
+    runs->raise();
+    runs->activateWindow();
+}
+
+void StepPage::openStored(const std::vector<std::int64_t>& numbers)
+{
+    const auto opened = std::make_shared<std::vector<session::StoredStep>>();
+    for (const std::int64_t number : numbers) {
+        m_historyService.loadStep(number, this,
+                                  [this, opened, number, count = numbers.size()](
+                                      const base::Result<session::SharedStep>& run) {
+                                      if (!run) {
+                                          m_banner->showMessage(run.error());
+                                          return;
+                                      }
+                                      opened->push_back({number, *run});
+                                      if (opened->size() == count)
+                                          m_test.openStored(*opened);
+                                  });
+    }
+}
+
 bool StepPage::otherMode() const
 {
-    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_selection.current());
     if (entry == nullptr || !entry->servo.profile || entry->servo.mode() == nullptr)
         return false;
     const auto kind = device::goalKind(entry->servo);
@@ -105,23 +135,24 @@ bool StepPage::otherMode() const
 
 QString StepPage::blockedReason() const
 {
-    if (m_desk.state() != session::LinkState::Open)
+    if (m_workbench.link().state() != session::LinkState::Open)
         return tr("Connect first.");
-    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_selection.current());
     if (entry == nullptr)
-        return tr("Choose a servo in the list.");
+        return tr("Select a servo in the list.");
     if (!entry->servo.profile || !entry->servo.profile->writable)
-        return tr("What this servo is, is not known: nothing is moved.");
-    if (m_desk.isSearching())
-        return tr("The search goes on; a run can be started when it has ended.");
-    if (m_desk.isTesting())
-        return tr("Another test runs.");
+        return tr("This servo could not be identified, so ServoDesk does not move it.");
+    if (m_workbench.search().isSearching())
+        return tr("A search is running; a run can start when it has ended.");
+    if (m_workbench.tasks().isTesting())
+        return tr("Another test is running.");
     if (entry->stopped)
-        return tr("It was stopped in an emergency: switch torque on first.");
+        return tr("Stopped by the emergency stop: turn torque on first.");
     if (otherMode() && !m_switchMode->isChecked())
-        return tr("It is in a mode without positions; tick the switch, or change its mode.");
+        return tr("The servo is in a mode that does not use positions. Select the option to switch "
+                  "modes automatically, or change the mode yourself.");
     if (m_form->spec().size.isEmpty())
-        return tr("Say how far the step is to go.");
+        return tr("Enter the step size.");
     return {};
 }
 
@@ -130,12 +161,12 @@ QString StepPage::trialBlockedReason() const
     const QString why = blockedReason();
     if (!why.isEmpty())
         return why;
-    return m_gains->trial().empty() ? tr("Change a value under Try first.") : QString();
+    return m_gains->trial().empty() ? tr("First change a value under Try.") : QString();
 }
 
 void StepPage::showState()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
     const bool running = m_test.isRunning();
     const session::ServoRef ref = m_selection.current();
@@ -146,26 +177,27 @@ void StepPage::showState()
     m_run->setEnabled(!running && why.isEmpty());
     m_try->setEnabled(!running && noTrial.isEmpty());
     m_stop->setEnabled(running);
-    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
+    const bool open =
+        m_workbench.link().state() == session::LinkState::Open && !m_workbench.tasks().isTesting();
     m_accept->setEnabled(!running && open && !m_gains->trial().empty());
     m_back->setEnabled(!running && open &&
                        (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));
     m_progress->setVisible(running);
-    m_reasonLabel->setText(running ? tr("The servo moves. Esc takes torque off all servos.")
+    m_reasonLabel->setText(running ? tr("The servo is moving. Esc turns torque off on all servos.")
                            : !why.isEmpty() ? why
-                                            : tr("The servo will move when you press Run or Try."));
+                                            : tr("The servo moves when you click Run or Try."));
     m_try->setToolTip(noTrial.isEmpty()
-                          ? tr("The same step with the values under Try, which are put back "
-                               "afterwards: %1")
+                          ? tr("Runs the same step with the values under Try and restores the "
+                               "old values afterwards: %1")
                                 .arg(stepGainsText(m_gains->trial()))
                           : noTrial);
     QStringList earlier;
     for (const device::WriteItem& item : m_test.previousValues(ref))
         earlier << QStringLiteral("%1 %2").arg(item.key).arg(item.raw);
-    m_back->setToolTip(
-        earlier.isEmpty()
-            ? tr("Under Try the values as they are now")
-            : tr("Write what was accepted over: %1").arg(earlier.join(QStringLiteral(", "))));
+    m_back->setToolTip(earlier.isEmpty()
+                           ? tr("Resets the values under Try to the present values")
+                           : tr("Writes the values from before the accepted change: %1")
+                                 .arg(earlier.join(QStringLiteral(", "))));
     showProgress();
 }
 
@@ -185,20 +217,20 @@ void StepPage::run(bool trial)
 
 void StepPage::askForConfirmation(bool trial)
 {
-    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_selection.current());
     if (entry == nullptr || !entry->servo.profile)
         return;
     Question question;
     question.title = tr("Start the run?");
-    question.text = tr("ID %1 · %2 gets torque and moves by itself, as fast as it can, until the "
-                       "run has ended.")
+    question.text = tr("Torque is turned on for ID %1 · %2, and the servo moves by itself at "
+                       "maximum speed until the run has ended.")
                         .arg(entry->servo.id)
                         .arg(entry->servo.profile->modelName) +
                     QLatin1Char('\n') +
-                    tr("Afterwards it holds its position with torque on. The same applies if you "
-                       "stop the run or close the window during it.");
-    question.risk = tr("Keep hands and objects out of its way. Esc takes torque off all servos at "
-                       "once.");
+                    tr("Afterwards, the servo holds its position with torque on, even if you stop "
+                       "the run or close the window.");
+    question.risk = tr("Keep hands and objects away from the servo. Esc immediately turns torque "
+                       "off on all servos.");
     question.acceptText = tr("Start");
     question.guard = this;
     ask(this, question, [this, trial] {
@@ -220,7 +252,7 @@ void StepPage::start(bool trial)
     showState();
 }
 
-/// What is tried now, for good: an ordinary safe write, which the journal and Undo know.
+/// Writes the values to try permanently, by a safe write that the journal and Undo know.
 void StepPage::accept()
 {
     m_test.accept(m_selection.current(), m_gains->trial());
@@ -228,33 +260,31 @@ void StepPage::accept()
 
 void StepPage::onTestFinished()
 {
-    const record::StepRun& run = m_test.runs().back();
-    m_historyService.saveRun(std::make_shared<const record::StepRun>(run));
+    const results::StepRun& run = m_test.runs().back();
     const bool early =
-        run.end != record::SweepEnd::Finished && run.end != record::SweepEnd::Stopped;
+        run.end != results::SweepEnd::Finished && run.end != results::SweepEnd::Stopped;
     if (early || !run.isReverted || !m_test.unreleasedTorque().empty())
         m_banner->showMessage(endMessage());
     onServoSelected();
 }
 
-/// How the latest run ended, and all that it has left in the servo.
+/// How the latest run ended, and everything that it has left in the servo.
 std::function<BannerText()> StepPage::endMessage() const
 {
-    const record::StepRun& run = m_test.runs().back();
-    const session::ServoEntry* entry = m_desk.servo(m_test.servo());
+    const results::StepRun& run = m_test.runs().back();
+    const session::ServoEntry* entry = m_workbench.registry().servo(m_test.servo());
     return [end = run.end, isReverted = run.isReverted, trial = m_test.unrevertedItems(),
             torque = m_test.unreleasedTorque(),
             profile = entry != nullptr ? entry->servo.profile : catalog::ProfilePtr()] {
         const bool bad = !isReverted || !torque.empty();
-        BannerText message{bad ? Tone::Bad : Tone::Warn,
-                           report::endText(end).in(text::isUiChinese())};
+        BannerText message{bad ? Tone::Bad : Tone::Warn, text::localized(report::endText(end))};
         QStringList left;
         QStringList remedies;
         if (!trial.empty())
-            left << tr("Trial values still in the servo: %1.")
+            left << tr("Trial values are still in the servo: %1.")
                         .arg(unrevertedTrialText(trial, profile.get()));
         else if (!isReverted)
-            left << tr("What the run had set could not be put back.");
+            left << tr("The settings changed for the run could not be restored.");
         if (!isReverted)
             remedies << unrevertedSettingsRemedy();
         if (!torque.empty()) {

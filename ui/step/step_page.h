@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step-response lab: step, gains and what is to be tried at the left, responses over each
-// other, figures before and after and advice at the right. A trial lasts as long as its run;
-// Accept writes for good, Back writes what was accepted over. Opening it moves nothing; the first
-// run of a session asks. Owned by the window; main thread.
+// The step-response page: step, gains and values to try at the left; overlaid responses, figures
+// before and after, and advice at the right. A trial lasts as long as its run; Accept writes
+// permanently, Back writes the values from before. Opening it moves nothing; the first
+// run of a session asks. Earlier runs can be opened next to the measured ones. Owned by the window;
+// main thread.
 #pragma once
 
+#include "session/history/history_service.h"
 #include "session/settings.h"
 #include "session/step/step_test.h"
 #include "ui/common/app_context.h"
@@ -32,6 +34,8 @@ public:
     StepPage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
 
     session::StepTest& test() { return m_test; }
+    void
+    openStored(const std::vector<std::int64_t>& numbers); ///< runs of the history, oldest first
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -45,6 +49,7 @@ private:
     QPushButton* button(const char* name, QWidget* parent);
     void connectAll();
     void onServoSelected();
+    void showPreviousRuns();
     void run(bool trial);
     void start(bool trial);
     void askForConfirmation(bool trial);
@@ -59,11 +64,11 @@ private:
     QString trialBlockedReason() const;
     void retranslate();
 
-    session::Desk& m_desk;
-    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
+    session::Workbench& m_workbench;
+    QPointer<session::Workbench> m_workbenchGuard; ///< a window may hide its pages on its way out
     Selection& m_selection;
     session::HistoryService& m_historyService;
-    session::StepTest m_test;
+    session::StepTest& m_test;
 
     Banner* m_banner = nullptr;
     QScrollArea* m_scroll = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the step page consists of, and its words.
+// Builds the step page, and its texts.
 #include "ui/step/step_form.h"
 #include "ui/step/step_gains.h"
 #include "ui/step/step_page.h"
@@ -24,8 +24,8 @@ void StepPage::build(session::Settings& settings)
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("stepBanner"));
     m_banner->hideMessage();
-    // What could not be put back is settled elsewhere; then there is nothing to say any more.
-    connect(&m_desk, &session::Desk::openIntentsFound, m_banner,
+    // Interrupted writes are resolved elsewhere; then the message is obsolete.
+    connect(&m_workbench.recovery(), &session::RecoveryService::openIntentsFound, m_banner,
             [this](const std::vector<jobs::RecoveryResult>& found, const auto& elsewhere) {
                 const bool settled =
                     std::any_of(found.begin(), found.end(), [](const jobs::RecoveryResult& one) {
@@ -97,7 +97,7 @@ QWidget* StepPage::buildRun()
     m_progress = new ThinProgress(box);
     m_progress->setObjectName(QStringLiteral("stepProgress"));
     m_progress->setRange(0, 1000);
-    // The buttons stand last: what comes and goes above them must not move them.
+    // The buttons are last: widgets that come and go above them must not move them.
     grid->addWidget(m_progress, 0, 0, 1, 3);
     grid->addWidget(m_reasonLabel, 1, 0, 1, 3);
     grid->addWidget(m_switchMode, 2, 0, 1, 3);
@@ -116,17 +116,17 @@ void StepPage::retranslate()
     setAccessibleName(tr("Step response"));
     m_gainsTitle->setText(QStringLiteral("<b>%1</b>").arg(tr("Gains")));
     m_run->setText(tr("Run"));
-    m_run->setToolTip(tr("The step with the servo's own values: it will move"));
+    m_run->setToolTip(tr("Runs the step with the servo's present values: the servo will move"));
     m_try->setText(tr("Try"));
     m_stop->setText(tr("Stop"));
-    m_stop->setToolTip(tr("End the run; the servo holds where it is"));
+    m_stop->setToolTip(tr("Ends the run; the servo holds its position"));
     m_accept->setText(tr("Accept"));
-    m_accept->setToolTip(tr("Write the values under Try for good"));
+    m_accept->setToolTip(tr("Writes the values under Try permanently"));
     m_back->setText(tr("Back"));
     m_switchMode->setText(tr("Switch to position mode for the run"));
     m_switchMode->setAccessibleName(m_switchMode->text());
-    m_switchMode->setToolTip(tr("Until the run has ended, then back again; nothing is kept in the "
-                                "servo for good"));
+    m_switchMode->setToolTip(tr("Switches back after the run; nothing is stored permanently in "
+                                "the servo"));
     m_progress->setAccessibleName(tr("Progress of the run"));
     for (QPushButton* one : {m_run, m_try, m_stop, m_accept, m_back})
         one->setAccessibleName(one->text());

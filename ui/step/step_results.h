@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What step-response runs have measured: responses over each other, figures before and after, what
-// to try next, reports. Reads the lab, changes nothing. Owned by the step page; main thread, never
+// The results of step-response runs: overlaid responses, figures before and after, advice, reports.
+// Reads the test, changes nothing in the servo. Owned by the step page; main thread, never
 // waits.
 #pragma once
 
@@ -26,12 +26,13 @@ class StepResults final : public QWidget {
 public:
     StepResults(session::StepTest& test, session::Settings& settings, QWidget* parent);
 
-    /// All anew: other runs, another language or theme.
+    /// After other runs, or another language or theme.
     void refresh();
 
 Q_SIGNALS:
-    /// The button of a piece of advice: into what is tried.
-    void adviceRequested(const record::StepAdvice& advice);
+    /// The button of an advice: its value is to be copied to Try.
+    void adviceRequested(const results::StepAdvice& advice);
+    void previousRunsRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -39,33 +40,36 @@ protected:
 private:
     void build();
     void showCurves();
-    void addCurve(const std::vector<record::StepResponse>& responses, const QString& name);
-    void showTarget(const std::vector<record::StepResponse>& responses);
+    void addCurve(const std::vector<results::StepResponse>& responses, const QString& name);
+    void showTarget(const std::vector<results::StepResponse>& responses);
     void showMetrics();
-    void fillRow(int row, const record::StepFigure& figure);
+    void fillRow(int row, const results::StepFigure& figure);
     void showAdvice();
-    QWidget* adviceRow(const record::StepAdvice& advice);
+    QWidget* adviceRow(const results::StepAdvice& advice);
     void fillChoice();
     void askForSavePath(const QString& ending);
     void retranslate();
-    QString nameOf(const record::StepSpec& spec, std::size_t place) const;
+    QString nameOf(const results::StepSpec& spec, std::size_t place) const;
+    QString storedRunsText() const;
     int shownResponse() const; ///< from 1
 
     session::StepTest& m_test;
     session::Settings& m_settings;
-    record::SampleStore m_store;
-    std::vector<record::ChannelId> m_opened;
+    recording::SampleStore m_store;
+    std::vector<recording::ChannelId> m_opened;
 
     QLabel* m_title;
     QLabel* m_choiceLabel;
     QComboBox* m_choice; ///< which response of each run
     QLabel* m_emptyLabel;
+    QLabel* m_storedRuns; ///< those opened from the history
     TrendChart* m_chart;
     QTableWidget* m_figures;
     QWidget* m_adviceBox;
     QLabel* m_adviceTitle;
     QVBoxLayout* m_advice;
     std::vector<QPushButton*> m_reports;
+    QPushButton* m_previousRuns;
     QPushButton* m_forget;
     QLabel* m_saved;
     QString m_savedPath;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the results of step responses are shown in, and its words.
+// Builds the widgets that show the results of step responses, and their texts.
 #include "text/error_text.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/step/step_results.h"
@@ -55,13 +55,21 @@ void StepResults::build()
     m_choice->setObjectName(QStringLiteral("stepChoice"));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_choiceLabel->setBuddy(m_choice);
+    m_previousRuns = new QPushButton(this);
+    m_previousRuns->setObjectName(QStringLiteral("stepEarlier"));
+    connect(m_previousRuns, &QPushButton::clicked, this, &StepResults::previousRunsRequested);
     m_forget = new QPushButton(this);
     m_forget->setObjectName(QStringLiteral("stepForget"));
     m_title->setWordWrap(true);
     head->addWidget(m_title, 1);
     head->addWidget(m_choiceLabel);
     head->addWidget(m_choice);
+    head->addWidget(m_previousRuns);
     head->addWidget(m_forget);
+    m_storedRuns = new QLabel(this);
+    m_storedRuns->setObjectName(QStringLiteral("stepStored"));
+    m_storedRuns->setTextFormat(Qt::PlainText);
+    m_storedRuns->setWordWrap(true);
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("stepNothing"));
     m_emptyLabel->setWordWrap(true);
@@ -116,6 +124,7 @@ void StepResults::build()
     split->setStretchFactor(0, 3);
     split->setStretchFactor(1, 2);
     column->addLayout(head);
+    column->addWidget(m_storedRuns);
     column->addWidget(m_emptyLabel);
     column->addWidget(split, 1);
 }
@@ -123,36 +132,43 @@ void StepResults::build()
 void StepResults::retranslate()
 {
     const bool some = !m_test.runs().empty();
-    m_title->setText(tr("Responses, in steps towards the target"));
+    m_title->setText(tr("Responses, in steps toward the goal"));
     m_choiceLabel->setText(tr("Step"));
-    m_choice->setAccessibleName(tr("Which step of each run is shown"));
-    m_choice->setToolTip(tr("Which step of each run is shown"));
+    m_choice->setAccessibleName(tr("Step to show for each run"));
+    m_choice->setToolTip(tr("Step to show for each run"));
+    m_storedRuns->setText(storedRunsText());
+    m_storedRuns->setVisible(!m_test.openedNumbers().empty());
+    m_previousRuns->setText(tr("Earlier runs…"));
+    m_previousRuns->setAccessibleName(m_previousRuns->text());
+    m_previousRuns->setToolTip(
+        tr("Lists the stored step responses; you can open one or compare two"));
     m_forget->setText(tr("Clear"));
-    m_forget->setToolTip(tr("Forget these runs; nothing in the servo changes"));
+    m_forget->setToolTip(tr("Removes these runs from the page; the servo and the history do not "
+                            "change"));
     m_forget->setAccessibleName(m_forget->toolTip());
     m_forget->setEnabled(some && !m_test.isRunning());
     m_emptyLabel->setText(
-        tr("Run measures how the servo answers a step; Try does the same with other "
-           "gains, lays both over each other, and puts the gains back."));
-    m_chart->setAccessibleName(tr("Step responses over each other"));
-    m_figures->setAccessibleName(tr("Figures before and after"));
-    m_figures->setToolTip(tr("Means of all steps of a run, there and back"));
+        tr("Click Run to measure the servo's step response. Click Try to repeat it with other "
+           "gains, overlay both responses, and restore the gains."));
+    m_chart->setAccessibleName(tr("Overlaid step responses"));
+    m_figures->setAccessibleName(tr("Metrics before and after"));
+    m_figures->setToolTip(tr("Mean of all steps of a run, out and back"));
     const QString value = m_test.previousRun() != nullptr ? tr("After") : tr("Value");
     m_figures->setHorizontalHeaderLabels(
-        {tr("Figure"),
-         wasAborted(m_test.previousRun()) ? tr("%1 (broken off)").arg(tr("Before")) : tr("Before"),
-         some && wasAborted(&m_test.runs().back()) ? tr("%1 (broken off)").arg(value) : value,
+        {tr("Metric"),
+         wasAborted(m_test.previousRun()) ? tr("%1 (interrupted)").arg(tr("Before")) : tr("Before"),
+         some && wasAborted(&m_test.runs().back()) ? tr("%1 (interrupted)").arg(value) : value,
          tr("Difference"), tr("Change")});
     const bool advised = !m_test.advice().empty();
     m_adviceTitle->setText(advised ? tr("<b>What to try next</b>")
-                           : some  ? tr("Nothing in these figures asks for another setting.")
+                           : some  ? tr("These results do not suggest any changes.")
                                    : QString());
     m_adviceTitle->setWordWrap(true);
     for (QPushButton* button : m_reports) {
         const QString ending = button->property("ending").toString();
         button->setText(ending.toUpper());
         button->setEnabled(some && !m_test.isRunning());
-        button->setToolTip(tr("Save these runs as %1").arg(ending.toUpper()));
+        button->setToolTip(tr("Saves these runs as %1").arg(ending.toUpper()));
         button->setAccessibleName(button->toolTip());
     }
     m_saved->setVisible(m_saveError || !m_savedPath.isEmpty());

@@ -5,12 +5,12 @@
 #include "report/sweep_compare_html.h"
 #include "report/sweep_compare_text.h"
 #include "text/language.h"
+#include "ui/common/file_dialog.h"
 #include "ui/widgets/test_text.h"
 #include "ui/widgets/tone_delegate.h"
 
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -19,20 +19,19 @@
 
 namespace ui {
 namespace {
-constexpr int initialWidth = 900;
-constexpr int initialHeight = 640;
-constexpr int margin = 24;
+constexpr int compareWidth = 900;
+constexpr int compareHeight = 640;
+constexpr int compareMargin = 24;
 constexpr int tableHeight = 150;
-const QString folderKey = QStringLiteral("sweep/report_folder");
 
-record::SweepSide sideOf(const CompareSide& side)
+results::SweepSide sideOf(const CompareSide& side)
 {
-    return {side.name, *side.run, *record::servoOf(*side.run, side.servo)};
+    return {side.name, *side.run, *results::servoOf(*side.run, side.servo)};
 }
 
 QString in(const report::Text& words)
 {
-    return words.in(text::isUiChinese());
+    return text::localized(words);
 }
 
 void setCell(QTableWidget* table, int row, int column, const QString& words,
@@ -52,7 +51,7 @@ void setNumber(QTableWidget* table, int row, int column, const QString& words)
     table->item(row, column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
-void setGrade(QTableWidget* table, int row, int column, const std::optional<record::Grade>& grade)
+void setGrade(QTableWidget* table, int row, int column, const std::optional<results::Grade>& grade)
 {
     if (grade)
         setCell(table, row, column, lineGradeText(*grade), gradeTone(*grade));
@@ -88,14 +87,14 @@ CompareDialog::CompareDialog(session::HistoryService& historyService, session::S
     , m_settings(settings)
     , m_a(a)
     , m_b(b)
-    , m_found(record::compareSweeps(sideOf(a), sideOf(b)))
+    , m_found(results::compareSweeps(sideOf(a), sideOf(b)))
     , m_sides(new QLabel(this))
     , m_warnings(new QLabel(this))
     , m_tests(new QTableWidget(0, 3, this))
     , m_figures(new QTableWidget(0, 8, this))
     , m_settingsTitle(new QLabel(this))
     , m_settingsTable(new QTableWidget(0, 4, this))
-    , m_result(new TaskResult(initialWidth - margin, this))
+    , m_result(new TaskResult(compareWidth - compareMargin, this))
     , m_save(new QPushButton(this))
     , m_close(new QPushButton(this))
 {
@@ -136,7 +135,7 @@ void CompareDialog::build()
     column->addWidget(m_settingsTable);
     column->addWidget(m_result);
     column->addLayout(row);
-    setMinimumSize(initialWidth, initialHeight);
+    setMinimumSize(compareWidth, compareHeight);
 }
 
 void CompareDialog::retranslate()
@@ -148,14 +147,14 @@ void CompareDialog::retranslate()
         widget->setToolTip(tip);
     };
     m_save->setText(tr("Save as page…"));
-    setTexts(m_save, m_save->text(), tr("Save the comparison as a page in both languages"));
+    setTexts(m_save, m_save->text(), tr("Saves the comparison as a bilingual web page"));
     m_close->setText(tr("Close"));
-    setTexts(m_close, m_close->text(), tr("Close this comparison"));
-    setTexts(m_tests, in(report::compareTexts().warnings),
-             tr("What was different between the two tests"));
-    setTexts(m_figures, tr("Figures"), tr("Figures of both servos; the difference is B less A"));
+    setTexts(m_close, m_close->text(), tr("Closes this comparison"));
+    setTexts(m_tests, in(report::compareTexts().warnings), tr("Differences between the two tests"));
+    setTexts(m_figures, tr("Metrics"),
+             tr("Compares the metrics of both servos; the difference is B minus A"));
     setTexts(m_settingsTable, in(report::compareTexts().settings),
-             tr("Settings of the servos that were different at the start of the tests"));
+             tr("Settings that differed at the start of the tests"));
     fillSides();
     fillWarnings();
     fillFigures();
@@ -165,8 +164,8 @@ void CompareDialog::retranslate()
 void CompareDialog::fillSides()
 {
     const auto line = [](const char* letter, const CompareSide& of) {
-        const record::SweepSide side = sideOf(of);
-        const record::SnapshotServo& identity = side.servo.parameters.servo;
+        const results::SweepSide side = sideOf(of);
+        const snapshot::SnapshotServo& identity = side.servo.parameters.servo;
         QStringList parts{tr("test %1").arg(side.name), identity.model,
                           tr("ID %1").arg(identity.id), tr("firmware %1").arg(identity.firmware)};
         if (!side.servo.parameters.label.isEmpty())
@@ -181,16 +180,16 @@ void CompareDialog::fillSides()
 void CompareDialog::fillWarnings()
 {
     const report::CompareTexts& words = report::compareTexts();
-    const auto has = [&](record::DifferenceImpact weight) {
+    const auto has = [&](results::DifferenceImpact weight) {
         return std::any_of(m_found.tests.begin(), m_found.tests.end(),
                            [&](const auto& one) { return one.weight == weight; });
     };
     QStringList lines;
     if (!m_found.comparable())
         lines << QStringLiteral("⚠ ") + in(words.notComparable);
-    if (has(record::DifferenceImpact::Figure))
+    if (has(results::DifferenceImpact::Figure))
         lines << QStringLiteral("⚠ ") + in(words.someDiffer);
-    if (has(record::DifferenceImpact::Grade))
+    if (has(results::DifferenceImpact::Grade))
         lines << QStringLiteral("⚠ ") + in(words.gradesDiffer);
     if (lines.isEmpty())
         lines << QStringLiteral("✓ ") + in(words.sameTest);
@@ -201,7 +200,7 @@ void CompareDialog::fillWarnings()
         {in(words.testPart), QStringLiteral("A"), QStringLiteral("B")});
     m_tests->setRowCount(int(m_found.tests.size()));
     int row = 0;
-    for (const record::TestDifference& one : m_found.tests) {
+    for (const results::TestDifference& one : m_found.tests) {
         setCell(m_tests, row, 0, in(report::testItemText(one.item)));
         setCell(m_tests, row, 1, in(report::testValueText(one.item, one.a)));
         setCell(m_tests, row++, 2, in(report::testValueText(one.item, one.b)));
@@ -220,12 +219,12 @@ void CompareDialog::updateColors()
 void CompareDialog::fillFigures()
 {
     const report::CompareTexts& words = report::compareTexts();
-    m_figures->setHorizontalHeaderLabels({tr("Figure"), QStringLiteral("A"), QStringLiteral("B"),
+    m_figures->setHorizontalHeaderLabels({tr("Metric"), QStringLiteral("A"), QStringLiteral("B"),
                                           in(words.difference), tr("Unit"), in(words.better),
                                           in(words.gradeA), in(words.gradeB)});
     m_figures->setRowCount(int(m_found.figures.size()));
     int row = 0;
-    for (const record::FigureDifference& one : m_found.figures) {
+    for (const results::FigureDifference& one : m_found.figures) {
         setCell(m_figures, row, 0, metricName(one.key));
         setNumber(m_figures, row, 1, sweepNumber(one.a));
         setNumber(m_figures, row, 2, sweepNumber(one.b));
@@ -248,7 +247,7 @@ void CompareDialog::fillSettings()
         {in(words.setting), QStringLiteral("A"), QStringLiteral("B"), tr("Unit")});
     m_settingsTable->setRowCount(int(m_found.settings.size()));
     int row = 0;
-    for (const record::SettingDifference& one : m_found.settings) {
+    for (const results::SettingDifference& one : m_found.settings) {
         setCell(m_settingsTable, row, 0, one.key);
         setNumber(m_settingsTable, row, 1, sweepNumber(one.a));
         setNumber(m_settingsTable, row, 2, sweepNumber(one.b));
@@ -259,21 +258,18 @@ void CompareDialog::fillSettings()
 
 void CompareDialog::askForSavePath()
 {
-    auto* dialog = new QFileDialog(this, tr("Save the comparison"));
-    dialog->setObjectName(QStringLiteral("compareFileDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("Page (*.html)")});
-    dialog->setDefaultSuffix(QStringLiteral("html"));
-    dialog->setDirectory(m_settings.pageValue(folderKey, QDir::homePath()).toString());
-    dialog->selectFile(QStringLiteral("sweep-%1-%2.html").arg(m_a.name, m_b.name));
-    connect(dialog, &QFileDialog::fileSelected, this, &CompareDialog::save);
-    dialog->open();
+    ui::askForSavePath(this,
+                       {QStringLiteral("compareFileDialog"),
+                        tr("Save the comparison"),
+                        {tr("Web page (*.html)")},
+                        QStringLiteral("sweep-%1-%2.html").arg(m_a.name, m_b.name),
+                        &m_settings,
+                        reportFolderKey()},
+                       [this](const QString& path) { save(path); });
 }
 
 void CompareDialog::save(const QString& path)
 {
-    m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
     const bool chinese = text::isUiChinese();
     m_historyService.runInOrder(
         [a = m_a, b = m_b, chinese, path] {

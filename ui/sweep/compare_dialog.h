@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two servos' sweep tests side by side: what differs in the tests first, then the figures, then the
-// settings. A is what is held against. Can be saved as a page. Main thread, never waits; the
+// settings. B is compared with A. Can be saved as a page. Main thread, never waits; the
 // archive must outlive it.
 #pragma once
 
@@ -46,7 +46,7 @@ private:
     session::Settings& m_settings;
     const CompareSide m_a;
     const CompareSide m_b;
-    const record::SweepComparison m_found;
+    const results::SweepComparison m_found;
     QLabel* m_sides;
     QLabel* m_warnings;
     QTableWidget* m_tests;

@@ -18,7 +18,7 @@ QWidget* LimitsDelegate::createEditor(QWidget* parent, const QStyleOptionViewIte
             for (const bool atLeast : {false, true})
                 box->addItem(limitDirection(atLeast), atLeast);
         } else {
-            for (const record::SweepMetricKind& kind : record::sweepMetricKinds())
+            for (const results::SweepMetricKind& kind : results::sweepMetricKinds())
                 box->addItem(metricName(kind.key), kind.key);
         }
         editor = box;

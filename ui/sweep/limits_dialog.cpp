@@ -2,13 +2,13 @@
 #include "ui/sweep/limits_dialog.h"
 
 #include "text/error_text.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/theme.h"
 #include "ui/sweep/limits_delegate.h"
 #include "ui/sweep/limits_model.h"
 
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -21,7 +21,7 @@
 #include <QVBoxLayout>
 
 namespace ui {
-using record::SweepLimits;
+using results::SweepLimits;
 
 namespace {
 /// `work` on a thread of its own; its result comes back on the dialog's, if that is still there.
@@ -45,9 +45,10 @@ QPushButton* button(QWidget* parent, const char* name)
 }
 } // namespace
 
-LimitsDialog::LimitsDialog(const SweepLimits& limits, const QString& model, const QString& series,
-                           QWidget* parent)
+LimitsDialog::LimitsDialog(session::Settings& settings, const SweepLimits& limits,
+                           const QString& model, const QString& series, QWidget* parent)
     : QDialog(parent)
+    , m_settings(settings)
     , m_model(model)
     , m_series(series)
     , m_lines(new LimitsModel(this))
@@ -138,7 +139,7 @@ void LimitsDialog::connectAll()
     connect(m_add, &QPushButton::clicked, this, &LimitsDialog::addLine);
     connect(m_remove, &QPushButton::clicked, this, &LimitsDialog::removeLine);
     connect(m_builtIn, &QPushButton::clicked, this,
-            [this] { setLimits(record::builtInSweepLimits(m_model, m_series)); });
+            [this] { setLimits(results::builtInSweepLimits(m_model, m_series)); });
     connect(m_load, &QPushButton::clicked, this, [this] { askForFile(false); });
     connect(m_save, &QPushButton::clicked, this, [this] { askForFile(true); });
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
@@ -177,12 +178,12 @@ SweepLimits LimitsDialog::limits() const
 QString LimitsDialog::problem() const
 {
     if (m_name->text().trimmed().isEmpty())
-        return tr("Give these limits a name: the report says by which ones a servo was judged.");
+        return tr("Enter a name for these limits; it appears in the report.");
     const auto tolerance = numberFromText(m_tolerance->text());
     if (!m_tolerance->text().trimmed().isEmpty() && (!tolerance || *tolerance <= 0))
-        return tr("The tolerance must be a number of steps above 0, or empty.");
+        return tr("The tolerance must be a number of steps greater than 0, or empty.");
     if (m_lines->rowCount() == 0)
-        return tr("Without a line every servo would pass: add one.");
+        return tr("Add at least one limit; without limits, every servo would pass.");
     for (int row = 0; row < m_lines->rowCount(); ++row) {
         const QString wrong = m_lines->problem(row);
         if (!wrong.isEmpty())
@@ -199,8 +200,8 @@ void LimitsDialog::refresh()
     showResult(wrong, true);
     for (QPushButton* one : {m_use, m_save})
         one->setEnabled(wrong.isEmpty());
-    m_use->setToolTip(wrong.isEmpty() ? tr("Judge by these limits from now on") : wrong);
-    m_save->setToolTip(wrong.isEmpty() ? tr("Keep these limits in a file") : wrong);
+    m_use->setToolTip(wrong.isEmpty() ? tr("Uses these limits from now on") : wrong);
+    m_save->setToolTip(wrong.isEmpty() ? tr("Saves these limits to a file") : wrong);
     m_remove->setEnabled(m_table->currentIndex().isValid());
 }
 
@@ -229,34 +230,30 @@ void LimitsDialog::removeLine()
 
 void LimitsDialog::askForFile(bool saving)
 {
-    auto* dialog = new QFileDialog(this, saving ? tr("Keep the limits") : tr("Limits from a file"));
-    dialog->setObjectName(saving ? QStringLiteral("saveLimitsDialog")
-                                 : QStringLiteral("loadLimitsDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setNameFilters({tr("Limits (*.json)"), tr("All files (*)")});
-    if (!m_folder.isEmpty())
-        dialog->setDirectory(m_folder);
-    if (saving) {
-        dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(QStringLiteral("json"));
-    } else {
-        dialog->setFileMode(QFileDialog::ExistingFile);
+    FileRequest request{QStringLiteral("loadLimitsDialog"),
+                        tr("Load limits"),
+                        {tr("Limits (*.json)"), tr("All files (*)")},
+                        {},
+                        &m_settings,
+                        QStringLiteral("sweep/limits_folder")};
+    if (!saving) {
+        ui::askForFile(this, request, [this](const QString& path) { load(path); });
+        return;
     }
-    connect(dialog, &QFileDialog::fileSelected, this,
-            saving ? &LimitsDialog::save : &LimitsDialog::load);
-    dialog->open();
+    request.objectName = QStringLiteral("saveLimitsDialog");
+    request.title = tr("Save limits");
+    askForSavePath(this, request, [this](const QString& path) { save(path); });
 }
 
 void LimitsDialog::load(const QString& path)
 {
     runInThread(
-        this, [path] { return record::loadSweepLimits(path); },
+        this, [path] { return results::loadSweepLimits(path); },
         [this, path](const base::Result<SweepLimits>& limits) {
             if (!limits) {
                 onFileError(limits.error());
                 return;
             }
-            m_folder = QFileInfo(path).absolutePath();
             setLimits(*limits);
             Q_EMIT loaded(path);
         });
@@ -266,14 +263,13 @@ void LimitsDialog::save(const QString& path)
 {
     const SweepLimits kept = limits();
     runInThread(
-        this, [kept, path] { return record::saveSweepLimits(kept, path); },
+        this, [kept, path] { return results::saveSweepLimits(kept, path); },
         [this, path](const base::Result<void>& done) {
             if (!done) {
                 onFileError(done.error());
                 return;
             }
-            m_folder = QFileInfo(path).absolutePath();
-            showResult(tr("Kept in %1").arg(QDir::toNativeSeparators(path)), false);
+            showResult(tr("Saved to %1").arg(QDir::toNativeSeparators(path)), false);
             Q_EMIT saved(path);
         });
 }
@@ -292,26 +288,28 @@ void LimitsDialog::retranslate()
         field->setAccessibleName(text);
         field->setToolTip(tip);
     };
-    label(m_name, tr("Name"), tr("Stands in the report"));
+    label(m_name, tr("Name"), tr("Appears in the report"));
     label(m_models, tr("Models"),
-          tr("Models or series these are for, with commas between them; empty: any"));
-    label(m_tolerance, tr("Tolerance, steps"),
-          tr("So near its target a servo has reached it; empty: as is usual for its family"));
+          tr("Models or series that these limits apply to, separated by commas; leave empty for "
+             "any"));
+    label(
+        m_tolerance, tr("Tolerance, steps"),
+        tr("A goal counts as reached within this distance; leave empty to use the family default"));
     m_models->setPlaceholderText(tr("any"));
-    m_tolerance->setPlaceholderText(tr("as usual for the family"));
+    m_tolerance->setPlaceholderText(tr("family default"));
     m_table->setAccessibleName(tr("Limits"));
-    m_table->setToolTip(tr("A line a figure; type, or press F2, to change it"));
+    m_table->setToolTip(tr("One line per metric; type or press F2 to change a value"));
     const auto setTexts = [](QPushButton* one, const QString& text, const QString& tip) {
         one->setText(text);
         one->setAccessibleName(text);
         one->setToolTip(tip);
     };
-    setTexts(m_add, tr("Add a line"), tr("A limit for one more figure"));
-    setTexts(m_remove, tr("Remove the line"), tr("The chosen figure is no longer judged"));
-    setTexts(m_builtIn, tr("Built-in values"), tr("The limits that come with the program"));
-    setTexts(m_load, tr("Load…"), tr("Limits from a file"));
+    setTexts(m_add, tr("Add limit"), tr("Adds a limit for another metric"));
+    setTexts(m_remove, tr("Remove limit"), tr("Removes the limit for the selected metric"));
+    setTexts(m_builtIn, tr("Load built-in"), tr("Loads the limits that come with the program"));
+    setTexts(m_load, tr("Load…"), tr("Load limits"));
     setTexts(m_save, tr("Save as…"), QString());
-    setTexts(m_cancel, tr("Cancel"), tr("The limits stay as they were"));
+    setTexts(m_cancel, tr("Cancel"), tr("Discards the changes"));
     setTexts(m_use, tr("Use these limits"), QString());
     m_lines->retranslate();
     refresh();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The limits a sweep test judges by: a table of figures with the numbers to warn and to fail at.
-// From a file, to a file, or the built-in ones. What is wrong is said at once and cannot be used.
-// Files are read and written on another thread. Deletes itself; main thread.
+// From a file, to a file, or the built-in ones. Errors are shown at once, and limits with errors
+// cannot be used. Files are read and written on another thread. Deletes itself; main thread.
 #pragma once
 
 #include "results/sweep_limits.h"
@@ -14,6 +14,10 @@ class QLineEdit;
 class QPushButton;
 class QTableView;
 
+namespace session {
+class Settings;
+}
+
 namespace ui {
 class LimitsModel;
 
@@ -22,17 +26,17 @@ class LimitsDialog final : public QDialog {
 
 public:
     /// `model` and `series`: whose built-in limits are offered ("STS3215", "STS").
-    LimitsDialog(const record::SweepLimits& limits, const QString& model, const QString& series,
-                 QWidget* parent = nullptr);
+    LimitsDialog(session::Settings& settings, const results::SweepLimits& limits,
+                 const QString& model, const QString& series, QWidget* parent = nullptr);
 
-    record::SweepLimits limits() const;
-    /// What keeps these limits from being used; empty: nothing.
+    results::SweepLimits limits() const;
+    /// Why these limits cannot be used; empty: they can.
     QString problem() const;
     void load(const QString& path);
     void save(const QString& path);
 
 Q_SIGNALS:
-    void limitsAccepted(const record::SweepLimits& limits); ///< and the dialog closes
+    void limitsAccepted(const results::SweepLimits& limits); ///< and the dialog closes
     void loaded(const QString& path);
     void saved(const QString& path);
 
@@ -40,11 +44,12 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    session::Settings& m_settings;
     void build();
     QLayout* buildLineButtons();
     QLayout* buildButtons();
     void connectAll();
-    void setLimits(const record::SweepLimits& limits);
+    void setLimits(const results::SweepLimits& limits);
     void refresh();
     void askForFile(bool saving);
     void onFileError(const base::Error& error);
@@ -69,6 +74,5 @@ private:
     QPushButton* m_save = nullptr;
     QPushButton* m_use = nullptr;
     QPushButton* m_cancel = nullptr;
-    QString m_folder; ///< of the latest file
 };
 } // namespace ui

@@ -11,14 +11,14 @@
 #include <cmath>
 
 namespace ui {
-using record::SweepLimit;
-using record::SweepMetricKind;
+using results::SweepLimit;
+using results::SweepMetricKind;
 
 namespace {
 const SweepMetricKind& kindOf(const QString& metric)
 {
     static const SweepMetricKind none;
-    const auto& kinds = record::sweepMetricKinds();
+    const auto& kinds = results::sweepMetricKinds();
     const auto it = std::find_if(kinds.begin(), kinds.end(),
                                  [&](const SweepMetricKind& kind) { return kind.key == metric; });
     return it == kinds.end() ? none : *it;
@@ -29,10 +29,10 @@ QString pathNote(const QString& metric)
 {
     if (metric == QLatin1StringView("phase_lag") ||
         metric == QLatin1StringView("readings_per_period"))
-        return LimitsModel::tr("Only for a sine; other tests leave this line out");
+        return LimitsModel::tr("Only for sine tests; ignored in other tests");
     if (metric == QLatin1StringView("following_error_relative"))
-        return LimitsModel::tr("Only for a sine (% of its amplitude) and random targets (% of the "
-                               "range); other tests leave this line out");
+        return LimitsModel::tr("Only for sine tests (% of the amplitude) and random tests (% of "
+                               "the range); ignored in other tests");
     return {};
 }
 
@@ -76,7 +76,7 @@ std::vector<SweepLimit> LimitsModel::lines() const
 
 int LimitsModel::add()
 {
-    const auto& kinds = record::sweepMetricKinds();
+    const auto& kinds = results::sweepMetricKinds();
     const auto unused = std::find_if(kinds.begin(), kinds.end(), [&](const SweepMetricKind& kind) {
         return std::none_of(m_lines.begin(), m_lines.end(),
                             [&](const Line& line) { return line.metric == kind.key; });
@@ -109,16 +109,17 @@ QString LimitsModel::boundError(const Line& line) const
         if (!number)
             return tr("\"%1\" is not a number.").arg(text);
         if (*number < 0)
-            return tr("A limit is never negative: errors are judged without their sign.");
+            return tr("A limit cannot be negative: errors are judged by their absolute value.");
     }
     const auto warn = numberFromText(line.warn);
     const auto fail = numberFromText(line.fail);
     if (!warn && !fail)
-        return tr("Give a number to warn at, one to fail at, or both.");
+        return tr("Enter a warning limit, a failure limit, or both.");
     if (!warn || !fail)
         return {};
     if (line.atLeast ? *warn < *fail : *warn > *fail)
-        return tr("It would fail before it warns: change one of the two numbers.");
+        return tr(
+            "The failure limit would be reached before the warning limit: change one of them.");
     return {};
 }
 
@@ -129,7 +130,7 @@ QString LimitsModel::problem(int row) const
         return other.metric == line.metric && other.atLeast == line.atLeast;
     });
     if (same > 1)
-        return tr("This figure has a limit in the same direction already.");
+        return tr("This metric already has a limit in this direction.");
     return boundError(line);
 }
 
@@ -197,7 +198,7 @@ QVariant LimitsModel::data(const QModelIndex& index, int role) const
         if (!wrong.isEmpty())
             return wrong;
         if (bound)
-            return tr("A number in the unit of the figure; empty: no such limit");
+            return tr("Limit in the unit of the metric; leave empty for no limit");
         const QString note = pathNote(line.metric);
         return note.isEmpty() ? QVariant() : QVariant(note);
     }
@@ -235,7 +236,7 @@ bool LimitsModel::setData(const QModelIndex& index, const QVariant& value, int r
     case LimitColumn::Count:
         return false;
     }
-    // What is wrong with a line may depend on another one.
+    // The errors of a line may depend on another line.
     Q_EMIT dataChanged(this->index(0, 0), this->index(rowCount() - 1, columnCount() - 1));
     Q_EMIT edited();
     return true;

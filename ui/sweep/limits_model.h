@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of a limits file while somebody edits them: cells are kept as typed, so that what is
-// wrong stays to be mended, and trouble() says what it is. Owned by its dialog; main thread.
+// The lines of a limits file while the user edits them: cells are kept as typed, so that errors can
+// be corrected, and trouble() describes them. Owned by its dialog; main thread.
 #pragma once
 
 #include "results/sweep_limits.h"
@@ -16,13 +16,13 @@ class LimitsModel final : public QAbstractTableModel {
 public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setLines(const std::vector<record::SweepLimit>& lines);
-    /// Of cells that are no numbers nothing is told: ask trouble() first.
-    std::vector<record::SweepLimit> lines() const;
+    void setLines(const std::vector<results::SweepLimit>& lines);
+    /// Call trouble() first: cells that are not numbers are left out.
+    std::vector<results::SweepLimit> lines() const;
     /// With a figure that has no line yet. The new row.
     int add();
     void remove(int row);
-    /// What is wrong with this line; empty: nothing.
+    /// The error of this line; empty: none.
     QString problem(int row) const;
     void retranslate();
 

@@ -1,215 +1,211 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What its buttons do is in runs_dialog_actions.cpp.
 #include "ui/sweep/runs_dialog.h"
 
-#include "ui/widgets/tone_delegate.h"
+#include "report/sweep_compare_text.h"
+#include "report/sweep_html.h"
+#include "session/sweep/sweep_report.h"
+#include "text/language.h"
+#include "ui/common/file_dialog.h"
+#include "ui/sweep/compare_dialog.h"
 
-#include <QEvent>
-#include <QHeaderView>
+#include <QDir>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QTableView>
-#include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace ui {
-namespace {
-constexpr int initialWidth = 940;
-constexpr int initialHeight = 520;
-constexpr int margin = 24;
-} // namespace
-
 RunsDialog::RunsDialog(session::HistoryService& historyService, session::Settings& settings,
                        QWidget* parent)
-    : QDialog(parent)
-    , m_historyService(historyService)
+    : RunListDialog(historyService, QStringLiteral("sweep"), parent)
     , m_settings(settings)
-    , m_model(new RunsModel(this))
-    , m_hint(new QLabel(this))
-    , m_filter(new QLineEdit(this))
-    , m_table(new QTableView(this))
-    , m_result(new TaskResult(initialWidth - margin, this))
-    , m_report(new QPushButton(this))
-    , m_compare(new QPushButton(this))
-    , m_reference(new QPushButton(this))
-    , m_label(new QPushButton(this))
-    , m_delete(new QPushButton(this))
-    , m_close(new QPushButton(this))
+    , m_report(addButton("runsReport"))
+    , m_compare(addButton("runsCompare"))
+    , m_reference(addButton("runsReference"))
 {
     setObjectName(QStringLiteral("runsDialog"));
-    setAttribute(Qt::WA_DeleteOnClose);
-    build();
-    connect(&historyService, &session::HistoryService::changed, this, &RunsDialog::query);
-    connect(&historyService, &session::HistoryService::failed, this, &RunsDialog::showError);
-    connect(m_filter, &QLineEdit::textChanged, this, &RunsDialog::query);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &RunsDialog::updateButtons);
     connect(m_report, &QPushButton::clicked, this, &RunsDialog::openReport);
     connect(m_compare, &QPushButton::clicked, this, &RunsDialog::compare);
     connect(m_reference, &QPushButton::clicked, this, &RunsDialog::markReference);
-    connect(m_label, &QPushButton::clicked, this, &RunsDialog::editLabel);
-    connect(m_delete, &QPushButton::clicked, this, &RunsDialog::removeRuns);
-    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
     query();
-}
-
-void RunsDialog::build()
-{
-    m_hint->setObjectName(QStringLiteral("runsHint"));
-    m_hint->setWordWrap(true);
-    m_filter->setObjectName(QStringLiteral("runsFilter"));
-    m_filter->setClearButtonEnabled(true);
-    m_table->setObjectName(QStringLiteral("runs"));
-    m_table->setModel(m_model);
-    m_table->setItemDelegate(new ToneDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setTabKeyNavigation(false);
-    auto* row = new QHBoxLayout;
-    const std::pair<QPushButton*, const char*> buttons[] = {
-        {m_report, "runsReport"}, {m_compare, "runsCompare"}, {m_reference, "runsReference"},
-        {m_label, "runsLabel"},   {m_delete, "runsDelete"},   {m_close, "runsClose"}};
-    for (const auto& [button, name] : buttons) {
-        button->setObjectName(QLatin1String(name));
-        button->setAutoDefault(false);
-        if (button == m_close)
-            row->addStretch();
-        row->addWidget(button);
-    }
-    auto* column = new QVBoxLayout(this);
-    column->setSizeConstraint(QLayout::SetNoConstraint);
-    column->addWidget(m_filter);
-    column->addWidget(m_table, 1);
-    column->addWidget(m_hint);
-    column->addWidget(m_result);
-    column->addLayout(row);
-    setMinimumSize(initialWidth, initialHeight);
 }
 
 void RunsDialog::retranslate()
 {
     setWindowTitle(tr("Earlier tests"));
-    setAccessibleName(windowTitle());
-    const auto setTexts = [](QWidget* widget, const QString& name, const QString& tip) {
-        widget->setAccessibleName(name);
-        widget->setToolTip(tip);
-    };
-    const auto word = [&](QPushButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        setTexts(button, text, tip);
-    };
-    m_filter->setPlaceholderText(tr("Model, firmware, label, note, operator or port"));
-    setTexts(m_filter, tr("Filter"), tr("Show only tests with this text"));
-    setTexts(m_table, tr("Earlier tests"), tr("One row for each servo of a test, newest first"));
-    word(m_report, tr("Save report…"), tr("Save the report of the selected test as a page"));
-    word(m_compare, tr("Compare two"),
-         tr("Hold two selected tests against each other; the one "
-            "marked as reference, else the older one, is A"));
-    word(m_label, tr("Label…"),
-         tr("Give the servo in the selected test a name: servos carry no serial number"));
-    word(m_delete, tr("Delete…"), tr("Delete the selected tests from the history"));
-    word(m_close, tr("Close"), tr("Close this window"));
-    m_model->retranslate();
-    updateButtons();
-}
-
-void RunsDialog::query()
-{
-    record::RunFilter filter;
-    filter.kind = QStringLiteral("sweep");
-    filter.text = m_filter->text().trimmed();
-    const int asked = ++m_queryId;
-    m_historyService.list(filter, this, [this, asked](const auto& runs) {
-        if (asked == m_queryId)
-            fill(runs);
-    });
-}
-
-void RunsDialog::fill(const base::Result<std::vector<record::TestRun>>& runs)
-{
-    if (!runs) {
-        showError(runs.error());
-        return;
-    }
-    std::vector<RunRow> selected;
-    for (const int row : rows())
-        selected.push_back(m_model->at(row));
-    m_model->show(*runs);
-    for (const RunRow& one : selected) {
-        if (const int row = m_model->rowOf(one); row >= 0)
-            m_table->selectionModel()->select(
-                m_model->index(row, 0), QItemSelectionModel::Select | QItemSelectionModel::Rows);
-    }
-    if (!m_loaded && m_model->rowCount() > 0) {
-        m_loaded = true; // later the widths are the user's
-        for (int column = 0; column < m_model->columnCount() - 1; ++column)
-            m_table->resizeColumnToContents(column);
-    }
-    updateButtons();
-}
-
-std::vector<int> RunsDialog::rows() const
-{
-    std::vector<int> found;
-    for (const QModelIndex& index : m_table->selectionModel()->selectedRows())
-        found.push_back(index.row());
-    std::sort(found.begin(), found.end());
-    return found;
+    setButtonText(m_report, tr("Save report…"),
+                  tr("Saves the report of the selected test as a web page"));
+    setButtonText(m_compare, tr("Compare two"),
+                  tr("Compares the two selected tests; A is the one marked as reference, "
+                     "otherwise the older one"));
+    RunListDialog::retranslate();
 }
 
 /// Empty: it can be one.
-QString RunsDialog::noReferenceReason(const record::TestRun& run, const record::TestServo& servo)
+QString RunsDialog::noReferenceReason(const history::TestRun& run, const history::TestServo& servo)
 {
-    if (!record::canBeReference(run))
+    if (!history::canBeReference(run))
         return tr("This test did not finish, so it cannot be a reference");
-    return record::canBeReference(run, servo)
+    return history::canBeReference(run, servo)
                ? QString()
                : tr("This servo failed the test, so it cannot be a reference");
 }
 
 void RunsDialog::updateButtons()
 {
+    RunListDialog::updateButtons();
     const std::vector<int> chosen = rows();
     const bool one = chosen.size() == 1;
     m_report->setEnabled(one);
-    m_label->setEnabled(one);
-    const bool is = one && m_model->servo(chosen.front()).reference;
+    m_compare->setEnabled(chosen.size() == 2);
+    const bool isReference = one && m_model->servo(chosen.front()).reference;
     QString refusal;
-    if (one && !is)
+    if (one && !isReference)
         refusal = noReferenceReason(m_model->run(chosen.front()), m_model->servo(chosen.front()));
     m_reference->setEnabled(one && refusal.isEmpty());
-    m_compare->setEnabled(chosen.size() == 2);
-    m_delete->setEnabled(!chosen.empty());
-    m_reference->setText(is ? tr("Clear reference") : tr("Mark as reference"));
-    m_reference->setAccessibleName(m_reference->text());
     const QString mark = !refusal.isEmpty()
                              ? refusal
-                             : tr("Hold later tests of this model against this servo; a model has "
-                                  "one reference");
-    m_reference->setToolTip(is ? tr("This servo is no longer what others are held against") : mark);
-    if (m_model->rowCount() == 0)
-        m_hint->setText(m_filter->text().trimmed().isEmpty()
-                            ? tr("No test has been run yet. Tests of the window and of the "
-                                 "command line are kept here.")
-                            : tr("No test fits this filter."));
+                             : tr("Compares later tests of this model with this servo; each "
+                                  "model has one reference");
+    setButtonText(m_reference, isReference ? tr("Clear reference") : tr("Mark as reference"),
+                  isReference ? tr("Stops using this servo as the reference") : mark);
+    m_hint->setText(m_model->rowCount() == 0
+                        ? emptyListText()
+                        : tr("Select two rows to compare them. Servos have no serial number; they "
+                             "are identified by model, firmware, ID and label."));
+}
+
+QString RunsDialog::deletionText() const
+{
+    return tr("The metrics, legs and settings of all servos in these tests are deleted from the "
+              "history. Saved report and data files are kept.");
+}
+
+void RunsDialog::openReport()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 1)
+        return;
+    const RunRow row = m_model->at(chosen.front());
+    const QStringList files = m_model->run(chosen.front()).files;
+    askForSavePath(this,
+                   {QStringLiteral("runsReportDialog"),
+                    tr("Save the report"),
+                    {tr("Web page (*.html)")},
+                    QStringLiteral("sweep-%1.html").arg(qint64(row.number)),
+                    &m_settings,
+                    reportFolderKey()},
+                   [this, row, files](const QString& path) { saveReport(row, path, files); });
+}
+
+/// The readings are not in the history, so the page has no curves of position; where their file is
+/// still there it goes beside the page.
+void RunsDialog::saveReport(const RunRow& row, const QString& path, const QStringList& files)
+{
+    const auto found = std::find_if(files.begin(), files.end(), [](const QString& file) {
+        return file.endsWith(QLatin1StringView(".readings.csv")) && QFile::exists(file);
+    });
+    const QString readings = found != files.end() ? *found : QString();
+    m_historyService.load(
+        row.number, this, [this, path, readings](const base::Result<session::SharedRun>& run) {
+            if (!run) {
+                showError(run.error());
+                return;
+            }
+            const bool chinese = text::isUiChinese();
+            m_historyService.runInOrder(
+                [run = *run, chinese, path, readings] {
+                    const auto saved = report::saveSweepHtml(*run, {}, chinese, path);
+                    return saved ? session::copySweepReadings(readings, path) : saved;
+                },
+                this,
+                [this, path](const base::Result<void>& saved) {
+                    if (saved)
+                        showSaved(path);
+                    else
+                        showError(saved.error());
+                });
+        });
+}
+
+void RunsDialog::showSaved(const QString& path)
+{
+    m_result->showResult([path] {
+        return TaskText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+    });
+}
+
+/// A is the reference, otherwise the older one.
+void RunsDialog::compare()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 2)
+        return;
+    int a = chosen[1]; // the newest stands at the top
+    int b = chosen[0];
+    const auto isReference = [this](int row) {
+        const history::TestServo& servo = m_model->servo(row);
+        return servo.reference && history::canBeReference(m_model->run(row), servo);
+    };
+    if (isReference(b) && !isReference(a))
+        std::swap(a, b);
+    const RunRow one = m_model->at(a);
+    const RunRow two = m_model->at(b);
+    m_historyService.load(
+        one.number, this, [=, this](const base::Result<session::SharedRun>& first) {
+            if (!first) {
+                showError(first.error());
+                return;
+            }
+            m_historyService.load(
+                two.number, this,
+                [=, this, first = *first](const base::Result<session::SharedRun>& second) {
+                    if (!second) {
+                        showError(second.error());
+                        return;
+                    }
+                    auto* dialog = new CompareDialog(
+                        m_historyService, m_settings,
+                        {QString::number(qint64(one.number)), first, one.servo},
+                        {QString::number(qint64(two.number)), *second, two.servo}, this);
+                    dialog->open();
+                });
+        });
+}
+
+void RunsDialog::markReference()
+{
+    const std::vector<int> chosen = rows();
+    if (chosen.size() != 1)
+        return;
+    const RunRow row = m_model->at(chosen.front());
+    m_historyService.setReference(row.number, row.servo, !m_model->servo(chosen.front()).reference);
+}
+
+QString referenceText(const session::ReferenceResult& result)
+{
+    const QString when =
+        QLocale().toString(result.run.at.toLocalTime().date(), QLocale::ShortFormat);
+    if (result.ignored)
+        return RunsDialog::tr(
+                   "The reference %1 (test %2, %3) is ignored because that test did not finish. "
+                   "Under Earlier tests, mark a completed test as the reference.")
+            .arg(result.reference.model)
+            .arg(qint64(result.run.number))
+            .arg(when);
+    const QString head = RunsDialog::tr("Compared with the reference %1 (test %2, %3):")
+                             .arg(result.reference.model)
+                             .arg(qint64(result.run.number))
+                             .arg(when);
+    QStringList lines;
+    if (!result.comparison.comparable())
+        lines << QStringLiteral("⚠ ") + text::localized(report::compareTexts().notComparable);
     else
-        m_hint->setText(tr("Select two rows to hold one against the other. Servos carry no serial "
-                           "number: who is who is told by model, firmware, ID and your label."));
-}
-
-void RunsDialog::showError(const base::Error& error)
-{
-    m_result->showResult([error] { return errorText(error); });
-}
-
-void RunsDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_close != nullptr)
-        retranslate();
+        for (const report::Text& line : report::referenceLines(result.comparison))
+            lines << text::localized(line);
+    if (lines.isEmpty())
+        lines << RunsDialog::tr("no metric differs by 10 % or more");
+    return head + QLatin1Char(' ') + lines.join(QStringLiteral("; "));
 }
 } // namespace ui

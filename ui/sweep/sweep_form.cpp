@@ -2,21 +2,17 @@
 #include "ui/sweep/sweep_form.h"
 
 #include "device/motion/move_limits.h"
-#include "results/sweep_points.h"
-#include "text/error_text.h"
+#include "ui/sweep/sweep_end_conditions.h"
+#include "ui/sweep/sweep_goal_list.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/segment_button.h"
 
 #include <QButtonGroup>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -24,8 +20,8 @@
 #include <limits>
 
 namespace ui {
-using record::SweepPace;
-using record::SweepShape;
+using results::SweepPace;
+using results::SweepShape;
 
 namespace {
 constexpr std::array shapes{SweepShape::Sweep, SweepShape::Stairs, SweepShape::BothSides,
@@ -48,7 +44,14 @@ const QString cyclesKey = QStringLiteral("sweep/cycles");
 const QString minutesKey = QStringLiteral("sweep/minutes");
 const QString untilKey = QStringLiteral("sweep/until");
 const QString operatorKey = QStringLiteral("sweep/operator");
-const QString folderKey = QStringLiteral("sweep/list_folder");
+
+void setFieldTexts(QLabel* title, QWidget* field, const QString& text, const QString& tip)
+{
+    title->setText(text);
+    title->setToolTip(tip);
+    field->setAccessibleName(text);
+    field->setToolTip(tip);
+}
 } // namespace
 
 SweepForm::SweepForm(session::Settings& settings, QWidget* parent)
@@ -75,14 +78,14 @@ void SweepForm::build()
     auto* group = new QButtonGroup(this);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         auto* button = new SegmentButton(kinds);
-        button->setObjectName(QStringLiteral("sweepShape_") + record::sweepShapeName(shapes[i]));
+        button->setObjectName(QStringLiteral("sweepShape_") + results::sweepShapeName(shapes[i]));
         button->setCheckable(true);
         group->addButton(button);
         flow->addWidget(button);
         m_shapes[i] = button;
         connect(button, &QToolButton::clicked, this, [this, i] {
             selectShape(shapes[i]);
-            onEdited();
+            Q_EMIT changed();
         });
     }
     m_middle = new QVBoxLayout;
@@ -95,23 +98,9 @@ void SweepForm::build()
     column->addLayout(m_grid);
     column->addLayout(m_middle);
     buildFields();
-    m_earlyTitle = new QLabel(this);
-    auto* early = new QWidget(this);
-    early->setSizePolicy(policy);
-    auto* ticks = new FlowLayout(early, 10);
-    const auto tick = [&](const char* name, bool on) {
-        auto* box = new QCheckBox(early);
-        box->setObjectName(QString::fromLatin1(name));
-        box->setChecked(on);
-        ticks->addWidget(box);
-        connect(box, &QCheckBox::toggled, this, &SweepForm::onEdited);
-        return box;
-    };
-    m_onAlarm = tick("sweepOnAlarm", true);
-    m_onStall = tick("sweepOnStall", true);
-    m_onFailure = tick("sweepOnFailure", false);
-    column->addWidget(m_earlyTitle);
-    column->addWidget(early);
+    m_endConditions = new SweepEndConditions(this);
+    connect(m_endConditions, &SweepEndConditions::changed, this, &SweepForm::changed);
+    column->addWidget(m_endConditions);
     column->addLayout(m_extraGrid);
 }
 
@@ -132,7 +121,7 @@ void SweepForm::setLocked(bool locked)
 void SweepForm::add(Cell cell, QWidget* field, const char* name, bool wide)
 {
     field->setObjectName(QString::fromLatin1(name));
-    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the panel says how wide
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as wide as the panel
     auto* title = new QLabel(this);
     title->setBuddy(field);
     title->setForegroundRole(QPalette::PlaceholderText);
@@ -143,7 +132,7 @@ QLineEdit* SweepForm::line(Cell cell, const char* name, bool wide)
 {
     auto* edit = new QLineEdit(this);
     add(cell, edit, name, wide);
-    connect(edit, &QLineEdit::textEdited, this, &SweepForm::onEdited);
+    connect(edit, &QLineEdit::textEdited, this, &SweepForm::changed);
     return edit;
 }
 
@@ -154,7 +143,7 @@ void SweepForm::buildFields()
         box->setRange(minValue, maxValue);
         box->setValue(value);
         add(cell, box, name);
-        connect(box, &QSpinBox::valueChanged, this, &SweepForm::onEdited);
+        connect(box, &QSpinBox::valueChanged, this, &SweepForm::changed);
         return box;
     };
     const auto real = [this](Cell cell, const char* name, double minValue, double maxValue,
@@ -164,7 +153,7 @@ void SweepForm::buildFields()
         box->setDecimals(1);
         box->setValue(value);
         add(cell, box, name);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &SweepForm::onEdited);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &SweepForm::changed);
         return box;
     };
     const auto choice = [this](Cell cell, const char* name) {
@@ -174,7 +163,7 @@ void SweepForm::buildFields()
         connect(box, &QComboBox::activated, this, [this] {
             retranslate(); // a delay becomes a dwell
             arrange();
-            onEdited();
+            Q_EMIT changed();
         });
         return box;
     };
@@ -184,9 +173,9 @@ void SweepForm::buildFields()
     m_step->setText(QStringLiteral("256"));
     m_period = real(Period, "sweepPeriod", minPeriod / 1000.0, maxPeriod, defaultPeriod);
     m_seed = spin(Seed, "sweepSeed", 0, std::numeric_limits<int>::max(), 1);
-    m_list = new QPushButton(this);
+    m_list = new SweepGoalList(m_settings, this);
     add(List, m_list, "sweepList", true);
-    connect(m_list, &QPushButton::clicked, this, &SweepForm::openList);
+    connect(m_list, &SweepGoalList::changed, this, &SweepForm::changed);
     m_pace = choice(Pace, "sweepPace");
     m_pause = spin(Pause, "sweepPause", 1, maxPause, defaultPause);
     m_pause->setSingleStep(100);
@@ -210,7 +199,7 @@ void SweepForm::buildFields()
 void SweepForm::loadSettings(session::Settings& settings)
 {
     const QString shape = settings.pageValue(shapeKey, QString()).toString();
-    selectShape(record::sweepShapeFromName(shape).value_or(SweepShape::Sweep));
+    selectShape(results::sweepShapeFromName(shape).value_or(SweepShape::Sweep));
     const QSignalBlocker blocker(this);
     m_pace->setCurrentIndex(settings.pageValue(paceKey, 0).toInt() == 1 ? 1 : 0);
     m_until->setCurrentIndex(settings.pageValue(untilKey, 0).toInt() == 1 ? 1 : 0);
@@ -221,17 +210,12 @@ void SweepForm::loadSettings(session::Settings& settings)
 
 void SweepForm::saveSettings()
 {
-    m_settings.setPageValue(shapeKey, record::sweepShapeName(m_shape));
+    m_settings.setPageValue(shapeKey, results::sweepShapeName(m_shape));
     m_settings.setPageValue(paceKey, m_pace->currentIndex());
     m_settings.setPageValue(untilKey, m_until->currentIndex());
     m_settings.setPageValue(cyclesKey, m_cycles->value());
     m_settings.setPageValue(minutesKey, m_minutes->value());
     m_settings.setPageValue(operatorKey, m_operator->text().trimmed());
-}
-
-void SweepForm::onEdited()
-{
-    Q_EMIT changed();
 }
 
 void SweepForm::selectShape(SweepShape shape)
@@ -314,7 +298,7 @@ void SweepForm::showServo(const session::ServoEntry* entry)
     if (entry == nullptr || !entry->servo.profile)
         return;
     const device::MoveFieldSet fields = device::moveFields(entry->servo);
-    // In a mode without positions nothing is known of them yet.
+    // A mode without positions has none of these fields.
     const std::array moves{fields.speed, fields.acceleration, fields.time};
     if (moves != m_moves && moves != decltype(moves){}) {
         m_moves = moves;
@@ -326,7 +310,7 @@ SweepForm::UserInput SweepForm::userInput() const
 {
     UserInput values;
     if (m_rangeEdited)
-        values.range = record::SweepRange{m_start->text(), m_end->text()};
+        values.range = results::SweepRange{m_start->text(), m_end->text()};
     if (m_pauseEdited)
         values.pause = m_pause->value();
     if (m_periodEdited)
@@ -351,7 +335,7 @@ void SweepForm::setUserInput(const UserInput& values)
         m_period->setValue(*values.period);
 }
 
-void SweepForm::propose(const record::SweepRange& range)
+void SweepForm::propose(const results::SweepRange& range)
 {
     if (m_rangeEdited)
         return;
@@ -379,10 +363,10 @@ void SweepForm::setPace(base::Duration enough)
     propose(enough);
 }
 
-record::SweepSpec SweepForm::spec() const
+results::SweepSpec SweepForm::spec() const
 {
     using std::chrono::milliseconds;
-    record::SweepSpec spec;
+    results::SweepSpec spec;
     const auto shown = [this](Cell cell, const QLineEdit* edit) {
         return isShown(cell) ? edit->text().trimmed() : QString();
     };
@@ -390,7 +374,7 @@ record::SweepSpec SweepForm::spec() const
     spec.range = {shown(Start, m_start), shown(End, m_end)};
     spec.step = shown(Step, m_step);
     if (isShown(List))
-        spec.points = m_points;
+        spec.points = m_list->points();
     spec.seed = std::uint32_t(m_seed->value());
     if (isShown(Period))
         spec.period = milliseconds(std::llround(m_period->value() * 1000));
@@ -405,40 +389,76 @@ record::SweepSpec SweepForm::spec() const
     spec.time = shown(Time, m_time);
     spec.warmUp = std::chrono::seconds(m_warmUp->value());
     spec.releaseAtEnd = m_afterwards->currentIndex() == 1;
-    spec.stopOnAlarm = m_onAlarm->isChecked();
-    spec.stopOnStall = m_onStall->isChecked();
-    spec.stopOnFailure = m_onFailure->isChecked();
+    m_endConditions->writeTo(spec);
     spec.operatorName = m_operator->text().trimmed();
     spec.note = m_note->text().trimmed();
     return spec;
 }
 
-void SweepForm::openList()
+QString SweepForm::inputError() const
 {
-    auto* dialog = new QFileDialog(this, tr("Open a list of targets"));
-    dialog->setObjectName(QStringLiteral("sweepListDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters(
-        {tr("Targets, one a line: target,pause in ms (*.csv *.txt)"), tr("All files (*)")});
-    dialog->setDirectory(m_settings.pageValue(folderKey, QString()).toString());
-    connect(dialog, &QFileDialog::fileSelected, this, &SweepForm::readList);
-    dialog->open();
+    return m_list->error();
 }
 
-void SweepForm::readList(const QString& path)
+void SweepForm::retranslate()
 {
-    m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
-    m_listPath = path;
-    auto points = record::loadSweepPoints(path);
-    m_points = points ? std::move(*points) : std::vector<record::SweepPoint>{};
-    m_listTrouble.clear();
-    if (!points) {
-        const text::Description description = text::describe(points.error());
-        m_listTrouble = description.message + QLatin1Char(' ') + description.remedy;
+    const std::array names{
+        std::pair{tr("Sweep"), tr("Back and forth between start and end")},
+        std::pair{tr("Staircase"), tr("From start to end in steps, and back in the same steps")},
+        std::pair{tr("Both directions"), tr("Approaches the midpoint from both directions: shows "
+                                            "hysteresis")},
+        std::pair{tr("Sine"), tr("The goal follows a sine wave: shows how well the servo follows")},
+        std::pair{tr("Random"), tr("Random goals; the same seed gives the same goals")},
+        std::pair{tr("List"), tr("Goals from a file, one per line")}};
+    for (std::size_t i = 0; i < m_shapes.size(); ++i) {
+        m_shapes[i]->setText(names[i].first);
+        m_shapes[i]->setToolTip(names[i].second);
+        m_shapes[i]->setAccessibleName(names[i].first);
     }
-    retranslate();
-    onEdited();
+    const auto set = [this](Cell cell, const QString& text, const QString& tip) {
+        setFieldTexts(m_cells[cell].title, m_cells[cell].field, text, tip);
+    };
+    const QString place = tr("A raw value, or an angle with its unit: 90deg");
+    set(Start, tr("Start"), place);
+    set(End, tr("End"), place);
+    set(Step, tr("Step"), tr("A number of steps, or an angle with its unit: 10deg"));
+    set(Period, tr("Period"), tr("Duration of one full sine period, to the end and back"));
+    set(Seed, tr("Seed"), tr("The same seed gives the same goals"));
+    set(List, tr("Goals"),
+        tr("A text file: one goal per line, optionally followed by a comma and a pause in "
+           "milliseconds"));
+    set(Pace, tr("Next goal"), tr("When the next goal is sent"));
+    set(Pause, m_pace->currentIndex() == 1 ? tr("Dwell") : tr("Delay"),
+        m_pace->currentIndex() == 1
+            ? tr("Pause after the goal is reached")
+            : tr("Time from one goal to the next, whether or not the goal is reached"));
+    set(Until, tr("End after"), tr("Condition that completes the test"));
+    set(Cycles, tr("Cycles"), tr("One cycle goes to the end and back"));
+    set(Minutes, tr("Duration"), tr("Counted from the first leg"));
+    set(Speed, tr("Speed"),
+        tr("Raw value, or a value with its unit: 30rpm. Leave empty to use the present setting"));
+    set(Acceleration, tr("Acceleration"), tr("Raw value. Leave empty to use the present setting"));
+    set(Time, tr("Time"),
+        tr("Travel time of a move in milliseconds. Leave empty to let the speed determine it"));
+    set(WarmUp, tr("Warm-up"), tr("How long the servo moves before measuring starts"));
+    set(Afterwards, tr("Afterwards"), tr("State of the servos after the test ends or is stopped"));
+    set(Operator, tr("Operator"), tr("Appears in the report"));
+    set(Note, tr("Note"), tr("Appears in the report"));
+    m_period->setSuffix(tr(" s"));
+    m_pause->setSuffix(tr(" ms"));
+    m_minutes->setSuffix(tr(" min"));
+    m_warmUp->setSuffix(tr(" s"));
+    m_speed->setPlaceholderText(tr("unchanged"));
+    m_acceleration->setPlaceholderText(tr("unchanged"));
+    m_time->setPlaceholderText(tr("by speed"));
+    m_pace->setItemText(0, tr("After a delay"));
+    m_pace->setItemText(1, tr("After arrival"));
+    m_until->setItemText(0, tr("A number of cycles"));
+    m_until->setItemText(1, tr("A duration"));
+    m_afterwards->setItemText(0, tr("Hold"));
+    m_afterwards->setItemText(1, tr("Torque off"));
+    m_list->retranslate();
+    m_endConditions->retranslate();
 }
 
 void SweepForm::changeEvent(QEvent* event)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of a sweep test: its kind, range, pace, length, what the servo is told, when it ends
-// early, who tests. Only the fields of the chosen kind are shown. Range and delay are proposed
-// until somebody types them. Sends nothing. Owned by its page; main thread.
+// The fields of a sweep test: its kind, range, pace, length, settings of the movement, early end,
+// operator. Only the fields of the selected kind are shown. Range and delay are proposed until the
+// user types them. Sends nothing. Owned by its page; main thread.
 #pragma once
 
 #include "results/sweep_spec.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 #include "session/settings.h"
 
 #include <QWidget>
@@ -13,19 +13,18 @@
 #include <array>
 #include <optional>
 
-class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
-class QPushButton;
 class QSpinBox;
 class QVBoxLayout;
 
 namespace ui {
-class FlowLayout;
 class SegmentButton;
+class SweepEndConditions;
+class SweepGoalList;
 
 class SweepForm final : public QWidget {
     Q_OBJECT
@@ -33,30 +32,31 @@ class SweepForm final : public QWidget {
 public:
     SweepForm(session::Settings& settings, QWidget* parent);
 
-    /// Between what is set for every test and what seldom changes.
+    /// Between the fields that are set for every test and those that seldom change.
     void insertServoList(QWidget* servos);
-    /// While a test runs: all but what was inserted.
+    /// While a test runs: all fields, but not the inserted list.
     void setLocked(bool locked);
 
     /// The fields its family and mode have. Null: as the last one.
     void showServo(const session::ServoEntry* entry);
-    /// Into range and delay (or a sine's period) nobody has typed; nothing for 0.
-    void propose(const record::SweepRange& range);
+    /// Fills in range and delay (or the period of a sine) unless the user has typed them; does
+    /// nothing for 0.
+    void propose(const results::SweepRange& range);
     void propose(base::Duration enough);
-    void setPace(base::Duration enough); ///< asked for: typed or not
-    /// What was typed into range, delay and period; the rest is proposed.
+    void setPace(base::Duration enough); ///< at the user's request: replaces a typed one too
+    /// What the user has typed into range, delay and period; the rest is proposed.
     struct UserInput {
-        std::optional<record::SweepRange> range{};
+        std::optional<results::SweepRange> range{};
         std::optional<int> pause{};     ///< ms
         std::optional<double> period{}; ///< s
     };
     UserInput userInput() const;
-    /// Another servo: what was typed for it before. What was not is a proposal again.
+    /// For another servo: what was typed for it before. The other fields are proposed again.
     void setUserInput(const UserInput& values);
 
-    /// As shown. A list that could not be read is empty; complaint() says why.
-    record::SweepSpec spec() const;
-    QString inputError() const { return m_listTrouble; }
+    /// As shown. A list that could not be read is empty; inputError() says why.
+    results::SweepSpec spec() const;
+    QString inputError() const;
     void saveSettings(); ///< for the next start of the program
 
 Q_SIGNALS:
@@ -93,7 +93,6 @@ private:
         bool wide = false; ///< both columns
     };
     void build();
-    void buildShapes();
     void buildFields();
     void loadSettings(session::Settings& settings);
     void add(Cell cell, QWidget* field, const char* name, bool wide = false);
@@ -101,14 +100,11 @@ private:
     void arrange();
     void arrange(QGridLayout& grid, Cell first, Cell last);
     bool isShown(Cell cell) const;
-    void selectShape(record::SweepShape shape);
-    void openList();
-    void readList(const QString& path);
+    void selectShape(results::SweepShape shape);
     void retranslate();
-    void onEdited();
 
     session::Settings& m_settings;
-    record::SweepShape m_shape = record::SweepShape::Sweep;
+    results::SweepShape m_shape = results::SweepShape::Sweep;
     std::array<SegmentButton*, 6> m_shapes{};
     std::array<FieldCell, CellCount> m_cells{};
     QGridLayout* m_grid = nullptr;
@@ -120,7 +116,7 @@ private:
     QLineEdit* m_step = nullptr;
     QDoubleSpinBox* m_period = nullptr;
     QSpinBox* m_seed = nullptr;
-    QPushButton* m_list = nullptr;
+    SweepGoalList* m_list = nullptr;
     QComboBox* m_pace = nullptr;
     QSpinBox* m_pause = nullptr;
     QComboBox* m_until = nullptr;
@@ -133,17 +129,11 @@ private:
     QComboBox* m_afterwards = nullptr;
     QLineEdit* m_operator = nullptr;
     QLineEdit* m_note = nullptr;
-    QLabel* m_earlyTitle = nullptr;
-    QCheckBox* m_onAlarm = nullptr;
-    QCheckBox* m_onStall = nullptr;
-    QCheckBox* m_onFailure = nullptr;
+    SweepEndConditions* m_endConditions = nullptr;
 
     std::array<bool, 3> m_moves{true, true, false}; ///< speed, acceleration, time
     bool m_rangeEdited = false;
     bool m_pauseEdited = false;
     bool m_periodEdited = false;
-    std::vector<record::SweepPoint> m_points;
-    QString m_listPath;
-    QString m_listTrouble;
 };
 } // namespace ui

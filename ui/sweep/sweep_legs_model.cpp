@@ -10,7 +10,7 @@
 #include <algorithm>
 
 namespace ui {
-using record::SweepLeg;
+using results::SweepLeg;
 
 namespace {
 std::optional<double> milliseconds(const std::optional<base::Duration>& span)
@@ -136,7 +136,7 @@ QString SweepLegsModel::notice() const
     if (m_total <= m_legs.size())
         return {};
     const QLocale locale;
-    return tr("The latest %1 of %2 legs are shown; the CSV and JSON files have all.")
+    return tr("The last %1 of %2 legs are shown; the CSV and JSON files contain all legs.")
         .arg(locale.toString(qulonglong(m_legs.size())), locale.toString(qulonglong(m_total)));
 }
 
@@ -169,7 +169,7 @@ QString SweepLegsModel::remarks(const SweepLeg& leg) const
     if (leg.alarms != 0)
         parts << QStringLiteral("⚠ ") + report::alarmBitsText(leg.alarms).in(chinese);
     if (leg.lost > 0)
-        parts << QStringLiteral("⚠ ") + tr("readings lost: %1").arg(leg.lost);
+        parts << QStringLiteral("⚠ ") + tr("%n reading(s) lost", nullptr, int(leg.lost));
     return parts.join(chinese ? QStringLiteral("，") : QStringLiteral(", "));
 }
 
@@ -178,7 +178,7 @@ QString SweepLegsModel::tip(const SweepLeg& leg) const
     QStringList lines;
     for (std::size_t i = 0; i < std::size_t(LegColumn::Remarks); ++i) {
         if (const auto value = number(leg, LegColumn(i)))
-            lines << QStringLiteral("%1: %2").arg(heading(LegColumn(i)).in(text::isUiChinese()),
+            lines << QStringLiteral("%1: %2").arg(text::localized(heading(LegColumn(i))),
                                                   sweepNumber(value));
     }
     if (const QString noted = remarks(leg); !noted.isEmpty())
@@ -221,6 +221,6 @@ QVariant SweepLegsModel::headerData(int section, Qt::Orientation orientation, in
                    (column == LegColumn::Remarks ? Qt::AlignLeft : Qt::AlignRight));
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
-    return heading(column).in(text::isUiChinese());
+    return text::localized(heading(column));
 }
 } // namespace ui

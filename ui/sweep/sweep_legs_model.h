@@ -41,8 +41,8 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void append(std::span<const record::SweepLeg> legs);
-    void append(const record::SweepLeg& leg) { append({&leg, 1}); }
+    void append(std::span<const results::SweepLeg> legs);
+    void append(const results::SweepLeg& leg) { append({&leg, 1}); }
     void clear();
     void retranslate();
 
@@ -51,7 +51,7 @@ public:
     QString notice() const;
     /// Nothing was measured in any leg so far: views hide it. Always false for what every leg has.
     bool isColumnEmpty(LegColumn column) const;
-    const record::SweepLeg& leg(int row) const { return m_legs[static_cast<std::size_t>(row)]; }
+    const results::SweepLeg& leg(int row) const { return m_legs[static_cast<std::size_t>(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -65,11 +65,11 @@ Q_SIGNALS:
 
 private:
     using MeasuredColumns = std::array<bool, std::size_t(LegColumn::Count)>;
-    QString remarks(const record::SweepLeg& leg) const;
-    QString tip(const record::SweepLeg& leg) const;
+    QString remarks(const results::SweepLeg& leg) const;
+    QString tip(const results::SweepLeg& leg) const;
     void setMeasured(const MeasuredColumns& measured);
 
-    std::deque<record::SweepLeg> m_legs;
+    std::deque<results::SweepLeg> m_legs;
     std::size_t m_total = 0;
     MeasuredColumns m_measured{};
 };

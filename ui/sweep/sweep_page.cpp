@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sweep/sweep_page.h"
 
-#include "device/motion/move_limits.h"
-#include "text/error_text.h"
+#include "report/sweep_text.h"
+#include "results/sweep_verdict.h"
+#include "text/language.h"
+#include "ui/sweep/limits_dialog.h"
+#include "ui/sweep/runs_dialog.h"
 #include "ui/sweep/sweep_form.h"
+#include "ui/sweep/sweep_leftovers_banner.h"
 #include "ui/sweep/sweep_preview_text.h"
+#include "ui/sweep/sweep_previews.h"
 #include "ui/sweep/sweep_results.h"
 #include "ui/sweep/sweep_servos.h"
 #include "ui/widgets/banner.h"
@@ -25,55 +30,24 @@
 #include <algorithm>
 
 namespace ui {
-using namespace std::chrono_literals;
-
 namespace {
-constexpr auto previewDelay = 250ms; ///< after the last letter
-constexpr auto retryAfter = 1s;      ///< of a servo that is heard again
-constexpr auto retryPeriod = 3s;     ///< of one that nothing else reads
 constexpr int minSetupWidth = 300;
 constexpr int maxSetupWidth = 360;
 constexpr int setupPercent = 28;
-
-QString settingsOf(const session::ServoEntry* entry)
-{
-    if (entry == nullptr || !entry->servo.profile)
-        return {};
-    const catalog::Mode* mode = entry->servo.mode();
-    const auto span = device::goalSliderRange(entry->servo);
-    return QStringLiteral("%1 %2 %3 %4")
-        .arg(mode != nullptr ? mode->key : QString())
-        .arg(span ? span->min : 0)
-        .arg(span ? span->max : 0)
-        .arg(int(entry->stopped) + 2 * int(entry->silent));
-}
-
-bool isNoAnswer(const session::SweepPreview& preview)
-{
-    using base::ErrorCode;
-    return preview.error && (preview.error->code == ErrorCode::NoReply ||
-                             preview.error->code == ErrorCode::Garbled ||
-                             preview.error->code == ErrorCode::UnexpectedReply ||
-                             preview.error->code == ErrorCode::LineBusy);
-}
-
-bool isWrongMode(const session::SweepPreview& preview)
-{
-    return preview.error && preview.error->code == base::ErrorCode::NotSupported &&
-           preview.error->detail == QLatin1StringView("not-position");
-}
 } // namespace
 
 SweepPage::SweepPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(appContext.desk)
-    , m_deskGuard(&appContext.desk)
+    , m_workbench(appContext.workbench)
+    , m_workbenchGuard(&appContext.workbench)
     , m_selection(appContext.selection)
-    , m_test(appContext.sweepTest)
-    , m_historyService(appContext.history)
+    , m_test(appContext.workbench.sweepTest())
+    , m_historyService(appContext.workbench.history())
+    , m_settings(settings)
 {
     setObjectName(QStringLiteral("sweepPage"));
-    build(settings);
+    m_previews = new SweepPreviews(m_workbench, this);
+    build();
     connectAll();
     retranslate();
     onServoSelected();
@@ -82,7 +56,7 @@ SweepPage::SweepPage(AppContext& appContext, session::Settings& settings, QWidge
 
 SweepPage::~SweepPage() = default;
 
-void SweepPage::build(session::Settings& settings)
+void SweepPage::build()
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 6, 0, 0);
@@ -100,18 +74,19 @@ void SweepPage::build(session::Settings& settings)
     auto* body = new QWidget(m_scroll);
     auto* setup = new QVBoxLayout(body);
     setup->setContentsMargins(0, 0, 4, 0);
-    m_form = new SweepForm(settings, body);
-    m_servos = new SweepServos(m_desk, m_selection, settings, body);
+    m_form = new SweepForm(m_settings, body);
+    m_servos = new SweepServos(m_workbench, m_selection, m_settings, body);
     setup->addWidget(m_form);
     m_form->insertServoList(m_servos);
     setup->addStretch();
     m_scroll->setWidget(body);
     left->addWidget(m_scroll, 1);
     left->addWidget(buildRun());
-    m_results = new SweepResults(m_desk, m_test, settings, this);
+    m_results = new SweepResults(m_workbench, m_test, m_settings, this);
     row->addLayout(left);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
+    m_leftovers = new SweepLeftoversBanner(m_workbench, *m_banner, this);
     new FloatingOverlay(m_banner, m_results->chart(), FloatingOverlay::Corner::BottomRight);
 }
 
@@ -143,7 +118,7 @@ QWidget* SweepPage::buildRun()
     m_progressLabel = new QLabel(box);
     m_progressLabel->setObjectName(QStringLiteral("sweepProgressWords"));
     m_progressLabel->setWordWrap(true);
-    // The buttons stand last: what comes and goes above them must not move them.
+    // The buttons are last: widgets that come and go above them must not move them.
     column->addWidget(m_progress);
     column->addWidget(m_progressLabel);
     column->addWidget(m_previewLabel);
@@ -155,12 +130,11 @@ QWidget* SweepPage::buildRun()
 
 void SweepPage::connectAll()
 {
-    m_previewTimer.setSingleShot(true);
-    m_previewTimer.setInterval(previewDelay);
-    connect(&m_previewTimer, &QTimer::timeout, this, &SweepPage::preview);
-    m_retryTimer.setSingleShot(true);
-    m_retryTimer.setInterval(retryPeriod);
-    connect(&m_retryTimer, &QTimer::timeout, this, &SweepPage::schedulePreview);
+    connect(m_previews, &SweepPreviews::due, this, &SweepPage::preview);
+    connect(m_previews, &SweepPreviews::outdated, this, &SweepPage::schedulePreview);
+    // A servo that no longer answers blocks Run before the next reading has ended.
+    connect(m_previews, &SweepPreviews::settingsChanged, this, &SweepPage::showState);
+    connect(m_previews, &SweepPreviews::received, this, &SweepPage::onPreviewsReceived);
     connect(m_form, &SweepForm::changed, this, &SweepPage::schedulePreview);
     connect(m_servos, &SweepServos::changed, this, &SweepPage::onServoSelected);
     connect(m_servos, &SweepServos::limitsRequested, this, &SweepPage::editLimits);
@@ -172,7 +146,7 @@ void SweepPage::connectAll()
     });
     connect(m_switchMode, &QCheckBox::toggled, this, &SweepPage::showState);
     connect(m_previewLabel, &QLabel::linkActivated, this, [this] {
-        for (const session::SweepPreview& one : m_previews) {
+        for (const session::SweepPreview& one : m_previews->all()) {
             if (one.estimate)
                 m_form->setPace(one.estimate->proposedDelay);
         }
@@ -187,35 +161,18 @@ void SweepPage::connectAll()
         if (m_results->shownServo() < m_test.servos().size())
             m_servos->markRow(m_test.servos()[m_results->shownServo()]);
     });
-    connect(&m_historyService, &session::HistoryService::runSaveFailed, this,
-            [this](const base::Error& error, const QString& file) {
-                m_leftoversShown = false; // one message at a time
-                m_banner->showMessage([error, file] {
-                    const text::Description words = text::describe(error);
-                    return BannerText{Tone::Bad, tr("The test is not in the history."),
-                                      words.message,
-                                      file.isEmpty() ? words.remedy
-                                                     : tr("It was left in the file %1.").arg(file)};
-                });
-            });
-    connect(&m_test, &session::SweepTest::previewReady, this, &SweepPage::setPreviews);
     connect(&m_test, &session::SweepTest::started, this, [this] {
         showVerdicts();
         showState();
     });
     connect(&m_test, &session::SweepTest::progressChanged, this, &SweepPage::showProgress);
     connect(&m_test, &session::SweepTest::finished, this, &SweepPage::onTestFinished);
-    connect(&m_test, &session::SweepTest::leftoversChanged, this,
-            &SweepPage::showRemainingLeftovers);
-    connect(m_banner, &Banner::dismissed, this, [this] { m_leftoversShown = false; });
     connect(&m_test, &session::SweepTest::failed, this, &SweepPage::onTestFailed);
-    for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
-                              &session::Desk::servosCleared, &session::Desk::taskChanged})
-        connect(&m_desk, signal, this, &SweepPage::showState);
-    connect(&m_desk, &session::Desk::linkChanged, this, &SweepPage::schedulePreview);
-    connect(&m_desk, &session::Desk::servoChanged, this, &SweepPage::onSettingsRead);
-    connect(&m_desk, &session::Desk::tableChanged, this, &SweepPage::onSettingsRead);
-    connect(&m_desk, &session::Desk::searchChanged, this, &SweepPage::schedulePreview);
+    connect(&m_workbench, &session::Workbench::stateChanged, this, &SweepPage::showState);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &SweepPage::schedulePreview);
+    connect(&m_workbench.search(), &session::SearchService::searchChanged, this,
+            &SweepPage::schedulePreview);
 }
 
 session::SweepTestRequest SweepPage::testRequest() const
@@ -237,95 +194,53 @@ session::SweepTestRequest SweepPage::testRequest() const
 void SweepPage::onServoSelected()
 {
     const auto selected = m_servos->selected();
-    for (const session::ServoRef ref : selected) // it may fall silent before it has been read
-        m_knownSettings.try_emplace(ref, settingsOf(m_desk.servo(ref)));
+    m_previews->follow(selected);
     const session::ServoRef first = selected.empty() ? 0 : selected.front();
     if (first != 0 && first != m_shown) {
         if (m_shown != 0)
             m_typed[m_shown] = m_form->userInput();
         m_shown = first;
         m_form->setUserInput(m_typed[first]);
-        m_form->showServo(m_desk.servo(first));
+        m_form->showServo(m_workbench.registry().servo(first));
     }
     schedulePreview();
-}
-
-/// Mode or limits have changed, or a servo that could not be read answers: what was found out may
-/// not be so any more.
-void SweepPage::onSettingsRead(session::ServoRef ref)
-{
-    const auto seen = m_knownSettings.find(ref);
-    if (seen == m_knownSettings.end())
-        return;
-    const bool changed = seen->second != settingsOf(m_desk.servo(ref));
-    if (changed)
-        showState(); // one that answers no more blocks Run before the reading has ended
-    // Readings come faster than the timer runs, so they must not start it anew.
-    if (m_previewTimer.isActive())
-        return;
-    if (changed)
-        schedulePreview();
-    else
-        retryPreview();
-}
-
-/// After a reading that got no answer, once its servos are heard again.
-void SweepPage::retryPreview()
-{
-    const auto isHeardSince = [this](const session::SweepPreview& one) {
-        const session::ServoEntry* entry = m_desk.servo(one.servo);
-        return isNoAnswer(one) && entry != nullptr && !entry->silent &&
-               entry->lastSeen - m_previewTime > retryAfter;
-    };
-    if (std::any_of(m_previews.begin(), m_previews.end(), isHeardSince))
-        schedulePreview();
 }
 
 void SweepPage::schedulePreview()
 {
     if (m_test.isRunning() || !isVisible())
         return;
-    m_previewTimer.start();
+    m_previews->schedule();
 }
 
 void SweepPage::preview()
 {
-    if (!m_deskGuard || !isVisible())
+    if (!m_workbenchGuard || !isVisible())
         return;
-    // What changes from now on is looked at anew. What had changed before must not be: a reading of
-    // several silent servos takes long and would never come to its end.
-    rememberSettings(m_servos->selected());
-    if (!blockedReason().isEmpty()) {
-        m_previews.clear();
-        showState();
+    if (blockedReason().isEmpty()) {
+        m_previews->request(testRequest());
         return;
     }
-    m_test.preview(testRequest());
+    m_previews->clear(m_servos->selected());
+    showState();
 }
 
-void SweepPage::rememberSettings(const std::vector<session::ServoRef>& servos)
-{
-    m_knownSettings.clear();
-    for (const session::ServoRef ref : servos)
-        m_knownSettings[ref] = settingsOf(m_desk.servo(ref));
-}
-
-/// Of those that take part: an emergency stop holds them.
+/// The selected servos that an emergency stop holds.
 QStringList SweepPage::servosHeldByStop() const
 {
     QStringList held;
     for (const session::ServoRef ref : m_servos->selected()) {
-        if (const session::ServoEntry* entry = m_desk.servo(ref); entry->stopped)
+        if (const session::ServoEntry* entry = m_workbench.registry().servo(ref); entry->stopped)
             held.append(QStringLiteral("ID %1").arg(entry->servo.id));
     }
     return held;
 }
 
-/// Of those that take part, the first that does not answer now, whatever was read of it before.
+/// The first selected servo that does not answer now, even if it was read before.
 std::optional<session::SweepPreview> SweepPage::silentServo() const
 {
     for (const session::ServoRef ref : m_servos->selected()) {
-        const session::ServoEntry* entry = m_desk.servo(ref);
+        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
         if (entry != nullptr && entry->silent)
             return session::SweepPreview{
                 ref,
@@ -336,20 +251,14 @@ std::optional<session::SweepPreview> SweepPage::silentServo() const
     return std::nullopt;
 }
 
-/// What is proposed changes the test, so that it has to be looked at once more.
-void SweepPage::setPreviews(const std::vector<session::SweepPreview>& previews)
+/// The proposals change the test, which then needs another preview.
+void SweepPage::onPreviewsReceived()
 {
-    m_previews = previews;
-    m_previewTime = m_desk.now();
-    rememberSettings(m_servos->selected());
-    if (std::any_of(previews.begin(), previews.end(), isNoAnswer))
-        m_retryTimer.start();
-    else
-        m_retryTimer.stop();
+    const auto& previews = m_previews->all();
     if (!previews.empty()) {
-        const record::SweepSpec before = m_form->spec();
+        const results::SweepSpec before = m_form->spec();
         const session::SweepPreview& first = previews.front();
-        m_form->showServo(m_desk.servo(first.servo));
+        m_form->showServo(m_workbench.registry().servo(first.servo));
         if (first.proposed)
             m_form->propose(*first.proposed);
         base::Duration enough{};
@@ -365,32 +274,33 @@ void SweepPage::setPreviews(const std::vector<session::SweepPreview>& previews)
 
 QString SweepPage::blockedReason() const
 {
-    if (m_desk.state() != session::LinkState::Open)
-        return tr("Connect first: there is no open port.");
-    if (m_desk.isSearching())
-        return tr("The search goes on; the test can be started when it has ended.");
+    if (m_workbench.link().state() != session::LinkState::Open)
+        return tr("Connect first: no port is open.");
+    if (m_workbench.search().isSearching())
+        return tr("A search is running; the test can start when it has ended.");
     if (m_servos->selected().empty())
-        return tr("Choose a servo in the list, or tick one below.");
+        return tr("Select a servo in the list, or select one below.");
     if (const QStringList held = servosHeldByStop(); !held.isEmpty())
-        return tr("Held by the emergency stop: %1. Switch torque on first; the Operate page does "
-                  "it for all selected servos.")
+        return tr("Blocked by the emergency stop: %1. Turn torque on first; you can do this for "
+                  "all selected servos on the Operate page.")
             .arg(held.join(QStringLiteral(", ")));
     return m_form->inputError();
 }
 
 void SweepPage::showState()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
     const bool running = m_test.isRunning();
-    const bool mode = std::any_of(m_previews.begin(), m_previews.end(), isWrongMode);
+    const auto& previews = m_previews->all();
+    const bool mode = std::any_of(previews.begin(), previews.end(), &SweepPreviews::isWrongMode);
     m_switchMode->setVisible(mode && !running);
-    const bool refused = std::any_of(m_previews.begin(), m_previews.end(), [&](const auto& one) {
-        return one.error && !(isWrongMode(one) && m_switchMode->isChecked());
+    const bool refused = std::any_of(previews.begin(), previews.end(), [&](const auto& one) {
+        return one.error && !(SweepPreviews::isWrongMode(one) && m_switchMode->isChecked());
     });
     m_form->setLocked(running);
     m_servos->setLocked(running);
-    m_run->setEnabled(!running && blockedReason().isEmpty() && !refused && !m_previews.empty() &&
+    m_run->setEnabled(!running && blockedReason().isEmpty() && !refused && !previews.empty() &&
                       !silentServo());
     m_stop->setEnabled(running);
     m_progress->setVisible(running);
@@ -404,10 +314,11 @@ void SweepPage::showPreview()
 {
     PreviewText words{Tone::Quiet, blockedReason()};
     if (words.text.isEmpty())
-        words = previewText(m_previews, m_form->spec(), m_desk, m_switchMode->isChecked());
+        words =
+            previewText(m_previews->all(), m_form->spec(), m_workbench, m_switchMode->isChecked());
     if (const auto silent = silentServo();
         silent && words.tone != Tone::Bad && blockedReason().isEmpty())
-        words = previewText({*silent}, m_form->spec(), m_desk, false);
+        words = previewText({*silent}, m_form->spec(), m_workbench, false);
     m_previewLabel->setText(words.text);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(words.tone, palette()));
@@ -423,16 +334,112 @@ void SweepPage::showProgress()
     m_progressLabel->setText(progressText(now, m_test.run()));
 }
 
+void SweepPage::run()
+{
+    const session::SweepTestRequest request = testRequest();
+    const SweepConsent consent = consentFor(request);
+    if (m_consent == consent)
+        start();
+    else
+        askBeforeSweep(this, m_workbench, request, m_previews->all(), [this, consent] {
+            m_consent = consent;
+            start();
+        });
+}
+
+void SweepPage::start()
+{
+    m_leftovers->hide();
+    m_references.clear();
+    m_form->saveSettings();
+    m_previews->cancel();
+    if (m_test.start(testRequest()))
+        m_progressLabel->setText(tr("Moving to the start"));
+    else
+        m_banner->showMessage([] { return notStartedText(); });
+    showState();
+}
+
+void SweepPage::onTestFinished()
+{
+    compareWithReference();
+    m_leftovers->show();
+    showVerdicts();
+    showState();
+    schedulePreview(); // the settings of the servo may have changed
+}
+
+/// Of the latest test, in the table of servos.
+void SweepPage::showVerdicts()
+{
+    std::map<session::ServoRef, SweepServos::Verdict> verdicts;
+    const results::SweepRun* run = m_test.run();
+    for (std::size_t i = 0; run != nullptr && !m_test.isRunning() && i < run->servos.size(); ++i) {
+        const results::SweepVerdict found = results::sweepVerdict(*run, run->servos[i]);
+        const bool bare = found.reason == results::NoVerdictReason::None;
+        verdicts[m_test.servos().at(i)] = {
+            found.grade, bare ? gradeText(found.grade)
+                              : text::localized(report::noVerdictReasonText(found.reason))};
+    }
+    m_servos->setVerdicts(verdicts);
+}
+
+/// Compares the run with the reference of its model.
+void SweepPage::compareWithReference()
+{
+    const auto run = std::make_shared<const results::SweepRun>(*m_test.run());
+    m_historyService.compareWithReference(
+        run, this, [this](const base::Result<std::vector<session::ReferenceResult>>& found) {
+            m_references = found.value_or(std::vector<session::ReferenceResult>{});
+            showReference();
+        });
+}
+
+void SweepPage::showReference()
+{
+    const results::SweepRun* run = m_test.run();
+    const std::size_t shown = m_results->shownServo();
+    if (run == nullptr || m_test.isRunning() || shown >= run->servos.size())
+        return;
+    const int id = run->servos[shown].parameters.servo.id;
+    const auto found = std::find_if(m_references.begin(), m_references.end(),
+                                    [id](const auto& one) { return one.servo == id; });
+    m_results->setComparison(found != m_references.end() ? referenceText(*found) : QString());
+}
+
+void SweepPage::onTestFailed(const base::Error& error)
+{
+    m_leftovers->show(error);
+    showState();
+    schedulePreview();
+}
+
+void SweepPage::editLimits(session::ServoRef ref)
+{
+    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    const auto& profile = *entry->servo.profile;
+    auto* dialog = new LimitsDialog(m_settings, m_servos->limits(ref), profile.modelName,
+                                    profile.series, this);
+    connect(dialog, &LimitsDialog::limitsAccepted, this,
+            [this, model = profile.modelName,
+             series = profile.series](const results::SweepLimits& limits) {
+                m_servos->setLimits(model, series, limits);
+            });
+    dialog->open();
+}
 void SweepPage::retranslate()
 {
     setAccessibleName(tr("Sweep test"));
     m_run->setText(tr("Run"));
-    m_run->setToolTip(tr("Start the test: the servos will move"));
+    m_run->setToolTip(tr("Starts the test: the servos will move"));
     m_stop->setText(tr("Stop"));
-    m_stop->setToolTip(tr("End the test; the servos hold or are released, as chosen"));
+    m_stop->setToolTip(
+        tr("Ends the test; the servos hold their position or torque is turned off, as selected"));
     m_switchMode->setText(tr("Switch to position mode for the test"));
-    m_switchMode->setToolTip(tr("Until the test has ended, then back again; nothing is kept in the "
-                                "servo for good"));
+    m_switchMode->setToolTip(tr("Switches back after the test; nothing is stored permanently in "
+                                "the servo"));
     m_progress->setAccessibleName(tr("Progress of the test"));
     for (QAbstractButton* button :
          std::initializer_list<QAbstractButton*>{m_run, m_stop, m_switchMode})

@@ -12,8 +12,8 @@
 
 namespace ui {
 using base::Duration;
-using record::SweepPace;
-using record::SweepShape;
+using results::SweepPace;
+using results::SweepShape;
 
 namespace {
 double seconds(Duration span)
@@ -41,8 +41,8 @@ QString shortDurationText(Duration span)
                       : SweepPage::tr("%1 h %2 min").arg(s / 3600).arg(s % 3600 / 60);
 }
 
-/// Of the whole test; 0: nothing tells.
-Duration totalDuration(const session::SweepPreview& preview, const record::SweepSpec& spec)
+/// Of the whole test; 0: unknown.
+Duration totalDuration(const session::SweepPreview& preview, const results::SweepSpec& spec)
 {
     const Duration byTime = spec.warmUp + spec.length;
     if (spec.cycles <= 0 || !preview.estimate)
@@ -57,60 +57,61 @@ Duration totalDuration(const session::SweepPreview& preview, const record::Sweep
     return spec.warmUp + legs * each;
 }
 
-PreviewText durationCheckText(const session::SweepPreview& preview, const record::SweepSpec& spec,
-                              const session::Desk& desk)
+PreviewText durationCheckText(const session::SweepPreview& preview, const results::SweepSpec& spec,
+                              const session::Workbench& workbench)
 {
     const jobs::SweepEstimate& estimate = *preview.estimate;
     const bool sine = spec.shape == SweepShape::Sine;
     const QString link =
         QStringLiteral("<a href=\"enough\">%1</a>")
-            .arg(SweepPage::tr("Take %1").arg(durationText(estimate.proposedDelay)));
-    const session::ServoEntry* entry = desk.servo(preview.servo);
+            .arg(SweepPage::tr("Use %1").arg(durationText(estimate.proposedDelay)));
+    const session::ServoEntry* entry = workbench.registry().servo(preview.servo);
     const QString who =
         entry != nullptr ? QStringLiteral("ID %1: ").arg(entry->servo.id) : QString();
     if (estimate.tooShort && sine)
-        return {
-            Tone::Warn,
-            who +
-                SweepPage::tr("the sine is faster than the servo can turn; it needs a period of "
-                              "at least %1.")
-                    .arg(durationText(estimate.proposedDelay)) +
-                QLatin1Char(' ') + link};
+        return {Tone::Warn,
+                who +
+                    SweepPage::tr(
+                        "the sine is faster than the servo can move. Use a period of at least %1.")
+                        .arg(durationText(estimate.proposedDelay)) +
+                    QLatin1Char(' ') + link};
     if (estimate.tooShort)
         return {Tone::Warn,
                 who +
-                    SweepPage::tr("the longest way takes %1 at this speed: the servo would turn "
-                                  "round before it arrives.")
+                    SweepPage::tr("the longest move takes %1 at this speed: the servo would "
+                                  "turn back before it arrives.")
                         .arg(durationText(*estimate.travel)) +
                     QLatin1Char(' ') + link};
     if (estimate.minMove > 0)
         return {Tone::Warn,
-                who + SweepPage::tr("most moves are too short for a verdict: targets count as "
-                                    "reached within %1 steps, so moves need at least %2 steps.")
-                          .arg(QLocale().toString(estimate.axis.tolerance, 'g', 4),
-                               QLocale().toString(std::ceil(estimate.minMove), 'f', 0))};
+                who +
+                    SweepPage::tr("most moves are too short for a verdict: a goal counts as "
+                                  "reached within %1 steps, so each move needs at least %2 steps.")
+                        .arg(QLocale().toString(estimate.axis.tolerance, 'g', 4),
+                             QLocale().toString(std::ceil(estimate.minMove), 'f', 0))};
     if (!estimate.travel)
         return {Tone::Quiet,
-                who + SweepPage::tr("nothing tells how fast it goes, so the delay cannot be "
-                                    "judged.")};
+                who + SweepPage::tr("the speed is unknown, so the delay cannot be checked.")};
     if (sine || spec.pace == SweepPace::Dwell)
-        return {Tone::Quiet, who + SweepPage::tr("the longest way takes %1 at this speed.")
+        return {Tone::Quiet, who + SweepPage::tr("the longest move takes %1 at this speed.")
                                        .arg(durationText(*estimate.travel))};
     return {Tone::Good,
-            who + SweepPage::tr("the longest way takes %1 at this speed: the delay is long enough.")
+            who + SweepPage::tr("the longest move takes %1 at this speed: the delay is long "
+                                "enough.")
                       .arg(durationText(*estimate.travel))};
 }
 } // namespace
 
 PreviewText previewText(const std::vector<session::SweepPreview>& previews,
-                        const record::SweepSpec& spec, const session::Desk& desk, bool switching)
+                        const results::SweepSpec& spec, const session::Workbench& workbench,
+                        bool switching)
 {
     if (previews.empty())
         return {};
     for (const session::SweepPreview& preview : previews) {
         if (!preview.error)
             continue;
-        const bool mode = preview.error->detail == QLatin1StringView("not-position");
+        const bool mode = preview.error->reason == base::Reason::NotInPositionMode;
         if (mode && switching)
             continue;
         const text::Description words = text::describe(*preview.error);
@@ -123,7 +124,7 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
     for (const session::SweepPreview& preview : previews) {
         if (!preview.estimate)
             continue;
-        const PreviewText words = durationCheckText(preview, spec, desk);
+        const PreviewText words = durationCheckText(preview, spec, workbench);
         const bool first = worst.text.isEmpty();
         if (first || (words.tone == Tone::Warn && worst.tone != Tone::Warn))
             worst = words;
@@ -131,7 +132,7 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
     }
     if (whole > Duration::zero())
         worst.text +=
-            QLatin1Char(' ') + SweepPage::tr("About %1 in all.").arg(shortDurationText(whole));
+            QLatin1Char(' ') + SweepPage::tr("About %1 in total.").arg(shortDurationText(whole));
     return worst;
 }
 
@@ -142,21 +143,21 @@ QString silenceText(const jobs::SweepProgress& progress)
     QStringList names;
     for (const int id : progress.silent)
         names.append(QStringLiteral("ID %1").arg(id));
-    return SweepPage::tr("No answer from %1 for %2")
+    return SweepPage::tr("No reply from %1 for %2")
         .arg(names.join(QStringLiteral(", ")), shortDurationText(progress.silentFor));
 }
 } // namespace
 
-QString progressText(const jobs::SweepProgress& progress, const record::SweepRun* run)
+QString progressText(const jobs::SweepProgress& progress, const results::SweepRun* run)
 {
     if (progress.ended)
         return SweepPage::tr("The test has ended; stopping the servos");
     if (!progress.silent.empty())
         return silenceText(progress);
     if (run == nullptr || (progress.leg == 0 && run->spec.warmUp <= Duration::zero()))
-        return SweepPage::tr("On the way to the start");
+        return SweepPage::tr("Moving to the start");
     if (progress.warmingUp)
-        return SweepPage::tr("Warming up; nothing is measured yet");
+        return SweepPage::tr("Warming up; not measuring yet");
     const QString cycle =
         run->spec.cycles > 0
             ? SweepPage::tr("cycle %1 of %2").arg(progress.cycle).arg(run->spec.cycles)

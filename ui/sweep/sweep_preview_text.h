@@ -14,8 +14,9 @@ struct PreviewText {
 
 /// `switching`: servos in another mode will be switched.
 PreviewText previewText(const std::vector<session::SweepPreview>& previews,
-                        const record::SweepSpec& spec, const session::Desk& desk, bool switching);
+                        const results::SweepSpec& spec, const session::Workbench& workbench,
+                        bool switching);
 
 /// `run`: null before it has begun.
-QString progressText(const jobs::SweepProgress& progress, const record::SweepRun* run);
+QString progressText(const jobs::SweepProgress& progress, const results::SweepRun* run);
 } // namespace ui

@@ -7,13 +7,13 @@
 #include "text/language.h"
 #include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/common/file_dialog.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/pill.h"
 
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
@@ -28,19 +28,13 @@
 
 namespace ui {
 using namespace std::chrono_literals;
-using record::Grade;
+using results::Grade;
 
 namespace {
 constexpr auto metricsInterval = 500ms;
 /// Figures are worked out from all legs: of a long test less often.
 constexpr std::size_t legsPerMillisecond = 20;
 constexpr auto defaultWidth = std::chrono::seconds(10);
-const QString folderKey = QStringLiteral("sweep/report_folder");
-
-QString in(const catalog::Text& words)
-{
-    return words.in(text::isUiChinese());
-}
 
 Tone toneOf(Grade grade)
 {
@@ -56,7 +50,7 @@ Tone toneOf(Grade grade)
     }
 }
 
-QString servoName(const record::SweepServo& servo)
+QString servoName(const results::SweepServo& servo)
 {
     return QStringLiteral("ID %1 · %2")
         .arg(servo.parameters.servo.id)
@@ -65,7 +59,7 @@ QString servoName(const record::SweepServo& servo)
 
 QString gradeSentence(Grade grade)
 {
-    return report::gradeSign(grade) + QLatin1Char(' ') + in(report::gradeLabel(grade));
+    return report::gradeSign(grade) + QLatin1Char(' ') + text::localized(report::gradeLabel(grade));
 }
 
 QString withReasons(const QString& grade, const QStringList& reasons)
@@ -75,23 +69,23 @@ QString withReasons(const QString& grade, const QStringList& reasons)
 }
 
 /// "✘ Failed: hysteresis, overshoot"
-QString verdictWords(const record::SweepServo& servo)
+QString verdictWords(const results::SweepServo& servo)
 {
     QStringList reasons;
-    for (const record::VerdictLine& line : servo.lines) {
+    for (const results::VerdictLine& line : servo.lines) {
         if (line.grade == servo.verdict && (line.grade == Grade::Fail || line.grade == Grade::Warn))
-            reasons.append(in(report::metricLabel(line.limit.metric)));
+            reasons.append(text::localized(report::metricLabel(line.limit.metric)));
     }
     return withReasons(gradeSentence(servo.verdict), reasons);
 }
 
 /// The worst one counts, and is named: "✘ Failed: ID 2, ID 5".
-QString verdictWords(const record::SweepRun& run)
+QString verdictWords(const results::SweepRun& run)
 {
     if (run.servos.size() == 1)
         return verdictWords(run.servos.front());
     QStringList worst;
-    for (const record::SweepServo& servo : run.servos) {
+    for (const results::SweepServo& servo : run.servos) {
         if (servo.verdict == run.verdict() && servo.verdict != Grade::Pass)
             worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id));
     }
@@ -99,10 +93,10 @@ QString verdictWords(const record::SweepRun& run)
 }
 } // namespace
 
-SweepResults::SweepResults(session::Desk& desk, session::SweepTest& test,
+SweepResults::SweepResults(session::Workbench& workbench, session::SweepTest& test,
                            session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_test(test)
     , m_settings(settings)
 {
@@ -128,7 +122,7 @@ void SweepResults::connectTest()
     connect(&m_test, &session::SweepTest::progressChanged, this, &SweepResults::showVerdict);
     connect(&m_test, &session::SweepTest::samplesAdded, this, [this] {
         if (isVisible())
-            m_chart->advance(m_desk.now());
+            m_chart->advance(m_workbench.now());
     });
     connect(&m_test, &session::SweepTest::legsAdded, this, [this] {
         appendLegs();
@@ -158,9 +152,9 @@ void SweepResults::connectTest()
     });
 }
 
-const record::SweepServo* SweepResults::servo() const
+const results::SweepServo* SweepResults::servo() const
 {
-    const record::SweepRun* run = m_test.run();
+    const results::SweepRun* run = m_test.run();
     return run != nullptr && m_servo < run->servos.size() ? &run->servos[m_servo] : nullptr;
 }
 
@@ -170,7 +164,7 @@ void SweepResults::startRun()
     m_saveError.reset();
     setComparison({});
     m_servos->clear();
-    for (const record::SweepServo& tested : m_test.run()->servos)
+    for (const results::SweepServo& tested : m_test.run()->servos)
         m_servos->addItem(servoName(tested));
     updateServoNames();
     m_servos->setVisible(m_servos->count() > 1);
@@ -184,9 +178,9 @@ void SweepResults::startRun()
 /// With its verdict, once there is one.
 void SweepResults::updateServoNames()
 {
-    const record::SweepRun* run = m_test.run();
+    const results::SweepRun* run = m_test.run();
     for (int i = 0; run != nullptr && i < m_servos->count(); ++i) {
-        const record::SweepServo& tested = run->servos[std::size_t(i)];
+        const results::SweepServo& tested = run->servos[std::size_t(i)];
         m_servos->setItemText(i, m_test.isRunning() ? servoName(tested)
                                                     : servoName(tested) + QStringLiteral(" · ") +
                                                           gradeSentence(tested.verdict));
@@ -210,7 +204,7 @@ void SweepResults::showServo(int index)
     m_legsModel.clear();
     m_histogram->clear();
     m_legsTaken = 0;
-    if (const record::SweepServo* tested = servo()) {
+    if (const results::SweepServo* tested = servo()) {
         const auto& lines = tested->limits.lines;
         const auto limit = std::find_if(lines.begin(), lines.end(), [](const auto& line) {
             return line.metric == QLatin1StringView("steady_error");
@@ -228,24 +222,24 @@ void SweepResults::showServo(int index)
 
 void SweepResults::showCurves()
 {
-    const record::SweepServo* tested = servo();
+    const results::SweepServo* tested = servo();
     if (tested == nullptr)
         return;
     const QColor ground = palette().color(QPalette::Base);
     const session::SweepTest::Curves curves = m_test.curves(m_servo);
     const report::SweepTexts& words = report::sweepTexts();
-    const QString unit = in(report::unitText(QStringLiteral("step")));
-    TrendChannel goal{curves.goal, QStringLiteral("goal"), in(words.goal), unit,
+    const QString unit = text::localized(report::unitText(QStringLiteral("step")));
+    TrendChannel goal{curves.goal, QStringLiteral("goal"), text::localized(words.goal), unit,
                       trendColor(trendColorCount - 1, ground)};
     goal.steps = true;
     m_chart->setChannels({goal,
-                          {curves.position, QStringLiteral("position"), in(words.position), unit,
-                           trendColor(0, ground)}});
+                          {curves.position, QStringLiteral("position"),
+                           text::localized(words.position), unit, trendColor(0, ground)}});
 }
 
 void SweepResults::appendLegs()
 {
-    const record::SweepServo* tested = servo();
+    const results::SweepServo* tested = servo();
     if (tested == nullptr || m_legsTaken >= tested->legs.size())
         return;
     const std::span fresh(tested->legs.data() + m_legsTaken, tested->legs.size() - m_legsTaken);
@@ -253,7 +247,7 @@ void SweepResults::appendLegs()
     const bool atEnd = bar->value() >= bar->maximum();
     m_legsModel.append(fresh);
     std::vector<double> errors;
-    for (const record::SweepLeg& leg : fresh) {
+    for (const results::SweepLeg& leg : fresh) {
         if (leg.steadyError)
             errors.push_back(*leg.steadyError);
     }
@@ -265,9 +259,9 @@ void SweepResults::appendLegs()
 
 void SweepResults::showMetrics()
 {
-    if (const record::SweepServo* tested = servo()) {
+    if (const results::SweepServo* tested = servo()) {
         const auto metrics = m_test.metrics(m_servo);
-        m_verdictModel.show(metrics, record::evaluate(*tested, metrics, m_test.run()->spec.shape));
+        m_verdictModel.show(metrics, results::evaluate(*tested, metrics, m_test.run()->spec.shape));
     }
     showVerdict();
 }
@@ -287,7 +281,7 @@ QString SweepResults::verdictText() const
 
 void SweepResults::showVerdict()
 {
-    const record::SweepServo* tested = servo();
+    const results::SweepServo* tested = servo();
     const bool none = tested == nullptr;
     m_emptyLabel->setVisible(none && !m_test.isRunning());
     m_verdict->setVisible(!none);
@@ -296,12 +290,12 @@ void SweepResults::showVerdict()
     m_title->setText(m_servos->count() > 1 ? tr("Position and goal")
                                            : tr("Position and goal — %1").arg(servoName(*tested)));
     if (m_test.isRunning() && !m_test.progress().silent.empty())
-        m_verdict->setState(Tone::Warn, tr("no answer"));
+        m_verdict->setState(Tone::Warn, tr("no reply"));
     else if (m_test.isRunning())
         m_verdict->setState(Tone::Accent, tr("running"));
     else
         m_verdict->setState(toneOf(m_test.run()->verdict()), verdictWords(*m_test.run()),
-                            in(report::gradeLabel(m_test.run()->verdict())));
+                            text::localized(report::gradeLabel(m_test.run()->verdict())));
 }
 
 void SweepResults::setComparison(const QString& text)
@@ -319,30 +313,23 @@ void SweepResults::enableReports()
 
 void SweepResults::askForSavePath(const QString& ending)
 {
-    const record::SweepRun* run = m_test.run();
+    const results::SweepRun* run = m_test.run();
     if (run == nullptr || run->servos.empty())
         return;
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QDir folder(m_settings.pageValue(folderKey, documents).toString());
     QStringList ids;
-    for (const record::SweepServo& tested : run->servos)
+    for (const results::SweepServo& tested : run->servos)
         ids.append(QString::number(tested.parameters.servo.id));
     const QString name = QStringLiteral("sweep_%1_ID%2.%3")
                              .arg(run->at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd_HHmm")),
                                   ids.mid(0, 8).join(QLatin1Char('-')), ending);
-    auto* dialog = new QFileDialog(this, tr("Save the report"));
-    dialog->setObjectName(QStringLiteral("sweepReportDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending)});
-    dialog->setDefaultSuffix(ending);
-    dialog->setDirectory(folder);
-    dialog->selectFile(name);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
-        m_test.save(path, text::isUiChinese());
-    });
-    dialog->open();
+    ui::askForSavePath(this,
+                       {QStringLiteral("sweepReportDialog"),
+                        tr("Save the report"),
+                        {QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending)},
+                        name,
+                        &m_settings,
+                        reportFolderKey()},
+                       [this](const QString& path) { m_test.save(path, text::isUiChinese()); });
 }
 
 void SweepResults::retranslate()
@@ -351,31 +338,32 @@ void SweepResults::retranslate()
     if (servo() == nullptr)
         m_title->setText(tr("Position and goal"));
     m_emptyLabel->setText(
-        tr("No test has run yet. Choose a test at the left, look at start and end, "
-           "then press Run: the servo will move."));
-    m_servos->setToolTip(tr("The servo that is shown"));
+        tr("No test has been run yet. Select a test on the left, check start and end, then "
+           "click Run: the servo will move."));
+    m_servos->setToolTip(tr("Servo to show"));
     m_servos->setAccessibleName(tr("Servo shown"));
-    m_tabs->setTabText(0, in(words.verdict));
-    m_tabs->setTabText(1, in(words.legs));
-    m_verdictView->setAccessibleName(tr("Figures and their grades"));
+    m_tabs->setTabText(0, text::localized(words.verdict));
+    m_tabs->setTabText(1, text::localized(words.legs));
+    m_verdictView->setAccessibleName(tr("Metrics and their grades"));
     m_legsView->setAccessibleName(tr("Legs"));
-    m_verdictView->setToolTip(tr("Each row tells more when the mouse rests on it"));
+    m_verdictView->setToolTip(tr("The tooltip of each row shows more"));
     m_legsView->setToolTip(m_verdictView->toolTip());
-    m_all->setText(tr("All figures"));
-    m_all->setToolTip(tr("Show the figures without a limit, too"));
-    m_histogramTitle->setText(tr("Error at the target"));
+    m_all->setText(tr("All metrics"));
+    m_all->setToolTip(tr("Shows metrics without a limit, too"));
+    m_histogramTitle->setText(tr("Error at the goal"));
     m_reportTitle->setText(tr("Report"));
     for (QPushButton* button : m_reports) {
-        button->setToolTip(button->text() == QLatin1StringView("CSV")
-                               ? tr("All legs as a table, and all readings in a file beside it")
-                               : tr("Save the report as %1, and all readings in a file beside it")
-                                     .arg(button->text()));
+        button->setToolTip(
+            button->text() == QLatin1StringView("CSV")
+                ? tr("Saves all legs as a table and all readings in a file next to it")
+                : tr("Saves the report as %1 and all readings in a file next to it")
+                      .arg(button->text()));
         button->setAccessibleName(button->toolTip());
     }
     m_previousTests->setText(tr("Earlier tests…"));
     m_previousTests->setAccessibleName(m_previousTests->text());
     m_all->setAccessibleName(m_all->text());
-    m_previousTests->setToolTip(tr("Look at kept tests, compare two, choose a reference"));
+    m_previousTests->setToolTip(tr("Shows saved tests, compares two, and selects a reference"));
     updateServoNames();
     showEnd();
     if (m_saveError) {
@@ -397,21 +385,22 @@ void SweepResults::retranslate()
 /// How the run ended, and why the servo that is shown has no verdict.
 void SweepResults::showEnd()
 {
-    const record::SweepRun* run = m_test.run();
+    const results::SweepRun* run = m_test.run();
     QStringList lines;
     if (run != nullptr && !m_test.isRunning()) {
-        if (run->end != record::SweepEnd::Finished)
+        if (run->end != results::SweepEnd::Finished)
             lines.append(
-                in(report::endText(run->end)) +
+                text::localized(report::endText(run->end)) +
                 (run->endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run->endedBy) : QString()));
-        const record::NoVerdictReason reason = servo() != nullptr
-                                                   ? record::sweepVerdict(*run, *servo()).reason
-                                                   : record::NoVerdictReason::None;
-        if (reason != record::NoVerdictReason::None && reason != record::NoVerdictReason::Ended)
-            lines.append(in(report::noVerdictReasonText(reason)));
+        const results::NoVerdictReason reason = servo() != nullptr
+                                                    ? results::sweepVerdict(*run, *servo()).reason
+                                                    : results::NoVerdictReason::None;
+        if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended)
+            lines.append(text::localized(report::noVerdictReasonText(reason)));
     }
     if (run != nullptr && !run->gaps.empty())
-        lines.append(tr("Silences of the line that were waited out: %1.").arg(run->gaps.size()));
+        lines.append(tr("The test waited for %n bus interruption(s) to end.", nullptr,
+                        int(run->gaps.size())));
     m_end->setText(lines.join(QLatin1Char(' ')));
     m_end->setVisible(!lines.isEmpty());
 }
@@ -419,7 +408,7 @@ void SweepResults::showEnd()
 void SweepResults::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_chart->advance(m_desk.now());
+    m_chart->advance(m_workbench.now());
 }
 
 void SweepResults::changeEvent(QEvent* event)

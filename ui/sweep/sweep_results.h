@@ -29,10 +29,10 @@ class SweepResults final : public QWidget {
 
 public:
     QWidget* chart() const; ///< messages may float over it
-    SweepResults(session::Desk& desk, session::SweepTest& test, session::Settings& settings,
-                 QWidget* parent);
+    SweepResults(session::Workbench& workbench, session::SweepTest& test,
+                 session::Settings& settings, QWidget* parent);
 
-    /// Below the verdict: what another test of this model had found. Empty: nothing to compare
+    /// Below the verdict: the result of another test of this model. Empty: nothing to compare
     /// with.
     void setComparison(const QString& text);
     std::size_t shownServo() const { return m_servo; }
@@ -65,9 +65,9 @@ private:
     void askForSavePath(const QString& ending);
     void enableReports();
     void retranslate();
-    const record::SweepServo* servo() const;
+    const results::SweepServo* servo() const;
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     session::SweepTest& m_test;
     session::Settings& m_settings;
     SweepVerdictModel m_verdictModel;

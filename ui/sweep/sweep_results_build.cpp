@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the results of a sweep test are shown in.
+// Builds the widgets that show the results of a sweep test.
 #include "ui/charts/trend_chart.h"
 #include "ui/sweep/sweep_results.h"
 #include "ui/widgets/error_histogram.h"

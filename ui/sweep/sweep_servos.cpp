@@ -19,7 +19,7 @@ namespace ui {
 namespace {
 enum Column { Servo, Start, End, Verdicts, ColumnCount };
 constexpr int visibleRows = 4;
-constexpr int rowPadding = 8;
+constexpr int servoRowPadding = 8;
 
 QString limitsKey(const QString& model)
 {
@@ -27,9 +27,9 @@ QString limitsKey(const QString& model)
 }
 
 /// Short enough for a narrow column.
-QString shortGrade(record::Grade grade)
+QString shortGrade(results::Grade grade)
 {
-    return grade == record::Grade::Warn
+    return grade == results::Grade::Warn
                ? report::gradeSign(grade) + QLatin1Char(' ') + SweepServos::tr("Warning")
                : gradeText(grade);
 }
@@ -40,10 +40,10 @@ bool isTestable(const session::ServoEntry* entry)
 }
 } // namespace
 
-SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Settings& settings,
-                         QWidget* parent)
+SweepServos::SweepServos(session::Workbench& workbench, Selection& selection,
+                         session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_selection(selection)
     , m_settings(settings)
     , m_title(new QLabel(this))
@@ -54,8 +54,8 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
 {
     m_table->setObjectName(QStringLiteral("sweepServos"));
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
-    m_table->setMinimumHeight((fontMetrics().height() + rowPadding) * (visibleRows + 1));
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + servoRowPadding);
+    m_table->setMinimumHeight((fontMetrics().height() + servoRowPadding) * (visibleRows + 1));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -79,10 +79,10 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     m_rebuild.setInterval(0);
     connect(&m_rebuild, &QTimer::timeout, this, &SweepServos::rebuild);
     const auto again = [this] { m_rebuild.start(); };
-    connect(&desk, &session::Desk::servoAdded, this, again);
-    connect(&desk, &session::Desk::servoRemoved, this, again);
-    connect(&desk, &session::Desk::servosCleared, this, again);
-    connect(&desk, &session::Desk::orderChanged, this, again);
+    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this, again);
+    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this, again);
+    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this, again);
+    connect(&workbench.registry(), &session::ServoRegistry::orderChanged, this, again);
     connect(&selection, &Selection::selectedServosChanged, this, &SweepServos::followSelection);
     connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::onItemEdited);
     connect(m_table, &QTableWidget::currentCellChanged, this, &SweepServos::showLimits);
@@ -110,8 +110,8 @@ void SweepServos::rebuild()
     m_filling = true;
     m_table->clearContents();
     std::vector<const session::ServoEntry*> shown;
-    for (const session::ServoRef ref : m_desk.servos()) {
-        if (const session::ServoEntry* entry = m_desk.servo(ref); isTestable(entry))
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        if (const session::ServoEntry* entry = m_workbench.registry().servo(ref); isTestable(entry))
             shown.push_back(entry);
     }
     m_table->setRowCount(int(shown.size()));
@@ -124,7 +124,9 @@ void SweepServos::rebuild()
     }
     m_filling = false;
     showVerdicts();
-    const auto gone = [this](const auto& one) { return m_desk.servo(one) == nullptr; };
+    const auto gone = [this](const auto& one) {
+        return m_workbench.registry().servo(one) == nullptr;
+    };
     const std::size_t before = m_ticked.size();
     std::erase_if(m_ticked, gone);
     if (m_ticked.empty() && std::exchange(m_userSelected, false))
@@ -142,10 +144,10 @@ void SweepServos::fillRow(int row, const session::ServoEntry& entry)
     servo->setData(Qt::UserRole, entry.ref);
     servo->setFlags(servoFlags());
     servo->setCheckState(m_ticked.count(entry.ref) != 0 ? Qt::Checked : Qt::Unchecked);
-    servo->setToolTip(tr("Ticked: takes part in the test"));
+    servo->setToolTip(tr("Select the servo to include it in the test"));
     const auto own = m_ranges.find(entry.ref);
-    const record::SweepRange range = own != m_ranges.end() ? own->second : record::SweepRange{};
-    const QString tip = tr("A range of its own; empty: start and end above");
+    const results::SweepRange range = own != m_ranges.end() ? own->second : results::SweepRange{};
+    const QString tip = tr("Range of this servo; leave empty to use the start and end above");
     auto* from = new QTableWidgetItem(range.from);
     auto* to = new QTableWidgetItem(range.to);
     from->setToolTip(tip);
@@ -230,13 +232,13 @@ void SweepServos::onItemEdited(QTableWidgetItem* item)
             m_ticked.erase(ref);
         m_userSelected = !m_ticked.empty();
     } else {
-        record::SweepRange& range = m_ranges[ref];
+        results::SweepRange& range = m_ranges[ref];
         (item->column() == Start ? range.from : range.to) = item->text().trimmed();
     }
     Q_EMIT changed();
 }
 
-/// What the user has ticked stays, whatever is looked at elsewhere, until the last tick is gone.
+/// The user's own ticks stay, whatever is selected elsewhere, until the last tick is gone.
 void SweepServos::followSelection()
 {
     if (m_userSelected)
@@ -250,53 +252,53 @@ void SweepServos::followSelection()
 std::vector<session::ServoRef> SweepServos::selected() const
 {
     std::vector<session::ServoRef> refs;
-    for (const session::ServoRef ref : m_desk.servos()) {
-        if (m_ticked.count(ref) != 0 && isTestable(m_desk.servo(ref)))
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        if (m_ticked.count(ref) != 0 && isTestable(m_workbench.registry().servo(ref)))
             refs.push_back(ref);
     }
     return refs;
 }
 
-std::map<int, record::SweepRange> SweepServos::ranges() const
+std::map<int, results::SweepRange> SweepServos::ranges() const
 {
-    std::map<int, record::SweepRange> ranges;
+    std::map<int, results::SweepRange> ranges;
     for (const session::ServoRef ref : selected()) {
         const auto own = m_ranges.find(ref);
         if (own != m_ranges.end() && !(own->second.from.isEmpty() && own->second.to.isEmpty()))
-            ranges[m_desk.servo(ref)->servo.id] = own->second;
+            ranges[m_workbench.registry().servo(ref)->servo.id] = own->second;
     }
     return ranges;
 }
 
-const std::optional<record::SweepLimits>& SweepServos::ownLimits(const QString& model) const
+const std::optional<results::SweepLimits>& SweepServos::ownLimits(const QString& model) const
 {
     const auto known = m_modelLimits.find(model);
     if (known != m_modelLimits.end())
         return known->second;
     const QByteArray kept = m_settings.pageValue(limitsKey(model), QString()).toString().toUtf8();
-    std::optional<record::SweepLimits> own;
-    if (const auto read = record::decodeSweepLimits(kept); !kept.isEmpty() && read)
+    std::optional<results::SweepLimits> own;
+    if (const auto read = results::decodeSweepLimits(kept); !kept.isEmpty() && read)
         own = *read;
     return m_modelLimits[model] = own;
 }
 
-record::SweepLimits SweepServos::limits(session::ServoRef ref) const
+results::SweepLimits SweepServos::limits(session::ServoRef ref) const
 {
-    const session::ServoEntry* entry = m_desk.servo(ref);
+    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
     if (!isTestable(entry))
         return {};
     const auto& profile = *entry->servo.profile;
     return ownLimits(profile.modelName)
-        .value_or(record::builtInSweepLimits(profile.modelName, profile.series));
+        .value_or(results::builtInSweepLimits(profile.modelName, profile.series));
 }
 
 void SweepServos::setLimits(const QString& model, const QString& series,
-                            const record::SweepLimits& limits)
+                            const results::SweepLimits& limits)
 {
-    const bool own = !(limits == record::builtInSweepLimits(model, series));
+    const bool own = !(limits == results::builtInSweepLimits(model, series));
     m_modelLimits[model] = own ? std::optional(limits) : std::nullopt;
-    m_settings.setPageValue(limitsKey(model),
-                            own ? QString::fromUtf8(record::encodeSweepLimits(limits)) : QString());
+    m_settings.setPageValue(
+        limitsKey(model), own ? QString::fromUtf8(results::encodeSweepLimits(limits)) : QString());
     showLimits();
     Q_EMIT changed();
 }
@@ -305,27 +307,27 @@ void SweepServos::showLimits()
 {
     const session::ServoRef ref = refAt(std::max(0, m_table->currentRow()));
     m_limits->setEnabled(ref != 0 && !m_locked);
-    const session::ServoEntry* entry = m_desk.servo(ref);
+    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
     if (ref == 0 || entry == nullptr) {
         m_limitsName->clear();
         return;
     }
     const bool own = ownLimits(entry->servo.profile->modelName).has_value();
-    m_limitsName->setText(own ? tr("Limits: %1").arg(limits(ref).name) : tr("Limits: built in"));
+    m_limitsName->setText(own ? tr("Limits: %1").arg(limits(ref).name) : tr("Limits: built-in"));
 }
 
 void SweepServos::retranslate()
 {
     m_title->setText(tr("Servos"));
-    m_table->setAccessibleName(tr("Servos to be tested"));
+    m_table->setAccessibleName(tr("Servos to test"));
     m_table->setHorizontalHeaderLabels(
         {tr("Servo"), tr("own start"), tr("own end"), tr("Verdict")});
     m_table->setToolTip(
-        tr("Tick who takes part; start and end of their own, where they need them"));
+        tr("Select the servos to test; enter their own start and end where needed"));
     m_limits->setText(tr("Limits…"));
     m_limits->setAccessibleName(m_limits->text());
-    m_limits->setToolTip(tr("What the servo of the marked row is judged by: look, edit, load, "
-                            "save"));
+    m_limits->setToolTip(
+        tr("Shows, edits, loads and saves the limits for the servo in the selected row"));
     m_rebuild.start();
 }
 

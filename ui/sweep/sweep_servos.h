@@ -7,8 +7,8 @@
 #include "results/sweep_limits.h"
 #include "results/sweep_run.h"
 #include "results/sweep_spec.h"
-#include "session/desk.h"
 #include "session/settings.h"
+#include "session/workbench.h"
 #include "ui/common/selection.h"
 
 #include <QAbstractItemView>
@@ -28,20 +28,20 @@ class SweepServos final : public QWidget {
     Q_OBJECT
 
 public:
-    SweepServos(session::Desk& desk, Selection& selection, session::Settings& settings,
+    SweepServos(session::Workbench& workbench, Selection& selection, session::Settings& settings,
                 QWidget* parent);
 
     /// Those that can be tested, in the order of the list.
     std::vector<session::ServoRef> selected() const;
-    std::map<int, record::SweepRange> ranges() const; ///< by ID, of the ticked ones
+    std::map<int, results::SweepRange> ranges() const; ///< by ID, of the ticked ones
     /// The user's for this model, which the settings keep, else the built-in ones.
-    record::SweepLimits limits(session::ServoRef ref) const;
-    void setLimits(const QString& model, const QString& series, const record::SweepLimits& limits);
+    results::SweepLimits limits(session::ServoRef ref) const;
+    void setLimits(const QString& model, const QString& series, const results::SweepLimits& limits);
 
-    /// What the latest test found of each; empty: nothing yet, and no column for it.
+    /// The verdict of the latest test for each; empty: none yet, and no column for it.
     struct Verdict {
-        record::Grade grade = record::Grade::NotMeasured;
-        QString text{}; ///< said by the tool tip
+        results::Grade grade = results::Grade::NotMeasured;
+        QString text{}; ///< shown in the tool tip
         bool operator==(const Verdict&) const = default;
     };
     void setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts);
@@ -67,9 +67,9 @@ private:
     void showVerdicts();
     void retranslate();
     session::ServoRef refAt(int row) const;
-    const std::optional<record::SweepLimits>& ownLimits(const QString& model) const;
+    const std::optional<results::SweepLimits>& ownLimits(const QString& model) const;
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     Selection& m_selection;
     session::Settings& m_settings;
     QLabel* m_title;
@@ -80,9 +80,9 @@ private:
     QTimer m_rebuild; ///< several changes of the list are one
     std::set<session::ServoRef> m_ticked;
     bool m_userSelected = false; ///< m_ticked is the user's choice, not the selection
-    std::map<session::ServoRef, record::SweepRange> m_ranges;
+    std::map<session::ServoRef, results::SweepRange> m_ranges;
     std::map<session::ServoRef, Verdict> m_verdicts;
-    mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read
+    mutable std::map<QString, std::optional<results::SweepLimits>> m_modelLimits; ///< as read
     bool m_filling = false;
     bool m_locked = false;
 };

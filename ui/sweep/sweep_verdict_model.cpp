@@ -8,8 +8,8 @@
 #include <algorithm>
 
 namespace ui {
-using record::SweepMetric;
-using record::VerdictLine;
+using results::SweepMetric;
+using results::VerdictLine;
 
 namespace {
 bool isNumber(VerdictColumn column)
@@ -112,7 +112,7 @@ QString SweepVerdictModel::cell(const Row& row, VerdictColumn column) const
         return row.line ? limitText(row.line->limit, row.line->limit.fail) : QString();
     case VerdictColumn::Grade:
         if (!row.value())
-            return lineGradeText(record::Grade::NotMeasured);
+            return lineGradeText(results::Grade::NotMeasured);
         return row.line ? lineGradeText(row.line->grade) : tr("no limit");
     case VerdictColumn::Count:
         break;

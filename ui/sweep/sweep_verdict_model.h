@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of one servo in a sweep test and how they are graded: a row a limit, and if wished a
-// row for each figure nobody set a limit to. What was not measured keeps its place and says so.
+// row for each figure without a limit. A figure that was not measured keeps its row and says so.
 // Updated while the test runs; equal rows change nothing. Owned by the page; main thread.
 #pragma once
 
@@ -17,18 +17,17 @@ class SweepVerdictModel final : public QAbstractTableModel {
 public:
     enum Role : int {
         MetricRole = Qt::UserRole + 1, ///< SweepMetric::key
-        GradeRole,                     ///< record::Grade as int; invalid: nobody judges it
+        GradeRole,                     ///< results::Grade as int; invalid: not evaluated
         ReasonRole,                    ///< why, in words
     };
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(const std::vector<record::SweepMetric>& metrics,
-              const std::vector<record::VerdictLine>& lines);
+    void show(const std::vector<results::SweepMetric>& metrics,
+              const std::vector<results::VerdictLine>& lines);
     void clear() { show({}, {}); }
     /// Also the figures without a limit. Off at first.
     void setShowAll(bool all);
-    bool isShowingAll() const { return m_showAll; }
     void retranslate();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -39,8 +38,8 @@ public:
 
 private:
     struct Row {
-        record::SweepMetric figure;
-        std::optional<record::VerdictLine> line{};
+        results::SweepMetric figure;
+        std::optional<results::VerdictLine> line{};
         bool operator==(const Row&) const = default;
         bool sameLine(const Row& other) const;
         const std::optional<double>& value() const { return line ? line->value : figure.value; }
@@ -50,8 +49,8 @@ private:
     QString cell(const Row& row, VerdictColumn column) const;
     QString tip(const Row& row) const;
 
-    std::vector<record::SweepMetric> m_metrics;
-    std::vector<record::VerdictLine> m_lines;
+    std::vector<results::SweepMetric> m_metrics;
+    std::vector<results::VerdictLine> m_lines;
     std::vector<Row> m_rows;
     bool m_showAll = false;
 };

@@ -29,8 +29,8 @@ bool hasAction(ClearMethod release)
 }
 } // namespace
 
-AlarmDialog::AlarmDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
-    : TaskDialog(desk, servo, "alarmDialog", parent)
+AlarmDialog::AlarmDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent)
+    : TaskDialog(workbench, servo, "alarmDialog", parent)
     , m_table(new QTableWidget(0, columns, this))
     , m_release(textLabel("release"))
 {
@@ -51,7 +51,7 @@ AlarmDialog::AlarmDialog(session::Desk& desk, session::ServoRef servo, QWidget* 
     reload();
 }
 
-/// One look after the other, each when the one before has ended, so that none pile up.
+/// One reading after the other, each when the previous one has ended, so that they do not queue up.
 void AlarmDialog::reload()
 {
     if (isRunning() || entry() == nullptr)
@@ -87,11 +87,11 @@ void AlarmDialog::onPlanRead(const base::Result<AlarmPlan>& plan)
         refresh();
         if (changed && m_plan->next == ClearMethod::None && m_hadAlarm)
             showResult([] {
-                return TaskText{Tone::Good, translate("ServoTasks", "The alarm is gone.")};
+                return TaskText{Tone::Good, translate("ServoTasks", "The alarm has cleared.")};
             });
         m_hadAlarm = m_plan->next != ClearMethod::None;
     }
-    if (desk().state() == session::LinkState::Open)
+    if (workbench().link().state() == session::LinkState::Open)
         m_refreshTimer.start();
 }
 
@@ -123,9 +123,9 @@ QString AlarmDialog::actionText() const
 {
     switch (m_plan ? m_plan->next : ClearMethod::None) {
     case ClearMethod::BackOff:
-        return translate("ServoTasks", "Turn back a little…");
+        return translate("ServoTasks", "Turn back slightly…");
     case ClearMethod::NewGoal:
-        return translate("ServoTasks", "Hold where it is…");
+        return translate("ServoTasks", "Hold position…");
     case ClearMethod::FaultReset:
         return translate("ServoTasks", "Reset the fault");
     default:
@@ -136,15 +136,16 @@ QString AlarmDialog::actionText() const
 void AlarmDialog::retranslate()
 {
     setTexts(translate("ServoTasks", "Clear alarm"),
-             translate("ServoTasks", "Each alarm lets go in its own way. The values are read again "
-                                     "as long as this is open; reading writes nothing."),
-             actionText(), translate("ServoTasks", "Do what releases the alarm"));
+             translate("ServoTasks",
+                       "Each alarm is cleared in its own way. While this dialog is open, "
+                       "values are read continuously; reading does not change the servo."),
+             actionText(), translate("ServoTasks", "Performs the action that clears the alarm"));
     m_table->setHorizontalHeaderLabels(
         {translate("ServoTasks", "Alarm"), translate("ServoTasks", "Value"),
          translate("ServoTasks", "Minimum"), translate("ServoTasks", "Maximum")});
     m_table->setAccessibleName(translate("ServoTasks", "Alarms"));
     m_table->setToolTip(
-        translate("ServoTasks", "The alarms of this servo, with the value and limit of each"));
+        translate("ServoTasks", "Alarms of this servo, each with its value and limits"));
 }
 
 void AlarmDialog::refresh()
@@ -156,8 +157,8 @@ void AlarmDialog::refresh()
         for (const jobs::Alarm& alarm : m_plan->alarms) {
             lines << text::alarmCause(alarm.key);
             if (alarm.derived)
-                lines << translate("ServoTasks", "This family reports no alarms: this one is "
-                                                 "worked out from the value and its limit.");
+                lines << translate("ServoTasks", "This servo family does not report alarms. This "
+                                                 "alarm is derived from the value and its limit.");
         }
         lines << text::releaseText(jobs::clearMethodName(m_plan->next));
         if (m_plan->refused) {
@@ -184,20 +185,23 @@ void AlarmDialog::runAction()
     }
     Question question;
     if (m_plan->next == ClearMethod::BackOff) {
-        question.title = translate("ServoTasks", "Let the shaft turn back?");
-        question.text = translate("ServoTasks", "It turns from %1 to %2, away from the stall, and "
-                                                "holds there with its full torque.")
-                            .arg(positionText(m_plan->from), positionText(m_plan->to));
+        question.title = translate("ServoTasks", "Turn the shaft back?");
+        question.text =
+            translate("ServoTasks", "The shaft turns from %1 to %2, away from the stalled "
+                                    "position, and holds there with full torque.")
+                .arg(positionText(m_plan->from), positionText(m_plan->to));
         question.acceptText = translate("ServoTasks", "Turn back");
     } else {
-        question.title = translate("ServoTasks", "Switch torque on?");
-        question.text = translate("ServoTasks", "Its present place, %1, becomes its goal, and "
-                                                "torque holds it there.")
-                            .arg(positionText(m_plan->to));
-        question.acceptText = translate("ServoTasks", "Switch on");
+        question.title = translate("ServoTasks", "Turn torque on?");
+        question.text =
+            translate(
+                "ServoTasks",
+                "The present position, %1, becomes the goal position, and the servo holds it.")
+                .arg(positionText(m_plan->to));
+        question.acceptText = translate("ServoTasks", "Turn on");
     }
-    question.risk = translate("ServoTasks", "Remove what blocks it and keep your fingers away from "
-                                            "the mechanism.");
+    question.risk = translate("ServoTasks", "Remove the obstruction and keep your fingers away "
+                                            "from the mechanism.");
     question.guard = this;
     question.rejected = [this] {
         m_confirming = false;
@@ -247,11 +251,12 @@ void AlarmDialog::onCleared(const jobs::AlarmReport& report, const device::Notic
     refresh();
     const bool good = report.isCleared();
     showResult([good, notices] {
-        return TaskText{good ? Tone::Good : Tone::Warn,
-                        good ? translate("ServoTasks", "The alarm is gone.")
-                             : translate("ServoTasks", "An alarm is still there, or has come "
-                                                       "back: its cause lasts."),
-                        noticeLines(notices)};
+        return TaskText{
+            good ? Tone::Good : Tone::Warn,
+            good ? translate("ServoTasks", "The alarm has cleared.")
+                 : translate("ServoTasks",
+                             "An alarm is still active or has returned because its cause remains."),
+            noticeLines(notices)};
     });
 }
 } // namespace ui

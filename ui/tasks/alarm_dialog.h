@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ails a servo, by cause: each alarm with its value and limits, read again and again until it
-// is gone; what releases it, and a button where something can be done. Asks before the shaft moves
-// or torque comes on. Where only waiting helps it writes nothing. Main thread.
+// The alarms of a servo by cause: each with its value and limits, read again and again until it is
+// gone; what clears it, and a button where something can be done. Asks before the shaft moves or
+// torque is turned on. Where only waiting helps it writes nothing. Main thread.
 #pragma once
 
 #include "jobs/change/clear_alarm.h"
@@ -16,7 +16,7 @@ class AlarmDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    AlarmDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    AlarmDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;

@@ -11,8 +11,8 @@ namespace ui {
 using catalog::Role;
 using text::translate;
 
-CenterDialog::CenterDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
-    : TaskDialog(desk, servo, "centerDialog", parent)
+CenterDialog::CenterDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent)
+    : TaskDialog(workbench, servo, "centerDialog", parent)
 {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(24);
@@ -35,7 +35,7 @@ CenterDialog::CenterDialog(session::Desk& desk, session::ServoRef servo, QWidget
         readBefore();
         return;
     }
-    // In the words of the job, which would refuse it.
+    // With the error of the job, which would refuse it.
     const catalog::Register* offset = entry()->servo.profile->byRole(Role::PositionOffset);
     const QString detail = offset != nullptr && offset->writable()
                                ? QStringLiteral("write ") + offset->key
@@ -43,7 +43,7 @@ CenterDialog::CenterDialog(session::Desk& desk, session::ServoRef servo, QWidget
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("center"), detail,
                               entry()->servo.id};
     showResult([refused] {
-        return refusedText(refused, translate("ServoTasks", "This servo has no command for it."));
+        return refusedText(refused, translate("ServoTasks", "Not supported by this servo."));
     });
 }
 
@@ -91,17 +91,19 @@ void CenterDialog::refresh()
 
 void CenterDialog::retranslate()
 {
-    setTexts(translate("ServoTasks", "Centre here"),
-             translate("ServoTasks",
-                       "The place where the shaft stands now becomes the middle of its range. "
-                       "Torque is switched off first, so that nothing jumps to the old goal, and "
-                       "stays off until you switch it on. The offset is kept at power-off."),
-             translate("ServoTasks", "Centre here"),
-             translate("ServoTasks", "Take torque off and make the present position the middle"));
+    setTexts(
+        translate("ServoTasks", "Set midpoint"),
+        translate("ServoTasks",
+                  "The present shaft position becomes the midpoint of the travel range. Torque is "
+                  "turned off first to prevent a jump to the old goal position, and stays off "
+                  "until you turn it on. The position correction is kept after power-off."),
+        translate("ServoTasks", "Set midpoint"),
+        translate("ServoTasks", "Turns torque off and sets the present position as the "
+                                "midpoint"));
     m_headers[1]->setText(translate("ServoTasks", "Before"));
     m_headers[2]->setText(translate("ServoTasks", "After"));
     m_position[0]->setText(translate("ServoTasks", "Position"));
-    m_offset[0]->setText(translate("ServoTasks", "Offset"));
+    m_offset[0]->setText(translate("ServoTasks", "Position correction"));
 }
 
 void CenterDialog::runAction()
@@ -126,7 +128,7 @@ void CenterDialog::runAction()
         refresh();
         showResult([this, notices = end.notices] {
             TaskText result{m_report.lock == device::LockState::Closed ? Tone::Good : Tone::Warn,
-                            translate("ServoTasks", "The present position is the middle now.")};
+                            translate("ServoTasks", "The present position is now the midpoint.")};
             result.details << lockLine(m_report.lock) << noticeLines(notices);
             result.details.removeAll(QString());
             return result;

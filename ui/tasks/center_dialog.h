@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the present position the middle: position and offset before and after, and the word that
+// Makes the present position the midpoint: shows position and offset before and after, and that
 // torque stays off. Main thread.
 #pragma once
 
@@ -13,7 +13,7 @@ class CenterDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    CenterDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    CenterDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;

@@ -7,25 +7,26 @@
 namespace ui {
 using text::translate;
 
-IdentifyDialog::IdentifyDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
-    : TaskDialog(desk, servo, "identifyDialog", parent)
+IdentifyDialog::IdentifyDialog(session::Workbench& workbench, session::ServoRef servo,
+                               QWidget* parent)
+    : TaskDialog(workbench, servo, "identifyDialog", parent)
 {
     finishSetup();
-    // Nobody should wait for a blinking LED to close the port.
-    connect(&desk, &session::Desk::linkChanged, this, [this] {
-        if (isRunning() && this->desk().state() == session::LinkState::Closing)
-            this->desk().stopTask();
+    // A blinking LED must not delay closing the port.
+    connect(&workbench.link(), &session::LinkController::linkChanged, this, [this] {
+        if (isRunning() && this->workbench().link().state() == session::LinkState::Closing)
+            this->workbench().tasks().stop();
     });
     runAction();
 }
 
 void IdentifyDialog::retranslate()
 {
-    setTexts(translate("ServoTasks", "Identify"),
-             translate("ServoTasks", "The LED of this servo blinks for some seconds; then its "
-                                     "setting is put back as it was. Nothing moves. A board "
-                                     "without LED shows nothing."),
-             translate("ServoTasks", "Again"), translate("ServoTasks", "Let it blink once more"));
+    setTexts(translate("ServoTasks", "Blink LED"),
+             translate("ServoTasks",
+                       "The LED of this servo blinks for a few seconds, then its setting is "
+                       "restored. Nothing moves. A servo without an LED shows nothing."),
+             translate("ServoTasks", "Repeat"), translate("ServoTasks", "Blinks the LED again"));
 }
 
 void IdentifyDialog::runAction()
@@ -52,7 +53,8 @@ void IdentifyDialog::runAction()
             return;
         }
         showResult([this, report, notices = end.notices] {
-            TaskText words{Tone::Good, translate("ServoTasks", "The LED is as it was before.")};
+            TaskText words{Tone::Good, translate("ServoTasks", "The LED setting has been "
+                                                               "restored.")};
             words.details << QStringLiteral("%1 = %2").arg(
                 registerText(entry()->servo, report->key),
                 valueText(entry()->servo, report->key, report->before));
@@ -62,11 +64,11 @@ void IdentifyDialog::runAction()
     });
 }
 
-/// Whoever closes it has seen it.
+/// Closing the dialog means that the user has seen the LED.
 void IdentifyDialog::done(int result)
 {
     if (isRunning())
-        desk().stopTask();
+        workbench().tasks().stop();
     TaskDialog::done(result);
 }
 } // namespace ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the servo blink as soon as it is opened, and says when its LED is as before. Closing it
+// Makes the servo blink as soon as it is opened, and reports when its LED is as before. Closing it
 // ends the blinking. Main thread.
 #pragma once
 
@@ -10,7 +10,7 @@ class IdentifyDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    IdentifyDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    IdentifyDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
     void done(int result) override;
 

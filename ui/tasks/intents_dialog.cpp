@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "text/translate.h"
+#include "ui/common/widget_text.h"
 #include "ui/widgets/fit_columns.h"
 #include "ui/widgets/question_dialog.h"
 
@@ -17,8 +18,8 @@ namespace ui {
 using jobs::Finding;
 using jobs::RecoveryAction;
 using jobs::RecoveryResult;
-using session::Desk;
 using session::Event;
+using session::Workbench;
 using text::translate;
 
 namespace {
@@ -26,48 +27,47 @@ constexpr int initialWidth = 880;
 constexpr int initialHeight = 420;
 constexpr int margin = 24;
 
-/// Of a test's settings and a blinked LED there is no change to finish: both ways put them back.
+/// Settings of a test and a blinking LED have no change to finish: both actions restore them.
 bool isRollbackOnly(const base::Intent& intent)
 {
     return intent.kind == base::IntentKind::Trial || intent.kind == base::IntentKind::Identify;
 }
 
-/// What recovery does not write by itself, by name.
+/// The names of the registers that recovery does not write by itself.
 QString remainingChangesLine(const RecoveryResult& one, const catalog::Catalog& catalog)
 {
     const catalog::ProfilePtr profile = profileOf(catalog, one.before.intent.servo);
     QStringList names;
-    for (const QString& key : one.skippedKeys) {
-        const catalog::Register* reg = profile->find(key);
-        names << (reg != nullptr ? reg->name.in(text::isUiChinese()) : key);
-    }
+    for (const QString& key : one.skippedKeys)
+        names << text::registerName(profile.get(), key);
     return names.isEmpty()
                ? QString()
-               : translate("ServoTasks", "Left as they are, because they have another value since "
-                                         "or would move the servo: %1")
+               : translate("ServoTasks", "Left unchanged because the value has since changed, or "
+                                         "because writing it would move the servo: %1")
                      .arg(names.join(QStringLiteral(", ")));
 }
 
-/// What settling it has really done, which is not always what the button says.
+/// What the recovery has really done, which is not always what the button names.
 TaskText recoveredText(const RecoveryResult& one, const catalog::Catalog& catalog)
 {
     if (one.error)
         return errorText(*one.error);
     if (one.isAllSkipped)
         return {Tone::Warn,
-                translate("ServoTasks", "Nothing was written; the change is no longer offered."),
+                translate("ServoTasks", "Nothing was written. ServoDesk will no longer offer to "
+                                        "finish or undo this change."),
                 {remainingChangesLine(one, catalog)}};
     const base::Intent& intent = one.before.intent;
     const bool allowPreviousValues = one.before.finding == Finding::AllOld;
     QString line;
     if (isRollbackOnly(intent))
         line = allowPreviousValues
-                   ? translate("ServoTasks", "The servo has the settings from before the test: "
-                                             "nothing had to be put back.")
-                   : translate("ServoTasks", "The settings from before the test have been put "
-                                             "back.");
+                   ? translate("ServoTasks", "The servo already has the settings from before "
+                                             "the test. Nothing had to be restored.")
+                   : translate("ServoTasks", "The settings from before the test have been "
+                                             "restored.");
     else if (one.action == RecoveryAction::Undo)
-        line = translate("ServoTasks", "The old values are back.");
+        line = translate("ServoTasks", "The old values have been restored.");
     else
         line = translate("ServoTasks", "The change has been finished.");
     TaskText result{Tone::Good, line, {remainingChangesLine(one, catalog)}};
@@ -84,11 +84,11 @@ bool canRecover(const RecoveryResult& one)
 }
 } // namespace
 
-IntentsDialog::IntentsDialog(Desk& desk, const std::vector<RecoveryResult>& intents,
+IntentsDialog::IntentsDialog(Workbench& workbench, const std::vector<RecoveryResult>& intents,
                              const std::vector<base::Intent>& elsewhere, QWidget* parent)
     : QDialog(parent)
-    , m_desk(desk)
-    , m_model(new IntentsModel(desk.catalog(), this))
+    , m_workbench(workbench)
+    , m_model(new IntentsModel(workbench.catalog(), this))
     , m_explanation(new QLabel(this))
     , m_table(new QTableView(this))
     , m_otherPortText(new QLabel(this))
@@ -102,9 +102,11 @@ IntentsDialog::IntentsDialog(Desk& desk, const std::vector<RecoveryResult>& inte
     setObjectName(QStringLiteral("intentsDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    connect(&desk, &Desk::openIntentsFound, this, &IntentsDialog::setIntents);
-    connect(&desk, &Desk::eventOccurred, this, &IntentsDialog::onRecoveryFailed);
-    connect(&desk, &Desk::linkChanged, this, &IntentsDialog::updateButtons);
+    connect(&workbench.recovery(), &session::RecoveryService::openIntentsFound, this,
+            &IntentsDialog::setIntents);
+    connect(&workbench, &Workbench::eventOccurred, this, &IntentsDialog::onRecoveryFailed);
+    connect(&workbench.link(), &session::LinkController::linkChanged, this,
+            &IntentsDialog::updateButtons);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &IntentsDialog::updateButtons);
     connect(m_finish, &QPushButton::clicked, this, [this] { recover(RecoveryAction::Finish); });
@@ -114,7 +116,7 @@ IntentsDialog::IntentsDialog(Desk& desk, const std::vector<RecoveryResult>& inte
     connect(m_searchHere, &QPushButton::clicked, this, [this] {
         m_searchedHere = true;
         m_searchHere->setEnabled(false);
-        m_desk.findOpenIntents(true);
+        m_workbench.recovery().findOpenIntents(true);
     });
     setIntents(intents, elsewhere);
 }
@@ -137,6 +139,21 @@ void IntentsDialog::build()
     auto* other = new QHBoxLayout;
     other->addWidget(m_otherPortText, 1);
     other->addWidget(m_searchHere, 0, Qt::AlignTop);
+    QHBoxLayout* row = buildButtons();
+    auto* column = new QVBoxLayout(this);
+    // A result that appears must not resize the window under the user's hand.
+    column->setSizeConstraint(QLayout::SetNoConstraint);
+    column->setSpacing(12);
+    column->addWidget(m_explanation);
+    column->addWidget(m_table, 1);
+    column->addLayout(other);
+    column->addWidget(m_result);
+    column->addLayout(row);
+    setMinimumSize(initialWidth, initialHeight);
+}
+
+QHBoxLayout* IntentsDialog::buildButtons()
+{
     auto* row = new QHBoxLayout;
     const std::pair<QPushButton*, const char*> buttons[] = {{m_finish, "intentFinish"},
                                                             {m_undo, "intentUndo"},
@@ -153,26 +170,10 @@ void IntentsDialog::build()
     row->addStretch();
     row->addWidget(m_later);
     m_later->setDefault(true);
-    auto* column = new QVBoxLayout(this);
-    // A result that appears must not resize the window under the user's hand.
-    column->setSizeConstraint(QLayout::SetNoConstraint);
-    column->setSpacing(12);
-    column->addWidget(m_explanation);
-    column->addWidget(m_table, 1);
-    column->addLayout(other);
-    column->addWidget(m_result);
-    column->addLayout(row);
-    setMinimumSize(initialWidth, initialHeight);
+    return row;
 }
 
-void IntentsDialog::setTexts(QPushButton* button, const QString& text, const QString& tip)
-{
-    button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolTip(tip);
-}
-
-/// What is under way in another program was not interrupted.
+/// A write that another program is executing was not interrupted.
 QString IntentsDialog::explanation() const
 {
     const int rows = m_model->rowCount();
@@ -180,23 +181,25 @@ QString IntentsDialog::explanation() const
     for (int row = 0; row < rows; ++row)
         underWay += m_model->at(row)->before.finding == Finding::UnderWay ? 1 : 0;
     if (rows == 0)
-        return translate("ServoTasks",
-                         "Changes that were begun and have no end in the journal, because a cable "
-                         "was pulled, power failed, or the program was ended, are listed here.");
+        return translate(
+            "ServoTasks",
+            "Changes that were started but not finished are listed here. Possible causes: a cable "
+            "was pulled, the power failed, or the program was terminated.");
     if (underWay == rows)
-        return translate("ServoTasks",
-                         "Another program that is still running is making these changes. They are "
-                         "left to it. If it ends before they are complete, they are offered here.");
+        return translate(
+            "ServoTasks",
+            "Another program is still making these changes, so ServoDesk does not touch them. If "
+            "that program ends before the changes are complete, they are listed here.");
     const QString interrupted = translate(
-        "ServoTasks", "These changes were begun and have no end in the journal: a cable was "
-                      "pulled, power failed, or the program was ended. Looking at them wrote "
-                      "nothing. Choose what to do with each; what is left for later is offered "
-                      "again at the next connection.");
+        "ServoTasks", "These changes were started but not finished because a cable was pulled, the "
+                      "power failed, or the program was terminated. ServoDesk has only checked "
+                      "them; nothing was written. Choose what to do with each change. Postponed "
+                      "changes are listed again at the next connection.");
     if (underWay == 0)
         return interrupted;
     return interrupted + QLatin1Char(' ') +
-           translate("ServoTasks", "A change that is still under way in another program is left "
-                                   "to it.");
+           translate("ServoTasks", "If another program is still making a change, ServoDesk leaves "
+                                   "the change to that program.");
 }
 
 void IntentsDialog::retranslate()
@@ -206,19 +209,23 @@ void IntentsDialog::retranslate()
     const bool none = m_model->rowCount() == 0;
     m_explanation->setText(explanation());
     updateFinishText();
-    setTexts(m_undo, translate("ServoTasks", "Undo"),
-             translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
-    setTexts(m_forget, translate("ServoTasks", "Forget…"),
-             translate("ServoTasks", "Strike it from the journal; the servo is left as it is"));
-    setTexts(m_later, none ? translate("ServoTasks", "Close") : translate("ServoTasks", "Later"),
-             translate("ServoTasks", "Close this list; nothing is written"));
-    setTexts(m_searchHere, translate("ServoTasks", "Look on this port"),
-             translate("ServoTasks",
-                       "Read the servos on this port and compare them with these changes; "
-                       "nothing is written"));
+    setButtonText(
+        m_undo, translate("ServoTasks", "Undo"),
+        translate("ServoTasks", "Restores the old values, verifies them, and locks the EPROM"));
+    setButtonText(
+        m_forget, translate("ServoTasks", "Forget…"),
+        translate("ServoTasks",
+                  "Marks the change as abandoned in the journal; the servo stays as it is"));
+    setButtonText(m_later,
+                  none ? translate("ServoTasks", "Close") : translate("ServoTasks", "Later"),
+                  translate("ServoTasks", "Closes this list; writes nothing"));
+    setButtonText(m_searchHere, translate("ServoTasks", "Search this port"),
+                  translate("ServoTasks",
+                            "Reads the servos on this port and compares them with these changes; "
+                            "writes nothing"));
     updateElsewhereText();
     m_table->setAccessibleName(translate("ServoTasks", "Interrupted writes"));
-    m_table->setToolTip(translate("ServoTasks", "Writes without an end in the journal"));
+    m_table->setToolTip(translate("ServoTasks", "Unfinished writes"));
     m_model->retranslate();
 }
 
@@ -232,14 +239,13 @@ void IntentsDialog::updateFinishText()
 {
     const RecoveryResult* one = current();
     if (one != nullptr && isRollbackOnly(one->before.intent))
-        setTexts(
-            m_finish, translate("ServoTasks", "Put back"),
-            translate("ServoTasks", "Put the settings from before the test back and prove them"));
+        setButtonText(m_finish, translate("ServoTasks", "Restore"),
+                      translate("ServoTasks",
+                                "Restores the settings from before the test and verifies them"));
     else
-        setTexts(m_finish, translate("ServoTasks", "Finish"),
-                 translate("ServoTasks",
-                           "Write what is missing, prove it, and close the lock. Undo "
-                           "then takes back the whole change"));
+        setButtonText(m_finish, translate("ServoTasks", "Finish"),
+                      translate("ServoTasks", "Writes and verifies the missing values and locks "
+                                              "the EPROM; Undo then reverts the whole change"));
 }
 
 void IntentsDialog::updateButtons()
@@ -247,7 +253,7 @@ void IntentsDialog::updateButtons()
     const RecoveryResult* one = current();
     updateFinishText();
     const bool free = one != nullptr && m_recovering.isEmpty();
-    const bool open = m_desk.state() == session::LinkState::Open;
+    const bool open = m_workbench.link().state() == session::LinkState::Open;
     m_finish->setEnabled(free && open && canRecover(*one));
     m_undo->setEnabled(free && open && canRecover(*one));
     m_forget->setEnabled(free && open && one->before.finding != Finding::UnderWay);
@@ -261,7 +267,7 @@ void IntentsDialog::recover(RecoveryAction action)
     m_recovering = one->before.intent.uuid;
     m_result->showResult([] { return TaskText{Tone::Quiet, translate("ServoTasks", "Working…")}; });
     updateButtons();
-    m_desk.recoverIntent(m_recovering, action);
+    m_workbench.recovery().recoverIntent(m_recovering, action);
 }
 
 void IntentsDialog::discardIntent()
@@ -271,16 +277,19 @@ void IntentsDialog::discardIntent()
         return;
     Question question;
     question.title = translate("ServoTasks", "Forget this change?");
-    question.text = translate("ServoTasks", "ServoDesk no longer offers to finish or undo it. The "
-                                            "servo is left as it is.");
-    question.risk = translate("ServoTasks", "Its EPROM lock may stand open, and its values may be "
-                                            "half old and half new.");
+    question.text = translate(
+        "ServoTasks",
+        "ServoDesk will no longer offer to finish or undo this change. The servo stays as it is.");
+    question.risk = translate(
+        "ServoTasks",
+        "The EPROM may be unlocked, and the servo may have some old and some new values.");
     question.acceptText = translate("ServoTasks", "Forget");
     question.guard = this;
-    ask(this, question, [this, uuid = one->before.intent.uuid] { m_desk.discardIntent(uuid); });
+    ask(this, question,
+        [this, uuid = one->before.intent.uuid] { m_workbench.recovery().discardIntent(uuid); });
 }
 
-/// Of a look all that is open; of a settlement the one that was worked on.
+/// After a search all open intents; after a recovery the one that was recovered.
 void IntentsDialog::setIntents(const std::vector<RecoveryResult>& all,
                                const std::vector<base::Intent>& elsewhere)
 {
@@ -296,7 +305,7 @@ void IntentsDialog::setIntents(const std::vector<RecoveryResult>& all,
     m_columns->fit();
     if (all.empty() && elsewhere.empty() && !m_result->isVisibleTo(this))
         m_result->showResult([] {
-            return TaskText{Tone::Good, translate("ServoTasks", "No change was left open.")};
+            return TaskText{Tone::Good, translate("ServoTasks", "No unfinished changes.")};
         });
     updateButtons();
 }
@@ -306,29 +315,31 @@ void IntentsDialog::onRecovered(const std::vector<RecoveryResult>& one)
     const QString uuid = std::exchange(m_recovering, QString());
     if (!one.empty() && one.front().before.intent.uuid == uuid)
         m_result->showResult(
-            [this, first = one.front()] { return recoveredText(first, m_desk.catalog()); });
+            [this, first = one.front()] { return recoveredText(first, m_workbench.catalog()); });
     else if (one.empty())
         m_result->showResult([] {
-            return TaskText{Tone::Warn,
-                            translate("ServoTasks",
-                                      "Nothing was written: the change is no longer open, or the "
-                                      "port on which it was begun exists again.")};
+            return TaskText{
+                Tone::Warn,
+                translate(
+                    "ServoTasks",
+                    "Nothing was written because the change is no longer listed as unfinished, or "
+                    "because the port where it was started is available again.")};
         });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
     reload();
 }
 
-/// What is open now is a matter of looking.
+/// Only a new search shows what is open now.
 void IntentsDialog::reload()
 {
     retranslate();
-    m_desk.findOpenIntents(m_searchedHere);
+    m_workbench.recovery().findOpenIntents(m_searchedHere);
     updateButtons();
 }
 
-/// Which servo, what and where. Only what was begun on a port that is gone is looked for here: on a
-/// port that is there the servo itself may still be connected, and here its twin.
+/// Servo, change and port. Only changes begun on a port that is gone are searched here: on a
+/// present port the servo itself may still be connected, and an identical one here.
 void IntentsDialog::updateElsewhereText()
 {
     QStringList gone;
@@ -340,21 +351,21 @@ void IntentsDialog::updateElsewhereText()
         mayBeHere = mayBeHere || !(there || intent.isActiveElsewhere);
     }
     if (!gone.isEmpty())
-        gone.prepend(translate("ServoTasks", "Changes that were begun on other ports are open. If "
-                                             "the adapter has another name now, look for them "
-                                             "here:"));
+        gone.prepend(translate("ServoTasks",
+                               "Unfinished changes from other ports. If the adapter has a new "
+                               "port name, search this port for the servos:"));
     if (!present.isEmpty())
-        present.prepend(translate("ServoTasks", "Changes that were begun on other ports are open. "
-                                                "Connect to that port to finish or undo them:"));
+        present.prepend(translate("ServoTasks", "Unfinished changes from other ports. To finish or "
+                                                "undo a change, connect to its port:"));
     m_otherPortText->setText((present + gone).join(QLatin1Char('\n')));
     m_otherPortText->setVisible(!m_otherPortIntents.empty());
-    // A simulated servo is never the one that was left.
-    const session::Connection* connection = m_desk.connection();
+    // A simulated servo is never the one with the interrupted change.
+    const session::Connection* connection = m_workbench.link().connection();
     m_searchHere->setVisible(mayBeHere && connection != nullptr && !connection->isSimulated());
-    m_searchHere->setEnabled(mayBeHere && m_desk.state() == session::LinkState::Open);
+    m_searchHere->setEnabled(mayBeHere && m_workbench.link().state() == session::LinkState::Open);
 }
 
-/// It broke off, perhaps between two writes, or never began.
+/// The recovery failed, perhaps between two writes, or never began.
 void IntentsDialog::onRecoveryFailed(const Event& event)
 {
     const bool failed = event.kind == Event::Kind::Failed && event.error &&
@@ -364,7 +375,8 @@ void IntentsDialog::onRecoveryFailed(const Event& event)
     m_recovering.clear();
     m_result->showResult([error = *event.error] {
         TaskText result = errorText(error);
-        result.details << translate("ServoTasks", "The change stays open and is offered again.");
+        result.details << translate("ServoTasks",
+                                    "The change is still unfinished and will be listed again.");
         return result;
     });
     reload();

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interrupted writes of earlier sessions, each to be finished, undone, forgotten or left for later.
-// Those that were begun on other ports are named, and looked for on this one when asked to: an
-// adapter may have come back under another name. Nothing is done unasked. Follows Desk::openIntents
-// as long as it is open. Main thread.
+// Those that were begun on other ports are listed, and searched on this port on request, because an
+// adapter may have come back under another name. Nothing is done without a request. Follows
+// Workbench::openIntents while it is open. Main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/tasks/intents_model.h"
 #include "ui/widgets/task_result.h"
 
 #include <QDialog>
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QTableView;
@@ -21,7 +22,7 @@ class IntentsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    IntentsDialog(session::Desk& desk, const std::vector<jobs::RecoveryResult>& found,
+    IntentsDialog(session::Workbench& workbench, const std::vector<jobs::RecoveryResult>& found,
                   const std::vector<base::Intent>& elsewhere, QWidget* parent);
 
 protected:
@@ -29,9 +30,9 @@ protected:
 
 private:
     void build();
+    QHBoxLayout* buildButtons();
     QString explanation() const;
     void retranslate();
-    static void setTexts(QPushButton* button, const QString& text, const QString& tip);
     void updateFinishText();
     void updateButtons();
     const jobs::RecoveryResult* current() const;
@@ -44,7 +45,7 @@ private:
     void onRecoveryFailed(const session::Event& event);
     void reload();
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     IntentsModel* m_model;
     QLabel* m_explanation;
     QTableView* m_table;
@@ -52,13 +53,12 @@ private:
     QLabel* m_otherPortText;
     QPushButton* m_searchHere;
     std::vector<base::Intent> m_otherPortIntents;
-    bool m_searchedHere = false; ///< those begun elsewhere have been looked for here
+    bool m_searchedHere = false; ///< those begun elsewhere have been searched here
     TaskResult* m_result;
     QPushButton* m_finish;
     QPushButton* m_undo;
     QPushButton* m_forget;
     QPushButton* m_later;
     QString m_recovering; ///< uuid of the one being worked on
-    bool m_linkWasOpen = true;
 };
 } // namespace ui

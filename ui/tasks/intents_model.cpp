@@ -27,9 +27,8 @@ QString intentChangesText(const base::Intent& intent, const catalog::Profile& pr
 {
     QStringList changes;
     for (const base::JournalItem& item : intent.items) {
-        const catalog::Register* reg = profile.find(item.key);
-        const QString name = reg != nullptr ? reg->name.in(text::isUiChinese()) : item.key;
-        // What centering and restoring lead to is not known beforehand.
+        const QString name = text::registerName(&profile, item.key);
+        // The results of centering and restoring are not known in advance.
         changes << (item.oldRaw == item.newRaw
                         ? QStringLiteral("%1 = %2").arg(name).arg(item.oldRaw)
                         : QStringLiteral("%1 %2 → %3").arg(name).arg(item.oldRaw).arg(item.newRaw));
@@ -121,16 +120,17 @@ QString intentLabel(const base::Intent& intent)
     case IntentKind::SetBaud:
         return translate("ServoTasks", "set baud rate");
     case IntentKind::Mode:
-        return translate("ServoTasks", "change of mode");
+        return translate("ServoTasks", "change mode");
     case IntentKind::Calibrate:
-        return translate("ServoTasks", "centre here");
+        return translate("ServoTasks", "set midpoint");
     case IntentKind::Restore:
-        return jobs::restoresSnapshot(intent) ? translate("ServoTasks", "restore a snapshot")
-                                              : translate("ServoTasks", "restore defaults");
+        return jobs::restoresSnapshot(intent)
+                   ? translate("ServoTasks", "restore a snapshot")
+                   : translate("ServoTasks", "reset to factory defaults");
     case IntentKind::Identify:
-        return translate("ServoTasks", "identify");
+        return translate("ServoTasks", "blink LED");
     case IntentKind::Trial:
-        return translate("ServoTasks", "settings of a test");
+        return translate("ServoTasks", "test settings");
     case IntentKind::Undo:
         return translate("ServoTasks", "undo");
     }
@@ -145,17 +145,17 @@ QString findingText(Finding finding)
     case Finding::AllNew:
         return translate("ServoTasks", "the new values");
     case Finding::Mixed:
-        return translate("ServoTasks", "some new, some old values");
+        return translate("ServoTasks", "some old and some new values");
     case Finding::OtherServo:
-        return translate("ServoTasks", "another servo, or other values: hands off");
+        return translate("ServoTasks", "different servo or different values: skipped");
     case Finding::NoReply:
-        return translate("ServoTasks", "it does not answer");
+        return translate("ServoTasks", "no reply");
     case Finding::Unreadable:
-        return translate("ServoTasks", "something answers, but nothing readable");
+        return translate("ServoTasks", "replies cannot be decoded");
     case Finding::UnderWay:
-        return translate("ServoTasks", "still under way in another program");
+        return translate("ServoTasks", "still in progress in another program");
     case Finding::Replaced:
-        return translate("ServoTasks", "other values since, which stay");
+        return translate("ServoTasks", "value has since changed: left unchanged");
     }
     return {};
 }
@@ -228,7 +228,7 @@ QVariant IntentsModel::headerData(int section, Qt::Orientation orientation, int 
     case IntentColumn::Change:
         return translate("ServoTasks", "Change");
     case IntentColumn::Found:
-        return translate("ServoTasks", "Found now");
+        return translate("ServoTasks", "Current state");
     case IntentColumn::Lock:
         return translate("ServoTasks", "EPROM lock");
     case IntentColumn::Count:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interrupted writes as rows: when, which servo, what was to be changed, and what was found of it.
-// Values as jobs::recover found them; main thread. Every cell has a tooltip with all of it.
+// Interrupted writes as rows: time, servo, what was to be changed, and what was found on the servo.
+// Values as jobs::recover found them. The tooltip of every cell contains all its text. Main thread.
 #pragma once
 
 #include "jobs/recover/recover.h"

@@ -7,8 +7,8 @@
 namespace ui {
 using text::translate;
 
-RebootDialog::RebootDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
-    : TaskDialog(desk, servo, "rebootDialog", parent)
+RebootDialog::RebootDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent)
+    : TaskDialog(workbench, servo, "rebootDialog", parent)
 {
     finishSetup();
     if (canRun())
@@ -16,7 +16,7 @@ RebootDialog::RebootDialog(session::Desk& desk, session::ServoRef servo, QWidget
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("reboot"),
                               QStringLiteral("no-reboot"), entry()->servo.id};
     showResult([refused] {
-        return refusedText(refused, translate("ServoTasks", "This servo has no command for it."));
+        return refusedText(refused, translate("ServoTasks", "Not supported by this servo."));
     });
 }
 
@@ -28,13 +28,14 @@ bool RebootDialog::canRun() const
 
 void RebootDialog::retranslate()
 {
-    setTexts(translate("ServoTasks", "Restart the servo"),
-             translate("ServoTasks",
-                       "Torque is switched off first: a load that hangs on the shaft will drop. "
-                       "What was written temporarily is lost, and the turn count with it. The "
-                       "whole bus keeps quiet until the servo answers again, two seconds at most."),
-             translate("ServoTasks", "Restart"),
-             translate("ServoTasks", "Take torque off, restart the servo and wait for it"));
+    setTexts(
+        translate("ServoTasks", "Reboot servo"),
+        translate("ServoTasks",
+                  "Torque is turned off first, so a load hanging on the shaft will drop. "
+                  "Temporarily written values and the turn count are lost. ServoDesk keeps the "
+                  "whole bus quiet for up to two seconds until the servo answers again."),
+        translate("ServoTasks", "Reboot"),
+        translate("ServoTasks", "Turns torque off, reboots the servo and waits until it answers"));
 }
 
 void RebootDialog::refresh()
@@ -62,8 +63,8 @@ void RebootDialog::runAction()
         showResult([elapsed] {
             return TaskText{
                 Tone::Good,
-                translate("ServoTasks", "The servo has restarted and answers again."),
-                {translate("ServoTasks", "It took %1 ms. Torque is off.").arg(*elapsed)}};
+                translate("ServoTasks", "The servo has rebooted and answers again."),
+                {translate("ServoTasks", "The reboot took %1 ms. Torque is off.").arg(*elapsed)}};
         });
     });
 }

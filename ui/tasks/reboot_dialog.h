@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Restarts a servo and waits until it answers again. Main thread.
+// Reboots a servo and waits until it answers again. Main thread.
 #pragma once
 
 #include "ui/tasks/task_dialog.h"
@@ -9,7 +9,7 @@ class RebootDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    RebootDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    RebootDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;

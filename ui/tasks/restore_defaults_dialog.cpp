@@ -17,7 +17,7 @@ constexpr int shownKeys = 8;
 QString changedLine(const std::vector<QString>& keys, const device::Servo& servo)
 {
     if (keys.empty())
-        return translate("ServoTasks", "No setting differs from before.");
+        return translate("ServoTasks", "No settings have changed.");
     QStringList shown;
     for (const QString& key : keys) {
         if (shown.size() < shownKeys)
@@ -25,15 +25,14 @@ QString changedLine(const std::vector<QString>& keys, const device::Servo& servo
     }
     if (static_cast<int>(keys.size()) > shownKeys)
         shown << QStringLiteral("…");
-    return translate("ServoTasks", "Settings that differ now (%1): %2")
-        .arg(keys.size())
+    return translate("ServoTasks", "%n setting(s) changed: %1", nullptr, int(keys.size()))
         .arg(shown.join(QStringLiteral(", ")));
 }
 } // namespace
 
-RestoreDefaultsDialog::RestoreDefaultsDialog(session::Desk& desk, session::ServoRef servo,
+RestoreDefaultsDialog::RestoreDefaultsDialog(session::Workbench& workbench, session::ServoRef servo,
                                              QWidget* parent)
-    : TaskDialog(desk, servo, "restoreDialog", parent)
+    : TaskDialog(workbench, servo, "restoreDialog", parent)
     , m_summary(textLabel("restoreWhat"))
 {
     body()->addWidget(m_summary);
@@ -43,7 +42,7 @@ RestoreDefaultsDialog::RestoreDefaultsDialog(session::Desk& desk, session::Servo
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("restore-defaults"),
                               QStringLiteral("no-restore"), entry()->servo.id};
     showResult([refused] {
-        return refusedText(refused, translate("ServoTasks", "This servo has no command for it."));
+        return refusedText(refused, translate("ServoTasks", "Not supported by this servo."));
     });
 }
 
@@ -54,19 +53,19 @@ bool RestoreDefaultsDialog::canRun() const
 
 void RestoreDefaultsDialog::retranslate()
 {
-    setTexts(translate("ServoTasks", "Restore defaults"),
-             translate("ServoTasks",
-                       "The servo goes back to the settings stored in it. ServoDesk takes torque "
-                       "off and saves the present table to a file first."),
-             translate("ServoTasks", "Save and restore"),
-             translate("ServoTasks", "Save the table, restore the defaults, find the servo again"));
+    setTexts(
+        translate("ServoTasks", "Reset to factory defaults"),
+        translate("ServoTasks", "The servo returns to its stored default settings. ServoDesk first "
+                                "turns torque off and saves the present memory table to a file."),
+        translate("ServoTasks", "Save and reset"),
+        translate("ServoTasks", "Saves the memory table, resets the servo to factory defaults, and "
+                                "then finds the servo again"));
     m_summary->setText(translate(
         "ServoTasks",
-        "Baud rate: may go back to the stored one; ServoDesk looks for the servo at all rates of "
-        "its family.\n"
-        "ID: should stay; some servos go back to 1. If another servo has ID 1, connect this one "
-        "alone.\n"
-        "Limits, gains and offset: go back, so positions may mean other angles afterwards."));
+        "Baud rate: may revert to the stored rate. ServoDesk searches for the servo at all baud "
+        "rates of its family.\nID: should stay the same; some servos revert to 1. If another servo "
+        "has ID 1, connect this servo alone.\nLimits, gains and position correction: will be "
+        "reset; afterwards, the same position may correspond to a different angle."));
 }
 
 void RestoreDefaultsDialog::refresh()
@@ -93,7 +92,7 @@ TaskText RestoreDefaultsDialog::outcomeText(const Outcome& outcome,
                        << changedLine(report.changed, entry()->servo) << lockLine(report.lock);
     }
     if (!outcome.path.isEmpty())
-        result.details << translate("ServoTasks", "The settings before are in %1")
+        result.details << translate("ServoTasks", "The previous settings were saved to %1")
                               .arg(QDir::toNativeSeparators(outcome.path));
     result.details += noticeLines(end.notices);
     return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Back to the stored defaults: the table is saved first and the place shown, then said what became
-// of ID, rate and settings. Main thread.
+// Resets a servo to factory defaults: saves the memory table first and shows where, then reports
+// ID, baud rate and settings. Main thread.
 #pragma once
 
 #include "jobs/change/change.h"
@@ -11,7 +11,7 @@ class RestoreDefaultsDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    RestoreDefaultsDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    RestoreDefaultsDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;

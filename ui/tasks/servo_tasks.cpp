@@ -13,11 +13,12 @@
 #include <algorithm>
 
 namespace ui {
-using session::Desk;
+using session::Workbench;
 
-ServoTasks::ServoTasks(Desk& desk, Commands& commands, Selection& selection, QWidget* window)
+ServoTasks::ServoTasks(Workbench& workbench, Commands& commands, Selection& selection,
+                       QWidget* window)
     : QObject(window)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_commands(commands)
     , m_selection(selection)
     , m_window(window)
@@ -31,9 +32,10 @@ ServoTasks::ServoTasks(Desk& desk, Commands& commands, Selection& selection, QWi
     connectDialog<AlarmDialog>(Command::ClearAlarm);
     connect(commands.action(Command::OpenIntents), &QAction::triggered, this,
             &ServoTasks::findOpenIntents);
-    connect(&desk, &Desk::openIntentsFound, this, &ServoTasks::onIntentsFound);
-    connect(&desk, &Desk::linkChanged, this, [this] {
-        if (m_desk.state() != session::LinkState::Open)
+    connect(&workbench.recovery(), &session::RecoveryService::openIntentsFound, this,
+            &ServoTasks::onIntentsFound);
+    connect(&workbench.link(), &session::LinkController::linkChanged, this, [this] {
+        if (m_workbench.link().state() != session::LinkState::Open)
             m_shown.clear();
     });
 }
@@ -42,17 +44,17 @@ template <typename Dialog>
 void ServoTasks::connectDialog(Command command)
 {
     connect(m_commands.action(command), &QAction::triggered, this, [this] {
-        const session::ServoEntry* servo = m_desk.servo(m_selection.current());
+        const session::ServoEntry* servo = m_workbench.registry().servo(m_selection.current());
         if (servo == nullptr || !servo->servo.profile)
             return;
-        (new Dialog(m_desk, servo->ref, m_window))->open();
+        (new Dialog(m_workbench, servo->ref, m_window))->open();
     });
 }
 
 void ServoTasks::findOpenIntents()
 {
     m_requested = true;
-    m_desk.findOpenIntents();
+    m_workbench.recovery().findOpenIntents();
 }
 
 void ServoTasks::onIntentsFound(const std::vector<jobs::RecoveryResult>& found,
@@ -78,7 +80,7 @@ void ServoTasks::onIntentsFound(const std::vector<jobs::RecoveryResult>& found,
         note(intent);
     for (const jobs::RecoveryResult& one : found)
         note(one.before.intent);
-    m_intents = new IntentsDialog(m_desk, found, elsewhere, m_window);
+    m_intents = new IntentsDialog(m_workbench, found, elsewhere, m_window);
     m_intents->open();
 }
 } // namespace ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one-click tasks: connects the commands of the servo menu to their dialogs, and offers
-// interrupted writes when Desk has found some. Owned by the window; main thread.
+// Connects the commands of the servo menu to their dialogs, and offers interrupted writes when
+// Workbench has found some. Owned by the window; main thread.
 #pragma once
 
 #include "ui/common/commands.h"
@@ -14,7 +14,8 @@ class ServoTasks final : public QObject {
     Q_OBJECT
 
 public:
-    ServoTasks(session::Desk& desk, Commands& commands, Selection& selection, QWidget* window);
+    ServoTasks(session::Workbench& workbench, Commands& commands, Selection& selection,
+               QWidget* window);
 
 private:
     template <typename Dialog>
@@ -23,7 +24,7 @@ private:
     void onIntentsFound(const std::vector<jobs::RecoveryResult>& found,
                         const std::vector<base::Intent>& elsewhere);
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     Commands& m_commands;
     Selection& m_selection;
     QWidget* m_window;

@@ -10,7 +10,6 @@
 
 namespace ui {
 using catalog::Role;
-using session::Event;
 using session::ServoEntry;
 using text::translate;
 
@@ -21,8 +20,9 @@ const catalog::Register* baudRateRegister(const ServoEntry& entry)
 }
 } // namespace
 
-SetBaudDialog::SetBaudDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
-    : TaskDialog(desk, servo, "setBaudDialog", parent)
+SetBaudDialog::SetBaudDialog(session::Workbench& workbench, session::ServoRef servo,
+                             QWidget* parent)
+    : TaskDialog(workbench, servo, "setBaudDialog", parent)
     , m_label(new QLabel(this))
     , m_rates(new QComboBox(this))
     , m_state(textLabel("baudState"))
@@ -37,7 +37,6 @@ SetBaudDialog::SetBaudDialog(session::Desk& desk, session::ServoRef servo, QWidg
     body()->addWidget(m_state);
     fillRates();
     connect(m_rates, &QComboBox::currentIndexChanged, this, [this] { validate(); });
-    connect(&desk, &session::Desk::eventOccurred, this, &SetBaudDialog::onDeskEvent);
     finishSetup();
     if (baudRateRegister(*entry()) == nullptr) {
         m_rates->setEnabled(false);
@@ -45,7 +44,7 @@ SetBaudDialog::SetBaudDialog(session::Desk& desk, session::ServoRef servo, QWidg
                                   QStringLiteral("fixed-rate"), entry()->servo.id};
         showResult([refused] {
             return refusedText(refused,
-                               translate("ServoTasks", "The rate of this servo is fixed."));
+                               translate("ServoTasks", "The baud rate of this servo is fixed."));
         });
     }
     m_rates->setFocus();
@@ -70,8 +69,11 @@ void SetBaudDialog::fillRates()
 int SetBaudDialog::neighbors() const
 {
     int count = 0;
-    for (const session::ServoRef ref : desk().servos())
-        count += ref != servo() && desk().servo(ref)->servo.baud == entry()->servo.baud ? 1 : 0;
+    for (const session::ServoRef ref : workbench().registry().order())
+        count +=
+            ref != servo() && workbench().registry().servo(ref)->servo.baud == entry()->servo.baud
+                ? 1
+                : 0;
     return count;
 }
 
@@ -86,16 +88,18 @@ void SetBaudDialog::validate()
     const bool same = m_rates->currentText() == rateText(entry()->servo.baud);
     QStringList lines;
     if (same) {
-        lines << translate("ServoTasks", "It answers at this rate now.");
+        lines << translate("ServoTasks", "The servo already uses this baud rate.");
     } else {
-        lines << translate("ServoTasks", "From then on it answers at %1 baud only. ServoDesk "
-                                         "follows it; other programs have to be told.")
+        lines << translate("ServoTasks",
+                           "After this, the servo answers only at %1 baud. ServoDesk switches "
+                           "automatically; other programs must be set to the new baud rate.")
                      .arg(m_rates->currentText());
         if (const int others = neighbors(); others > 0)
-            lines << translate("ServoTasks", "Other servos that stay at %1 baud: %2. A program "
-                                             "that uses one rate no longer reaches all of them.")
-                         .arg(rateText(entry()->servo.baud))
-                         .arg(others);
+            lines << translate("ServoTasks",
+                               "%n other servo(s) stay at %1 baud. A program that uses only one "
+                               "baud rate can no longer reach all servos.",
+                               nullptr, others)
+                         .arg(rateText(entry()->servo.baud));
     }
     m_state->setText(lines.join(QLatin1Char('\n')));
     setReady(!same);
@@ -104,13 +108,15 @@ void SetBaudDialog::validate()
 void SetBaudDialog::retranslate()
 {
     setTexts(translate("ServoTasks", "Set baud rate"),
-             translate("ServoTasks", "The new rate is tried first: only one that this adapter can "
-                                     "run is written. It is kept at power-off."),
+             translate("ServoTasks",
+                       "The new baud rate is tested first and written only if this adapter "
+                       "supports it. The servo keeps the new baud rate after power-off."),
              translate("ServoTasks", "Set baud rate"),
-             translate("ServoTasks", "Write the rate, find the servo there, and close its lock"));
+             translate("ServoTasks", "Writes the baud rate, finds the servo at the new baud "
+                                     "rate, and locks the EPROM"));
     m_label->setText(translate("ServoTasks", "New baud rate:"));
     m_rates->setAccessibleName(translate("ServoTasks", "New baud rate"));
-    m_rates->setToolTip(translate("ServoTasks", "The rates that this family knows"));
+    m_rates->setToolTip(translate("ServoTasks", "Baud rates supported by this family"));
 }
 
 void SetBaudDialog::refresh()
@@ -120,39 +126,8 @@ void SetBaudDialog::refresh()
 
 void SetBaudDialog::runAction()
 {
-    const catalog::Register* reg = baudRateRegister(*entry());
-    if (reg == nullptr)
-        return;
-    m_writing = true;
-    setRunning(true);
-    session::WriteRequest order;
-    order.items = {{reg->key, m_rates->currentData().toInt()}};
-    order.dangerous = true; // this dialog is the question
-    desk().write(servo(), order);
-}
-
-/// Writes have no callback: ours has ended when no write of the rate is pending any more.
-void SetBaudDialog::onDeskEvent(const Event& event)
-{
-    const ServoEntry* own = entry();
-    if (!m_writing || event.kind != Event::Kind::Written || event.servo != servo() ||
-        own == nullptr)
-        return;
-    const auto row = own->writes.find(baudRateRegister(*own)->key);
-    if (row != own->writes.end() && row->second.pending > 0)
-        return;
-    m_writing = false;
-    setRunning(false);
-    refresh();
-    if (event.error)
-        showError(*event.error);
-    if (!event.report)
-        return;
-    showResult([this, report = *event.report, notices = event.notices] {
-        TaskText result =
-            writeText(*entry(), report, translate("ServoTasks", "The baud rate has been changed."));
-        result.details += noticeLines(notices);
-        return result;
-    });
+    if (const catalog::Register* reg = baudRateRegister(*entry()))
+        writeRegister(*reg, m_rates->currentData().toInt(),
+                      QT_TRANSLATE_NOOP("ServoTasks", "The baud rate has been changed."));
 }
 } // namespace ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A new baud rate for a servo: the rates its family has, what changes with it, and following it
-// there. Main thread.
+// A new baud rate for a servo: the rates of its family and what changes with it; the program then
+// continues at the new rate. Main thread.
 #pragma once
 
 #include "ui/tasks/task_dialog.h"
@@ -12,7 +12,7 @@ class SetBaudDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    SetBaudDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    SetBaudDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;
@@ -22,12 +22,10 @@ protected:
 private:
     void fillRates();
     void validate();
-    void onDeskEvent(const session::Event& event);
-    int neighbors() const; ///< other servos at its present rate
+    int neighbors() const; ///< number of other servos at its present rate
 
     QLabel* m_label;
     QComboBox* m_rates;
     QLabel* m_state;
-    bool m_writing = false;
 };
 } // namespace ui

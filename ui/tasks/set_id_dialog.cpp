@@ -14,13 +14,12 @@
 
 namespace ui {
 using catalog::Role;
-using session::Event;
 using session::ServoEntry;
 using text::translate;
 
 namespace {
 constexpr std::size_t proposals = 5;
-constexpr int maxProbedIds = 24; ///< IDs looked at for them, at most
+constexpr int maxProbedIds = 24; ///< maximum number of IDs tried for them
 constexpr int listHeight = 168;
 constexpr int idRole = Qt::UserRole;
 
@@ -30,8 +29,8 @@ const catalog::Register* idRegister(const ServoEntry& entry)
 }
 } // namespace
 
-SetIdDialog::SetIdDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
-    : TaskDialog(desk, servo, "setIdDialog", parent)
+SetIdDialog::SetIdDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent)
+    : TaskDialog(workbench, servo, "setIdDialog", parent)
     , m_label(new QLabel(this))
     , m_id(new QSpinBox(this))
     , m_list(new QListWidget(this))
@@ -62,18 +61,17 @@ SetIdDialog::SetIdDialog(session::Desk& desk, session::ServoRef servo, QWidget* 
             [this](QListWidgetItem* item) { selectId(item); });
     connect(m_list, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { selectId(item); });
-    connect(&desk, &session::Desk::eventOccurred, this, &SetIdDialog::onDeskEvent);
     finishSetup();
     findFreeIds();
     m_id->setFocus();
     m_id->selectAll();
 }
 
-/// Of another servo at the same rate, whatever it speaks.
+/// Another servo at the same baud rate, in any protocol.
 const ServoEntry* SetIdDialog::servoWithId(int id) const
 {
-    for (const session::ServoRef ref : desk().servos()) {
-        const ServoEntry* other = desk().servo(ref);
+    for (const session::ServoRef ref : workbench().registry().order()) {
+        const ServoEntry* other = workbench().registry().servo(ref);
         if (ref != servo() && other->servo.id == id && other->servo.baud == entry()->servo.baud)
             return other;
     }
@@ -121,8 +119,8 @@ void SetIdDialog::fillList()
         if (id != entry()->servo.id && servoWithId(id) == nullptr)
             rows[id] = {translate("ServoTasks", "%1 — free").arg(id), true};
     }
-    for (const session::ServoRef ref : desk().servos()) {
-        const ServoEntry* other = desk().servo(ref);
+    for (const session::ServoRef ref : workbench().registry().order()) {
+        const ServoEntry* other = workbench().registry().servo(ref);
         if (other->servo.baud != entry()->servo.baud)
             continue;
         const QString line = ref == servo() ? translate("ServoTasks", "%1 — this servo (%2)")
@@ -152,35 +150,39 @@ void SetIdDialog::validate()
     const ServoEntry* holder = servoWithId(id);
     const bool own = id == entry()->servo.id;
     if (own)
-        m_state->setText(translate("ServoTasks", "It has this ID now."));
+        m_state->setText(translate("ServoTasks", "The servo already has this ID."));
     else if (holder != nullptr)
-        m_state->setText(translate("ServoTasks", "ID %1 belongs to another servo (%2). Two servos "
-                                                 "with one ID answer at the same time, and nobody "
-                                                 "is understood.")
+        m_state->setText(translate("ServoTasks", "ID %1 belongs to another servo (%2). Two "
+                                                 "servos with the same ID answer at the same "
+                                                 "time, and neither reply can be read.")
                              .arg(id)
                              .arg(modelName(*holder)));
     else
-        m_state->setText(translate("ServoTasks", "ID %1 is asked first: it is written only if "
-                                                 "nobody answers to it.")
-                             .arg(id));
+        m_state->setText(
+            translate(
+                "ServoTasks",
+                "ServoDesk first checks ID %1 and writes it only if no servo answers with this ID.")
+                .arg(id));
     setReady(!own && holder == nullptr);
 }
 
 void SetIdDialog::retranslate()
 {
-    setTexts(translate("ServoTasks", "Set ID"),
-             translate("ServoTasks", "The servo answers under the new ID at once and keeps it at "
-                                     "power-off. ServoDesk follows it; other programs have to be "
-                                     "told."),
-             translate("ServoTasks", "Set ID"),
-             translate("ServoTasks", "Prove the ID free, write it, and close the lock there"));
+    setTexts(
+        translate("ServoTasks", "Set ID"),
+        translate("ServoTasks",
+                  "The servo uses the new ID immediately and keeps it after power-off. ServoDesk "
+                  "switches automatically; other programs must be set to the new ID."),
+        translate("ServoTasks", "Set ID"),
+        translate(
+            "ServoTasks",
+            "Checks that the new ID is free, writes it, and locks the EPROM using the new ID"));
     m_label->setText(translate("ServoTasks", "New ID:"));
     m_id->setAccessibleName(translate("ServoTasks", "New ID"));
     m_id->setToolTip(
         translate("ServoTasks", "The new ID, %1 to %2").arg(m_id->minimum()).arg(m_id->maximum()));
     m_list->setAccessibleName(translate("ServoTasks", "IDs on this bus"));
-    m_list->setToolTip(
-        translate("ServoTasks", "Who has which ID, and free ones; choose a free one"));
+    m_list->setToolTip(translate("ServoTasks", "Used and free IDs; select a free one"));
 }
 
 void SetIdDialog::refresh()
@@ -191,39 +193,8 @@ void SetIdDialog::refresh()
 
 void SetIdDialog::runAction()
 {
-    const catalog::Register* reg = idRegister(*entry());
-    if (reg == nullptr)
-        return;
-    m_pendingId = m_id->value();
-    setRunning(true);
-    session::WriteRequest order;
-    order.items = {{reg->key, m_pendingId}};
-    order.dangerous = true; // this dialog is the question
-    desk().write(servo(), order);
-}
-
-/// Writes have no callback: ours has ended when no write of the ID is pending any more.
-void SetIdDialog::onDeskEvent(const Event& event)
-{
-    const ServoEntry* own = entry();
-    if (m_pendingId < 0 || event.kind != Event::Kind::Written || event.servo != servo() ||
-        own == nullptr)
-        return;
-    const auto row = own->writes.find(idRegister(*own)->key);
-    if (row != own->writes.end() && row->second.pending > 0)
-        return;
-    m_pendingId = -1;
-    setRunning(false);
-    refresh();
-    if (event.error)
-        showError(*event.error);
-    if (!event.report)
-        return;
-    showResult([this, report = *event.report, notices = event.notices] {
-        TaskText result =
-            writeText(*entry(), report, translate("ServoTasks", "The ID has been changed."));
-        result.details += noticeLines(notices);
-        return result;
-    });
+    if (const catalog::Register* reg = idRegister(*entry()))
+        writeRegister(*reg, m_id->value(),
+                      QT_TRANSLATE_NOOP("ServoTasks", "The ID has been changed."));
 }
 } // namespace ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A new ID for a servo: who has which is listed, free ones are proposed after a quick look, and the
-// job proves it free before anything is written. Main thread.
+// A new ID for a servo: lists the used IDs, proposes free ones after a quick search; the job checks
+// that the ID is free before it writes. Main thread.
 #pragma once
 
 #include "ui/tasks/task_dialog.h"
@@ -14,7 +14,7 @@ class SetIdDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    SetIdDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    SetIdDialog(session::Workbench& workbench, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;
@@ -26,15 +26,13 @@ private:
     void fillList();
     void validate();
     void selectId(const QListWidgetItem* item);
-    void onDeskEvent(const session::Event& event);
     const session::ServoEntry* servoWithId(int id) const;
 
     QLabel* m_label;
     QSpinBox* m_id;
     QListWidget* m_list;
     QLabel* m_state;
-    std::vector<int> m_free;     ///< silent when last asked
-    bool m_chosenByUser = false; ///< by the user, so proposals no longer change it
-    int m_pendingId = -1;        ///< being written
+    std::vector<int> m_free;     ///< did not answer when last asked
+    bool m_chosenByUser = false; ///< proposals no longer change it
 };
 } // namespace ui

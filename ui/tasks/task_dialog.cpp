@@ -2,6 +2,7 @@
 #include "ui/tasks/task_dialog.h"
 
 #include "text/translate.h"
+#include "ui/common/widget_text.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -12,16 +13,17 @@
 #include <algorithm>
 
 namespace ui {
-using session::Desk;
+using session::Workbench;
 using text::translate;
 
 namespace {
 constexpr int permille = 1000;
 } // namespace
 
-TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QWidget* parent)
+TaskDialog::TaskDialog(Workbench& workbench, session::ServoRef servo, const char* name,
+                       QWidget* parent)
     : QDialog(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_ref(servo)
     , m_servoLabel(new QLabel(this))
     , m_explanation(textLabel("explanation"))
@@ -40,7 +42,7 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
     m_progress->setTextVisible(false);
     m_progress->hide();
     auto* column = new QVBoxLayout(this);
-    column->setSizeConstraint(QLayout::SetNoConstraint); // fit() does it
+    column->setSizeConstraint(QLayout::SetNoConstraint); // fitToContents() does it
     column->setSpacing(12);
     column->addWidget(m_servoLabel);
     column->addWidget(m_explanation);
@@ -48,7 +50,12 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
     column->addWidget(m_progress);
     column->addWidget(m_result);
     buildButtons(column);
-    const auto gone = [this](session::ServoRef ref) {
+    connectWorkbench();
+}
+
+void TaskDialog::connectWorkbench()
+{
+    const auto removed = [this](session::ServoRef ref) {
         if (ref == m_ref)
             reject();
     };
@@ -58,11 +65,15 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
         retranslateCommon();
         refresh();
     };
-    connect(&desk, &Desk::servoRemoved, this, gone);
-    connect(&desk, &Desk::servosCleared, this, &QDialog::reject);
-    connect(&desk, &Desk::servoChanged, this, changed);
-    connect(&desk, &Desk::linkChanged, this, [this] { updateButtons(); });
-    connect(&desk, &Desk::taskProgress, this, &TaskDialog::showProgress);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoRemoved, this, removed);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servosCleared, this,
+            &QDialog::reject);
+    connect(&m_workbench.registry(), &session::ServoRegistry::servoChanged, this, changed);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            [this] { updateButtons(); });
+    connect(&m_workbench.tasks(), &session::TaskQueue::taskProgress, this,
+            &TaskDialog::showProgress);
+    connect(&m_workbench, &Workbench::eventOccurred, this, &TaskDialog::onWritten);
 }
 
 void TaskDialog::buildButtons(QVBoxLayout* column)
@@ -84,7 +95,7 @@ void TaskDialog::buildButtons(QVBoxLayout* column)
         button->setAutoDefault(false);
     m_action->setDefault(true);
     m_stop->hide();
-    connect(m_stop, &QPushButton::clicked, &m_desk, &Desk::stopTask);
+    connect(m_stop, &QPushButton::clicked, &m_workbench.tasks(), &session::TaskQueue::stop);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_action, &QPushButton::clicked, this, [this] {
         if (m_ready && !m_running && entry() != nullptr)
@@ -112,7 +123,7 @@ void TaskDialog::finishSetup()
     fitToContents();
 }
 
-/// As high as its words need, which change while it is open.
+/// As high as its texts need, which change while it is open.
 void TaskDialog::fitToContents()
 {
     const QSize preferred = sizeHint();
@@ -131,13 +142,11 @@ void TaskDialog::retranslateCommon()
 {
     if (entry() != nullptr)
         m_servoLabel->setText(servoTitle(*entry()));
-    m_stop->setText(translate("ServoTasks", "Stop"));
-    m_stop->setAccessibleName(m_stop->text());
-    m_stop->setToolTip(translate("ServoTasks", "End it now; what has begun ends safely first"));
-    m_close->setText(translate("ServoTasks", "Close"));
-    m_close->setAccessibleName(m_close->text());
-    m_close->setToolTip(
-        translate("ServoTasks", "Close this dialog; what is running goes on to its end"));
+    setButtonText(m_stop, translate("ServoTasks", "Stop"),
+                  translate("ServoTasks", "Stops as soon as the current step is safely completed"));
+    setButtonText(
+        m_close, translate("ServoTasks", "Close"),
+        translate("ServoTasks", "Closes this dialog; the operation in progress continues"));
     m_progress->setAccessibleName(translate("ServoTasks", "Progress"));
     m_progress->setToolTip(translate("ServoTasks", "Progress"));
 }
@@ -175,7 +184,8 @@ void TaskDialog::updateButtons()
 {
     m_progress->setVisible(m_running);
     m_stop->setVisible(m_running);
-    m_action->setEnabled(m_ready && !m_running && m_desk.state() == session::LinkState::Open);
+    m_action->setEnabled(m_ready && !m_running &&
+                         m_workbench.link().state() == session::LinkState::Open);
 }
 
 void TaskDialog::showProgress(const jobs::Progress& progress)
@@ -195,7 +205,7 @@ void TaskDialog::run(session::Task task, std::function<void(const session::TaskC
         if (entry() != nullptr)
             done(end);
     };
-    m_desk.perform(m_ref, std::move(task));
+    m_workbench.tasks().perform(m_ref, std::move(task));
 }
 
 void TaskDialog::runInBackground(session::Task task,
@@ -207,7 +217,42 @@ void TaskDialog::runInBackground(session::Task task,
         if (entry() != nullptr)
             done(end);
     };
-    m_desk.perform(m_ref, std::move(task));
+    m_workbench.tasks().perform(m_ref, std::move(task));
+}
+
+void TaskDialog::writeRegister(const catalog::Register& reg, std::int64_t raw, const char* success)
+{
+    m_writtenKey = reg.key;
+    m_writeSuccess = success;
+    setRunning(true);
+    session::WriteRequest request;
+    request.items = {{reg.key, raw}};
+    request.consent = device::Consent::confirmed();
+    m_workbench.writes().write(m_ref, request);
+}
+
+/// Writes have no callback: ours has ended when no write of the register is pending any more.
+void TaskDialog::onWritten(const session::Event& event)
+{
+    const session::ServoEntry* own = entry();
+    if (m_writtenKey.isEmpty() || event.kind != session::Event::Kind::Written ||
+        event.servo != m_ref || own == nullptr)
+        return;
+    const auto write = own->writes.find(m_writtenKey);
+    if (write != own->writes.end() && write->second.pending > 0)
+        return;
+    m_writtenKey.clear();
+    setRunning(false);
+    refresh();
+    if (event.error)
+        showError(*event.error);
+    if (!event.report)
+        return;
+    showResult([this, report = *event.report, notices = event.notices] {
+        TaskText result = writeText(*entry(), report, translate("ServoTasks", m_writeSuccess));
+        result.details += noticeLines(notices);
+        return result;
+    });
 }
 
 void TaskDialog::showError(const base::Error& error)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialogs of the servo menu have in common: which servo, what will happen, one button that
-// does it, a stop while it runs, and how it ended. Never blocks; deletes itself when closed. Closes
-// when the servo leaves the list; closed during its task, the task goes on and ends in the message
-// log. Main thread.
+// The base of the dialogs of the servo menu: the servo, what will happen, a button that does it,
+// Stop while it runs, and the result. Never blocks; deletes itself when closed. Closes when the
+// servo leaves the list. A task continues when its dialog is closed, and its result goes to the
+// message log. Main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/widgets/task_result.h"
 
 #include <QDialog>
@@ -20,15 +20,16 @@ class TaskDialog : public QDialog {
     Q_OBJECT
 
 public:
-    TaskDialog(session::Desk& desk, session::ServoRef servo, const char* name, QWidget* parent);
+    TaskDialog(session::Workbench& workbench, session::ServoRef servo, const char* name,
+               QWidget* parent);
 
     session::ServoRef servo() const { return m_ref; }
 
 protected:
     static constexpr int textWidth = 460;
 
-    session::Desk& desk() const { return m_desk; }
-    const session::ServoEntry* entry() const { return m_desk.servo(m_ref); }
+    session::Workbench& workbench() const { return m_workbench; }
+    const session::ServoEntry* entry() const { return m_workbench.registry().servo(m_ref); }
     QVBoxLayout* body() const { return m_body; } ///< between explanation and result
     TaskResult* result() const { return m_result; }
     QLabel* textLabel(const char* name); ///< wrapped, as wide as the dialog
@@ -36,24 +37,27 @@ protected:
     /// To be called by retranslate().
     void setTexts(const QString& title, const QString& explanation, const QString& actionText,
                   const QString& actionTip);
-    void setReady(bool ready); ///< whether the deed makes sense now
+    void setReady(bool ready); ///< whether the action is possible now
     bool isRunning() const { return m_running; }
     void setRunning(bool running);
 
-    /// All texts. Called by begin() and after a change of language.
+    /// All texts. Called by finishSetup() and after a change of language.
     virtual void retranslate() = 0;
     /// The servo, the list or the link have changed.
     virtual void refresh() {}
-    virtual void runAction() {} ///< the deed was asked for
-    /// The end of the constructor of each kind.
+    virtual void runAction() {} ///< the action button was pressed
+    /// To be called at the end of the constructor of each subclass.
     void finishSetup();
 
-    /// Runs it as this dialog's task: Stop and progress are shown meanwhile. `done` on the main
-    /// thread, while the dialog lives.
+    /// Runs it as this dialog's task, with Stop and progress. `done` is called on the main thread
+    /// if the dialog still exists.
     void run(session::Task task, std::function<void(const session::TaskCompletion&)> done);
-    /// Beside it, without a word: looks only.
+    /// In the background, without a message; it only reads.
     void runInBackground(session::Task task,
                          std::function<void(const session::TaskCompletion&)> done);
+    /// Writes the register as this dialog's task; the dialog itself is the question. `success` is a
+    /// text of the context "ServoTasks".
+    void writeRegister(const catalog::Register& reg, std::int64_t raw, const char* success);
     void showResult(TaskResult::Wording wording) { m_result->showResult(std::move(wording)); }
     void showError(const base::Error& error);
 
@@ -62,15 +66,19 @@ protected:
 
 private:
     void buildButtons(QVBoxLayout* column);
+    void connectWorkbench();
     void retranslateCommon();
     void fitToContents();
     void updateButtons();
     void showProgress(const jobs::Progress& progress);
+    void onWritten(const session::Event& event);
 
-    session::Desk& m_desk;
+    session::Workbench& m_workbench;
     session::ServoRef m_ref;
     bool m_ready = true;
     bool m_running = false;
+    QString m_writtenKey; ///< of writeRegister(), until it has ended; else empty
+    const char* m_writeSuccess = nullptr;
     QLabel* m_servoLabel;
     QLabel* m_explanation;
     QVBoxLayout* m_body;

@@ -3,6 +3,7 @@
 
 #include "catalog/units.h"
 #include "text/language.h"
+#include "ui/common/widget_text.h"
 
 #include <QColorDialog>
 #include <QDoubleSpinBox>
@@ -27,10 +28,10 @@ constexpr int unitColumn = 1;
 constexpr double maxScale = 1e6;
 } // namespace
 
-ChannelsDialog::ChannelsDialog(const session::Desk& desk, std::vector<TrendCurve> curves,
+ChannelsDialog::ChannelsDialog(const session::Workbench& workbench, std::vector<TrendCurve> curves,
                                QWidget* parent)
     : QDialog(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_curves(std::move(curves))
 {
     setObjectName(QStringLiteral("channelsDialog"));
@@ -38,9 +39,12 @@ ChannelsDialog::ChannelsDialog(const session::Desk& desk, std::vector<TrendCurve
     build();
     retranslate();
     resize(460, 560);
-    connect(&desk, &session::Desk::servoAdded, this, &ChannelsDialog::fill);
-    connect(&desk, &session::Desk::servoRemoved, this, &ChannelsDialog::fill);
-    connect(&desk, &session::Desk::servosCleared, this, &ChannelsDialog::fill);
+    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this,
+            &ChannelsDialog::fill);
+    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this,
+            &ChannelsDialog::fill);
+    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this,
+            &ChannelsDialog::fill);
 }
 
 void ChannelsDialog::build()
@@ -55,6 +59,34 @@ void ChannelsDialog::build()
     m_tree->header()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(unitColumn, QHeaderView::ResizeToContents);
+    QFormLayout* style = buildStyle();
+    auto* buttons = new QHBoxLayout;
+    m_reset = new QPushButton(this);
+    m_reset->setObjectName(QStringLiteral("channelUsual"));
+    m_close = new QPushButton(this);
+    m_close->setObjectName(QStringLiteral("channelClose"));
+    buttons->addWidget(m_reset);
+    buttons->addStretch();
+    buttons->addWidget(m_close);
+    column->addWidget(m_find);
+    column->addWidget(m_tree, 1);
+    column->addLayout(style);
+    column->addLayout(buttons);
+    for (QPushButton* button : {m_color, m_reset, m_close})
+        button->setAutoDefault(false);
+    connect(m_find, &QLineEdit::textChanged, this, &ChannelsDialog::filter);
+    connect(m_tree, &QTreeWidget::itemChanged, this, &ChannelsDialog::onItemChanged);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, &ChannelsDialog::showStyle);
+    connect(m_color, &QPushButton::clicked, this, &ChannelsDialog::pickColor);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::close);
+    connect(m_reset, &QPushButton::clicked, this, [this] {
+        setCurves(defaultCurves());
+        Q_EMIT curvesChanged(m_curves);
+    });
+}
+
+QFormLayout* ChannelsDialog::buildStyle()
+{
     auto* style = new QFormLayout;
     m_color = new QPushButton(this);
     m_color->setObjectName(QStringLiteral("channelColour"));
@@ -73,30 +105,7 @@ void ChannelsDialog::build()
     style->addRow(new QLabel(this), m_offset);
     for (QWidget* field : std::initializer_list<QWidget*>{m_color, m_scale, m_offset})
         static_cast<QLabel*>(style->labelForField(field))->setBuddy(field);
-    auto* buttons = new QHBoxLayout;
-    m_reset = new QPushButton(this);
-    m_reset->setObjectName(QStringLiteral("channelUsual"));
-    m_reset->setAutoDefault(false);
-    m_close = new QPushButton(this);
-    m_close->setObjectName(QStringLiteral("channelClose"));
-    m_close->setAutoDefault(false);
-    buttons->addWidget(m_reset);
-    buttons->addStretch();
-    buttons->addWidget(m_close);
-    column->addWidget(m_find);
-    column->addWidget(m_tree, 1);
-    column->addLayout(style);
-    column->addLayout(buttons);
-    m_color->setAutoDefault(false);
-    connect(m_find, &QLineEdit::textChanged, this, &ChannelsDialog::filter);
-    connect(m_tree, &QTreeWidget::itemChanged, this, &ChannelsDialog::onItemChanged);
-    connect(m_tree, &QTreeWidget::currentItemChanged, this, &ChannelsDialog::showStyle);
-    connect(m_color, &QPushButton::clicked, this, &ChannelsDialog::pickColor);
-    connect(m_close, &QPushButton::clicked, this, &QDialog::close);
-    connect(m_reset, &QPushButton::clicked, this, [this] {
-        setCurves(defaultCurves());
-        Q_EMIT curvesChanged(m_curves);
-    });
+    return style;
 }
 
 void ChannelsDialog::setCurves(std::vector<TrendCurve> curves)
@@ -150,7 +159,7 @@ void ChannelsDialog::addServo(const session::ServoEntry& entry)
     addRow(group, prefix + session::errorKey, builtInName(QStringLiteral("@error")), {});
     for (const catalog::Register& reg : servo.profile->registers) {
         if (servo.measures(reg))
-            addRow(group, prefix + reg.key, reg.name.in(text::isUiChinese()),
+            addRow(group, prefix + reg.key, text::localized(reg.name),
                    catalog::unitSuffix(servo.meaning(reg).unit).trimmed());
     }
 }
@@ -163,8 +172,8 @@ void ChannelsDialog::fill()
                             : QString();
     m_tree->clear();
     addBuiltIn();
-    for (const session::ServoRef ref : m_desk.servos())
-        addServo(*m_desk.servo(ref));
+    for (const session::ServoRef ref : m_workbench.registry().order())
+        addServo(*m_workbench.registry().servo(ref));
     m_filling = false;
     filter(m_find->text());
     for (QTreeWidgetItemIterator row(m_tree); *row != nullptr; ++row) {
@@ -220,7 +229,7 @@ void ChannelsDialog::showStyle()
     QPixmap swatch(16, 16);
     swatch.fill(shown && now->color.isValid() ? now->color : QColor(Qt::transparent));
     m_color->setIcon(QIcon(swatch));
-    m_color->setText(shown && now->color.isValid() ? now->color.name() : tr("by its place"));
+    m_color->setText(shown && now->color.isValid() ? now->color.name() : tr("automatic"));
 }
 
 void ChannelsDialog::applyStyle()
@@ -255,28 +264,22 @@ void ChannelsDialog::pickColor()
 
 void ChannelsDialog::retranslate()
 {
-    setWindowTitle(tr("Curves"));
+    setWindowTitle(tr("Channels"));
     m_find->setPlaceholderText(tr("Find a register"));
     m_find->setAccessibleName(tr("Find a register"));
-    m_find->setToolTip(tr("Part of its name"));
-    m_tree->setHeaderLabels({tr("Curve"), tr("Unit")});
-    m_tree->setAccessibleName(tr("Curves"));
-    m_tree->setToolTip(tr("What is ticked is read and shown"));
-    auto* style = findChild<QFormLayout*>();
-    const auto label = [&](QWidget* field, const QString& text, const QString& tip) {
-        static_cast<QLabel*>(style->labelForField(field))->setText(text);
-        field->setAccessibleName(text);
-        field->setToolTip(tip);
-    };
-    label(m_color, tr("Colour"), tr("The colour of the chosen curve"));
-    label(m_scale, tr("Drawn times"),
-          tr("The curve is drawn as value × this + offset; cursors "
-             "show the value itself"));
-    label(m_offset, tr("Offset"), tr("Added to the drawn value, in its unit"));
-    m_reset->setText(tr("As at first"));
-    m_reset->setToolTip(tr("Goal, position, speed and current of the selected servo"));
+    m_find->setToolTip(tr("Part of the register name"));
+    m_tree->setHeaderLabels({tr("Channel"), tr("Unit")});
+    m_tree->setAccessibleName(tr("Channels"));
+    m_tree->setToolTip(tr("Selected registers are read and shown"));
+    const auto* style = findChild<QFormLayout*>();
+    setFieldText(style, m_color, tr("Color"), tr("Color of the selected channel"));
+    setFieldText(style, m_scale, tr("Scale"),
+                 tr("Drawn as value × scale + offset; cursors show the actual value"));
+    setFieldText(style, m_offset, tr("Offset"), tr("Added to the drawn value, in the same unit"));
+    m_reset->setText(tr("Reset"));
+    m_reset->setToolTip(tr("Shows goal, position, speed and current of the selected servo"));
     m_close->setText(tr("Close"));
-    m_close->setToolTip(tr("Close this list; the curves stay"));
+    m_close->setToolTip(tr("Closes this list and keeps the channels"));
     fill();
 }
 

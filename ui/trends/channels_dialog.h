@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which curves the trend chart shows: ready-made ones of the selected servo, and any register of
-// any servo, with color, scale and offset. Beside the window, not before it: what is ticked is
-// shown at once. Deletes itself. Main thread.
+// The curves of the trend chart: predefined ones of the selected servo, and any register of any
+// servo, with color, scale and offset. Not modal: changes are shown at once. Deletes itself. Main
+// thread.
 #pragma once
 
 #include "ui/trends/trend_curves.h"
@@ -9,6 +9,7 @@
 #include <QDialog>
 
 class QDoubleSpinBox;
+class QFormLayout;
 class QLineEdit;
 class QPushButton;
 class QTreeWidget;
@@ -19,7 +20,8 @@ class ChannelsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ChannelsDialog(const session::Desk& desk, std::vector<TrendCurve> curves, QWidget* parent);
+    ChannelsDialog(const session::Workbench& workbench, std::vector<TrendCurve> curves,
+                   QWidget* parent);
 
     void setCurves(std::vector<TrendCurve> curves);
 
@@ -31,6 +33,7 @@ protected:
 
 private:
     void build();
+    QFormLayout* buildStyle();
     void fill();
     void addBuiltIn();
     void addServo(const session::ServoEntry& entry);
@@ -45,7 +48,7 @@ private:
     TrendCurve* curve(const QString& id);
     void retranslate();
 
-    const session::Desk& m_desk;
+    const session::Workbench& m_workbench;
     std::vector<TrendCurve> m_curves;
     QLineEdit* m_find = nullptr;
     QTreeWidget* m_tree = nullptr;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trends/record_dialog.h"
 
+#include "ui/common/file_dialog.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_text.h"
 
 #include <QCheckBox>
 #include <QDateTime>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -21,17 +22,17 @@
 
 namespace ui {
 namespace {
-const QString folderKey = QStringLiteral("trend/record_folder");
 const QString shownOnlyKey = QStringLiteral("trend/record_shown");
 const QString secondsKey = QStringLiteral("trend/record_seconds");
 constexpr int maxSeconds = 7 * 24 * 3600;
 constexpr int defaultSeconds = 10;
 constexpr int pathChars = 44;
 
-QString defaultFolder()
+template <typename Widget>
+Widget* named(Widget* widget, const char* name)
 {
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QDir(documents).exists() ? documents : QDir::homePath();
+    widget->setObjectName(QString::fromLatin1(name));
+    return widget;
 }
 } // namespace
 
@@ -42,7 +43,7 @@ RecordDialog::RecordDialog(session::Settings& settings, QWidget* parent)
     setObjectName(QStringLiteral("recordDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    const QDir folder(m_settings.pageValue(folderKey, defaultFolder()).toString());
+    const QDir folder(rememberedFolder(m_settings, recordingFolderKey()));
     const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"));
     m_path->setText(
         QDir::toNativeSeparators(folder.filePath(QStringLiteral("servodesk_%1.csv").arg(name))));
@@ -57,34 +58,10 @@ RecordDialog::RecordDialog(session::Settings& settings, QWidget* parent)
 void RecordDialog::build()
 {
     auto* column = new QVBoxLayout(this);
-    m_form = new QFormLayout;
-    const auto named = [](auto* widget, const char* name) {
-        widget->setObjectName(QString::fromLatin1(name));
-        return widget;
-    };
-    m_path = named(new QLineEdit(this), "recordPath");
-    m_path->setMinimumWidth(m_path->fontMetrics().averageCharWidth() * pathChars);
-    m_browse = named(new QPushButton(this), "recordBrowse");
-    m_browse->setAutoDefault(false);
-    auto* file = new QHBoxLayout;
-    file->addWidget(m_path, 1);
-    file->addWidget(m_browse);
-    m_shown = named(new QRadioButton(this), "recordShown");
-    m_all = named(new QRadioButton(this), "recordAll");
-    m_limited = named(new QCheckBox(this), "recordLimited");
-    m_seconds = named(new QSpinBox(this), "recordSeconds");
-    m_seconds->setRange(1, maxSeconds);
-    auto* length = new QHBoxLayout;
-    length->addWidget(m_limited);
-    length->addWidget(m_seconds);
-    length->addStretch();
+    buildForm();
     m_error = named(new QLabel(this), "recordTrouble");
     m_error->setWordWrap(true);
     m_error->hide();
-    m_form->addRow(new QLabel(this), file);
-    m_form->addRow(new QLabel(this), m_shown);
-    m_form->addRow(new QLabel(this), m_all);
-    m_form->addRow(new QLabel(this), length);
     auto* buttons = new QHBoxLayout;
     m_start = named(new QPushButton(this), "recordStart");
     m_start->setProperty("mainAction", true);
@@ -102,6 +79,31 @@ void RecordDialog::build()
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
 }
 
+void RecordDialog::buildForm()
+{
+    m_form = new QFormLayout;
+    m_path = named(new QLineEdit(this), "recordPath");
+    m_path->setMinimumWidth(m_path->fontMetrics().averageCharWidth() * pathChars);
+    m_browse = named(new QPushButton(this), "recordBrowse");
+    m_browse->setAutoDefault(false);
+    auto* file = new QHBoxLayout;
+    file->addWidget(m_path, 1);
+    file->addWidget(m_browse);
+    m_shown = named(new QRadioButton(this), "recordShown");
+    m_all = named(new QRadioButton(this), "recordAll");
+    m_limited = named(new QCheckBox(this), "recordLimited");
+    m_seconds = named(new QSpinBox(this), "recordSeconds");
+    m_seconds->setRange(1, maxSeconds);
+    auto* length = new QHBoxLayout;
+    length->addWidget(m_limited);
+    length->addWidget(m_seconds);
+    length->addStretch();
+    m_form->addRow(new QLabel(this), file);
+    m_form->addRow(new QLabel(this), m_shown);
+    m_form->addRow(new QLabel(this), m_all);
+    m_form->addRow(new QLabel(this), length);
+}
+
 RecordRequest RecordDialog::request() const
 {
     return {QDir::fromNativeSeparators(m_path->text().trimmed()), m_shown->isChecked(),
@@ -112,16 +114,16 @@ void RecordDialog::start()
 {
     const RecordRequest now = request();
     if (now.path.isEmpty()) {
-        showError(tr("Name a file first."));
+        showError(tr("Choose a file first."));
         return;
     }
     if (QFileInfo(now.path).isFile() && now.path != m_confirmedPath) {
         m_confirmedPath = now.path;
-        showError(tr("There is such a file already. Press Record once more to replace it, or give "
+        showError(tr("This file already exists. Press Record again to replace it, or choose "
                      "another name."));
         return;
     }
-    m_settings.setPageValue(folderKey, QFileInfo(now.path).absolutePath());
+    m_settings.setPageValue(recordingFolderKey(), QFileInfo(now.path).absolutePath());
     m_settings.setPageValue(shownOnlyKey, now.onlyShown);
     m_settings.setPageValue(secondsKey, now.seconds);
     Q_EMIT recordingRequested(now);
@@ -138,45 +140,33 @@ void RecordDialog::showError(const QString& words)
 
 void RecordDialog::browse()
 {
-    const QString csv = tr("Table, for spreadsheets (*.csv)");
-    const QString lines = tr("JSON lines, for programs (*.jsonl)");
-    auto* dialog = new QFileDialog(this, tr("Record to"));
-    dialog->setObjectName(QStringLiteral("recordFileDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({csv, lines});
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->selectFile(request().path);
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, lines](const QString& filter) {
-        dialog->setDefaultSuffix(filter == lines ? QStringLiteral("jsonl") : QStringLiteral("csv"));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        m_path->setText(QDir::toNativeSeparators(path));
-        m_confirmedPath = request().path; // the file dialog has asked
-    });
-    dialog->open();
+    askForSavePath(this,
+                   {QStringLiteral("recordFileDialog"),
+                    tr("Record to"),
+                    {tr("Table for spreadsheets (*.csv)"), tr("JSON lines for programs (*.jsonl)")},
+                    request().path},
+                   [this](const QString& path) {
+                       m_path->setText(QDir::toNativeSeparators(path));
+                       m_confirmedPath = request().path; // the file dialog has asked
+                   });
 }
 
 void RecordDialog::retranslate()
 {
     setWindowTitle(tr("Record"));
-    const auto words = [](auto* widget, const QString& text, const QString& tip) {
-        widget->setText(text);
-        widget->setAccessibleName(text);
-        widget->setToolTip(tip);
-    };
     static_cast<QLabel*>(m_form->itemAt(0, QFormLayout::LabelRole)->widget())->setText(tr("File"));
-    m_path->setAccessibleName(tr("File"));
-    m_path->setToolTip(tr("*.csv: a table; *.jsonl: one JSON object a line"));
-    words(m_browse, tr("Choose…"), tr("Choose folder and name"));
-    words(m_shown, tr("The curves of the chart"), tr("Only what is shown is written"));
-    words(m_all, tr("Everything that is read"), tr("Also what the chart does not show"));
-    words(m_limited, tr("End by itself after"), tr("Otherwise it goes on until it is stopped"));
+    setAccessText(m_path, tr("File"), tr("*.csv: a table; *.jsonl: one JSON object per line"));
+    setButtonText(m_browse, tr("Choose…"), tr("Opens a dialog to choose the folder and file name"));
+    setButtonText(m_shown, tr("Channels shown in the chart"),
+                  tr("Records only what the chart shows"));
+    setButtonText(m_all, tr("All values that are read"),
+                  tr("Includes values not shown in the chart"));
+    setButtonText(m_limited, tr("Stop automatically after"),
+                  tr("If not selected, recording continues until you stop it"));
     m_seconds->setSuffix(tr(" s"));
-    m_seconds->setAccessibleName(tr("Length"));
-    m_seconds->setToolTip(tr("Seconds from the first row"));
-    words(m_start, tr("Record"), tr("Begin now"));
-    words(m_cancel, tr("Cancel"), tr("Record nothing"));
+    setAccessText(m_seconds, tr("Length"), tr("Duration in seconds from the first row"));
+    setButtonText(m_start, tr("Record"), tr("Starts recording now"));
+    setButtonText(m_cancel, tr("Cancel"), tr("Closes without recording"));
 }
 
 void RecordDialog::changeEvent(QEvent* event)

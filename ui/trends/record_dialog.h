@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a recording goes, what is in it, and how long it lasts. Asks only; deletes itself. Main
-// thread.
+// Where a recording is written, what it contains, and how long it lasts. It only asks; deletes
+// itself. Main thread.
 #pragma once
 
 #include "session/settings.h"
@@ -40,6 +40,7 @@ protected:
 
 private:
     void build();
+    void buildForm();
     void browse();
     void start();
     void retranslate();

@@ -47,11 +47,10 @@ QString nameOf(const catalog::Profile& profile, const QString& key)
         return translate("Trend", made->name);
     if (key == session::errorKey)
         return translate("Trend", "Error (goal − position)");
-    const catalog::Register* reg = profile.find(key);
-    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
+    return text::registerName(&profile, key);
 }
 
-/// The goal is company for the position: gray.
+/// The goal accompanies the position: gray.
 QColor colorOf(const TrendCurve& curve, std::size_t place, const QColor& background)
 {
     if (curve.key == QLatin1String("@goal"))
@@ -119,17 +118,16 @@ namespace {
 QString faultsText(const QString& text)
 {
     const QString word = faultText(text.section(QLatin1Char(' '), 0, 0));
-    return text.contains(QLatin1String("(derived)"))
-               ? translate("Trend", "%1 (worked out)").arg(word)
-               : word;
+    return text.contains(QLatin1String("(derived)")) ? translate("Trend", "%1 (derived)").arg(word)
+                                                     : word;
 }
 
 /// The register's key at the beginning becomes its name.
-QString writtenName(const session::Desk& desk, const QString& text)
+QString writtenName(const session::Workbench& workbench, const QString& text)
 {
     const QString key = text.section(QLatin1Char(' '), 0, 0);
-    for (const session::ServoRef ref : desk.servos()) {
-        const catalog::ProfilePtr& profile = desk.servo(ref)->servo.profile;
+    for (const session::ServoRef ref : workbench.registry().order()) {
+        const catalog::ProfilePtr& profile = workbench.registry().servo(ref)->servo.profile;
         if (profile && profile->find(key) != nullptr)
             return nameOf(*profile, key) + text.mid(key.size());
     }
@@ -137,36 +135,37 @@ QString writtenName(const session::Desk& desk, const QString& text)
 }
 } // namespace
 
-QString recordedChannelName(const session::Desk& desk, const record::RecordingChannel& column)
+QString recordedChannelName(const session::Workbench& workbench,
+                            const recording::RecordingChannel& column)
 {
     QString name = column.key;
     if (column.key == session::errorKey)
         name = builtInName(QStringLiteral("@error"));
-    for (const session::ServoRef ref : desk.servos()) {
-        const catalog::ProfilePtr& profile = desk.servo(ref)->servo.profile;
+    for (const session::ServoRef ref : workbench.registry().order()) {
+        const catalog::ProfilePtr& profile = workbench.registry().servo(ref)->servo.profile;
         if (profile && profile->find(column.key) != nullptr)
             name = nameOf(*profile, column.key);
     }
     return translate("Trend", "ID %1 · %2").arg(column.servoId).arg(name);
 }
 
-QString markText(const session::Desk& desk, const record::Mark& mark)
+QString markText(const session::Workbench& workbench, const recording::Mark& mark)
 {
-    using record::MarkKind;
+    using recording::MarkKind;
     QString words = mark.text;
     if (mark.kind == MarkKind::Fault)
         words = faultsText(mark.text);
     else if (mark.kind == MarkKind::FaultCleared)
-        words = translate("Trend", "over: %1").arg(faultsText(mark.text));
+        words = translate("Trend", "cleared: %1").arg(faultsText(mark.text));
     else if (mark.kind == MarkKind::LinkError)
-        words = translate("Trend", "no answer");
+        words = translate("Trend", "no reply");
     else if (mark.kind == MarkKind::LinkRestored)
         words = translate("Trend", "answers again");
     else if (mark.kind == MarkKind::Stop)
         words = translate("Trend", "emergency stop");
     else if (mark.kind == MarkKind::Write) // "position_p 32 → 40"
-        words = writtenName(desk, mark.text);
-    const bool alone = desk.servos().size() < 2;
+        words = writtenName(workbench, mark.text);
+    const bool alone = workbench.registry().order().size() < 2;
     return mark.servoId >= 0 && !alone
                ? translate("Trend", "ID %1 · %2").arg(mark.servoId).arg(words)
                : words;
@@ -175,10 +174,10 @@ QString markText(const session::Desk& desk, const record::Mark& mark)
 session::ServoRef TrendResolver::servoOf(const TrendCurve& curve) const
 {
     if (curve.servo == QLatin1String("*"))
-        return m_desk.servo(m_selected) != nullptr ? m_selected : 0;
+        return m_workbench.registry().servo(m_selected) != nullptr ? m_selected : 0;
     const int id = curve.servo.toInt();
-    for (const session::ServoRef ref : m_desk.servos()) {
-        if (m_desk.servo(ref)->servo.id == id)
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        if (m_workbench.registry().servo(ref)->servo.id == id)
             return ref;
     }
     return 0;
@@ -188,7 +187,7 @@ std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve, std:
                                                    const QColor& background) const
 {
     const session::ServoRef ref = servoOf(curve);
-    const session::ServoEntry* entry = m_desk.servo(ref);
+    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
     if (entry == nullptr || !entry->servo.profile)
         return std::nullopt;
     const catalog::Profile& profile = *entry->servo.profile;
@@ -216,10 +215,10 @@ std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve, std:
 
 session::Subscription TrendResolver::subscription(const std::vector<TrendCurve>& curves) const
 {
-    session::Subscription wish;
+    session::Subscription subscription;
     for (const TrendCurve& curve : curves) {
         const session::ServoRef ref = servoOf(curve);
-        const session::ServoEntry* entry = m_desk.servo(ref);
+        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
         if (entry == nullptr || !entry->servo.profile || !curve.visible)
             continue;
         const catalog::Profile& profile = *entry->servo.profile;
@@ -231,8 +230,8 @@ session::Subscription TrendResolver::subscription(const std::vector<TrendCurve>&
         }
         keys.removeAll(QString());
         if (!keys.isEmpty())
-            wish.parts.push_back({ref, keys, {}});
+            subscription.parts.push_back({ref, keys, {}});
     }
-    return wish;
+    return subscription;
 }
 } // namespace ui

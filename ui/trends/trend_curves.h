@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which curves the trend chart shows: a list of servo and register, remembered, and what that means
-// right now: the samples of the scope, the registers to be read. "The selected servo" is a choice
-// of its own, so that the curves follow the selection. Values and pure functions; main thread.
+// The curves of the trend chart: a list of servo and register, and what it means now: the channels
+// of the live data and the registers to read. "The selected servo" is a choice of its own, so that
+// the curves follow the selection. Values and pure functions; main thread.
 #pragma once
 
 #include "session/recording/live_data.h"
@@ -31,16 +31,17 @@ QString builtInName(const QString& key);
 std::vector<TrendCurve> defaultCurves();
 
 /// Of a recording's column: the register's name as far as a servo here has it, else its key.
-QString recordedChannelName(const session::Desk& desk, const record::RecordingChannel& column);
+QString recordedChannelName(const session::Workbench& workbench,
+                            const recording::RecordingChannel& column);
 
-/// A mark as the chart says it: "ID 1 · Over-temperature".
-QString markText(const session::Desk& desk, const record::Mark& mark);
+/// A mark as the chart shows it: "ID 1 · Over-temperature".
+QString markText(const session::Workbench& workbench, const recording::Mark& mark);
 
 class TrendResolver {
 public:
-    TrendResolver(const session::Desk& desk, const session::LiveData& scope,
+    TrendResolver(const session::Workbench& workbench, const session::LiveData& scope,
                   session::ServoRef selected)
-        : m_desk(desk)
+        : m_workbench(workbench)
         , m_liveData(scope)
         , m_selected(selected)
     {}
@@ -52,7 +53,7 @@ public:
     session::Subscription subscription(const std::vector<TrendCurve>& curves) const;
 
 private:
-    const session::Desk& m_desk;
+    const session::Workbench& m_workbench;
     const session::LiveData& m_liveData;
     session::ServoRef m_selected;
 };

@@ -1,86 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trends/trend_panel.h"
 
-#include "text/error_text.h"
 #include "ui/charts/cursor_table.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_preset.h"
+#include "ui/common/file_dialog.h"
 #include "ui/trends/channels_dialog.h"
-#include "ui/trends/record_dialog.h"
+#include "ui/trends/recording_control.h"
+#include "ui/trends/trend_replay.h"
 #include "ui/trends/trend_toolbar.h"
-#include "ui/trends/trigger_dialog.h"
+#include "ui/trends/trigger_control.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/replay_bar.h"
 
 #include <QEvent>
+#include <QInputDialog>
 #include <QVBoxLayout>
 
 #include <utility>
 
 namespace ui {
 using base::Duration;
-using namespace std::chrono_literals;
 
 namespace {
-const QString curvesKey = QStringLiteral("trend/curves");
-const QString widthKey = QStringLiteral("trend/width_s");
-const QString rateKey = QStringLiteral("trend/rate_hz");
 const QString subscriptionName = QStringLiteral("trend");
-constexpr int defaultSeconds = 10;
-
-/// One text a curve: "1/present_position;visible;#rrggbb;scale;offset".
-QString toText(const TrendCurve& choice)
-{
-    return QStringList{choice.id(), choice.visible ? QStringLiteral("1") : QStringLiteral("0"),
-                       choice.color.isValid() ? choice.color.name() : QString(),
-                       QString::number(choice.scale, 'g', 10),
-                       QString::number(choice.offset, 'g', 10)}
-        .join(QLatin1Char(';'));
-}
-
-TrendCurve fromText(const QString& text)
-{
-    const QStringList parts = text.split(QLatin1Char(';'));
-    TrendCurve choice = TrendCurve::fromId(parts.value(0));
-    choice.visible = parts.value(1) != QLatin1String("0");
-    choice.color = QColor(parts.value(2));
-    const double scale = parts.value(3).toDouble();
-    choice.scale = scale != 0 ? scale : 1;
-    choice.offset = parts.value(4).toDouble();
-    return choice;
-}
+constexpr QSize imageSize(1600, 900);
 } // namespace
 
-TrendPanel::TrendPanel(session::Desk& desk, session::LiveData& scope, Selection& selection,
-                       session::Settings& settings, QWidget* parent)
+TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveData,
+                       Selection& selection, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(desk)
-    , m_deskGuard(&desk)
-    , m_liveData(scope)
+    , m_workbench(workbench)
+    , m_workbenchGuard(&workbench)
+    , m_liveData(liveData)
     , m_selection(selection)
     , m_settings(settings)
+    , m_curves(m_settings.curves())
 {
-    for (const QString& text : settings.pageValue(curvesKey, QStringList()).toStringList()) {
-        const TrendCurve choice = fromText(text);
-        if (!choice.key.isEmpty())
-            m_curves.push_back(choice);
-    }
-    if (m_curves.empty())
-        m_curves = defaultCurves();
     build();
+    m_replay = new TrendReplay(m_workbench, m_settings,
+                               {*m_chart, *m_replayBar, *m_toolbar, *m_banner}, this);
+    m_trigger = new TriggerControl(m_workbench, m_liveData, m_selection,
+                                   {*m_chart, *m_toolbar, *m_replay}, this);
+    m_recording =
+        new RecordingControl(m_liveData, settings, {*m_chart, *m_toolbar, *m_banner}, this);
     connectToolbar();
-    connectScope();
+    connectChart();
+    connectLiveData();
     showPresets();
     showCurves();
-    showTrigger();
 }
+
+TrendPanel::~TrendPanel() = default;
 
 QWidget* TrendPanel::chart() const
 {
     return m_chart;
 }
 
-TrendPanel::~TrendPanel() = default;
+bool TrendPanel::isReplaying() const
+{
+    return m_replay->isActive();
+}
 
 void TrendPanel::build()
 {
@@ -105,13 +86,11 @@ void TrendPanel::build()
     m_chart->setStore(&m_liveData.store());
     m_chart->setMarks(&m_liveData.marks());
     m_chart->setMarkTextFunction(
-        [this](const record::Mark& mark) { return markText(m_desk, mark); });
-    m_chart->setWidth(defaultWidth());
-    const int hz = m_settings.pageValue(rateKey, 0).toInt();
-    m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
-    m_liveData.setPeriod(m_period);
-    m_toolbar->setRate(hz);
+        [this](const recording::Mark& mark) { return markText(m_workbench, mark); });
+    m_chart->setWidth(m_settings.width());
     m_toolbar->setShownWidth(m_chart->width());
+    m_toolbar->setRate(m_settings.rate());
+    setRate(m_settings.rate());
 }
 
 void TrendPanel::connectToolbar()
@@ -121,29 +100,33 @@ void TrendPanel::connectToolbar()
     connect(m_toolbar, &TrendToolbar::backRequested, m_chart, &TrendChart::zoomBack);
     connect(m_toolbar, &TrendToolbar::cursorsRequested, m_chart, &TrendChart::setCursorsShown);
     connect(m_toolbar, &TrendToolbar::channelsRequested, this, &TrendPanel::chooseChannels);
-    connect(m_toolbar, &TrendToolbar::triggerRequested, this, &TrendPanel::chooseTrigger);
-    connect(m_toolbar, &TrendToolbar::recordRequested, this, &TrendPanel::toggleRecording);
-    connect(m_toolbar, &TrendToolbar::openRequested, this, &TrendPanel::openRecording);
-    connect(m_toolbar, &TrendToolbar::liveRequested, this, &TrendPanel::closeReplay);
+    connect(m_toolbar, &TrendToolbar::triggerRequested, m_trigger, &TriggerControl::choose);
+    connect(m_toolbar, &TrendToolbar::recordRequested, m_recording, &RecordingControl::toggle);
+    connect(m_toolbar, &TrendToolbar::openRequested, m_replay, &TrendReplay::open);
+    connect(m_toolbar, &TrendToolbar::liveRequested, m_replay, &TrendReplay::close);
     connect(m_toolbar, &TrendToolbar::saveImageRequested, this, &TrendPanel::saveImage);
     connect(m_toolbar, &TrendToolbar::clearRequested, &m_liveData, &session::LiveData::clear);
     connect(m_toolbar, &TrendToolbar::presetRequested, this, &TrendPanel::applyPreset);
-    connect(m_toolbar, &TrendToolbar::presetSaveRequested, this, &TrendPanel::savePresetAs);
+    connect(m_toolbar, &TrendToolbar::presetSaveRequested, this,
+            qOverload<>(&TrendPanel::savePresetAs));
     connect(m_toolbar, &TrendToolbar::presetRemoveRequested, this, [this](const QString& name) {
-        deletePreset(m_settings, name);
+        deletePreset(m_settings.all(), name);
         showPresets();
     });
     connect(m_toolbar, &TrendToolbar::widthRequested, this, [this](Duration width) {
         m_chart->setWidth(width);
-        m_settings.setPageValue(widthKey, int(width.count() / 1'000'000));
+        m_settings.setWidth(width);
     });
     connect(m_toolbar, &TrendToolbar::rateRequested, this, [this](int hz) {
-        m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
-        m_settings.setPageValue(rateKey, hz);
-        m_liveData.setPeriod(m_period);
+        m_settings.setRate(hz);
+        setRate(hz);
         updateSubscription();
         Q_EMIT periodChanged();
     });
+}
+
+void TrendPanel::connectChart()
+{
     connect(m_chart, &TrendChart::viewChanged, this, [this] {
         m_toolbar->setFollowing(m_chart->isFollowing());
         m_toolbar->setShownWidth(m_chart->width());
@@ -154,49 +137,52 @@ void TrendPanel::connectToolbar()
     });
     connect(m_chart, &TrendChart::playRequested, this, &TrendPanel::toggleFollowing);
     connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::applyLegend);
-    connect(m_replayBar, &ReplayBar::positionChanged, this, &TrendPanel::followReplay);
+    connect(m_replay, &TrendReplay::shown, this, &TrendPanel::replayShown);
+    connect(m_replay, &TrendReplay::closed, this, &TrendPanel::showLiveReadings);
 }
 
-void TrendPanel::connectScope()
+void TrendPanel::connectLiveData()
 {
     connect(&m_liveData, &session::LiveData::samplesAdded, this, &TrendPanel::samplesAdded);
     connect(&m_liveData, &session::LiveData::channelsChanged, this, &TrendPanel::showCurves);
-    connect(&m_liveData, &session::LiveData::triggerChanged, this, &TrendPanel::showTrigger);
-    connect(&m_liveData, &session::LiveData::recordingChanged, this, &TrendPanel::showRecording);
-    connect(&m_liveData, &session::LiveData::recordingFailed, this, &TrendPanel::recordingFailed);
-    connect(&m_liveData, &session::LiveData::recordingBegan, this, [this] {
-        if (m_recordDialog)
-            m_recordDialog->close();
-    });
-    connect(&m_liveData, &session::LiveData::recordingEnded, this, &TrendPanel::recordingEnded);
     connect(&m_selection, &Selection::changed, this, &TrendPanel::showCurves);
-    connect(&m_desk, &session::Desk::servoAdded, this, &TrendPanel::showCurves);
-    connect(&m_desk, &session::Desk::servoRemoved, this, &TrendPanel::showCurves);
-    connect(&m_desk, &session::Desk::linkChanged, this, &TrendPanel::updateSubscription);
-    connect(&m_replay, &session::Replay::loaded, this, &TrendPanel::showReplay);
-    connect(&m_replay, &session::Replay::failed, this, [this](const base::Error& error) {
-        const text::Description words = text::describe(error);
-        showError(words.message, words.remedy);
-    });
+    const session::ServoRegistry* registry = &m_workbench.registry();
+    connect(registry, &session::ServoRegistry::servoAdded, this, &TrendPanel::showCurves);
+    connect(registry, &session::ServoRegistry::servoRemoved, this, &TrendPanel::showCurves);
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
+            &TrendPanel::updateSubscription);
+}
+
+/// 0: as fast as the bus allows.
+void TrendPanel::setRate(int hz)
+{
+    m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
+    m_liveData.setPeriod(m_period);
 }
 
 void TrendPanel::samplesAdded()
 {
     if (!isReplaying() && isVisible())
-        m_chart->advance(m_desk.now());
+        m_chart->advance(m_workbench.now());
 }
 
-QColor TrendPanel::backgroundColor() const
+void TrendPanel::showLiveReadings()
 {
-    return palette().color(QPalette::Base);
+    m_chart->setMarks(&m_liveData.marks());
+    m_chart->setStore(&m_liveData.store());
+    m_chart->setLive(true);
+    showCurves();
+    m_chart->setWidth(m_settings.width());
+    m_chart->setFollowing(true);
+    samplesAdded();
 }
 
 TrendResolver TrendPanel::resolver() const
 {
-    return {m_desk, m_liveData, m_selection.current()};
+    return {m_workbench, m_liveData, m_selection.current()};
 }
 
-/// What is chosen, as far as there are servos for it.
+/// Shows the chosen curves whose servos are in the list.
 void TrendPanel::showCurves()
 {
     updateSubscription();
@@ -205,7 +191,7 @@ void TrendPanel::showCurves()
     std::vector<TrendChannel> channels;
     m_shownCurves.clear();
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        auto channel = resolver().channel(m_curves[i], i, backgroundColor());
+        auto channel = resolver().channel(m_curves[i], i, palette().color(QPalette::Base));
         if (!channel)
             continue;
         channels.push_back(std::move(*channel));
@@ -218,31 +204,27 @@ void TrendPanel::showCurves()
 
 void TrendPanel::updateSubscription()
 {
-    if (!m_deskGuard)
+    if (!m_workbenchGuard)
         return;
-    session::Subscription wish = resolver().subscription(m_curves);
-    wish.period = m_period;
-    m_desk.subscribe(subscriptionName, wish);
-}
-
-void TrendPanel::saveCurves()
-{
-    QStringList texts;
-    for (const TrendCurve& choice : m_curves)
-        texts << toText(choice);
-    m_settings.setPageValue(curvesKey, m_curves == defaultCurves() ? QStringList() : texts);
+    session::Subscription subscription = resolver().subscription(m_curves);
+    subscription.period = m_period;
+    m_workbench.polling().subscribe(subscriptionName, subscription);
 }
 
 void TrendPanel::setCurves(const std::vector<TrendCurve>& curves)
 {
     m_curves = curves;
-    saveCurves();
+    m_settings.setCurves(m_curves);
     showCurves();
+}
+
+void TrendPanel::showCurvesInDialog()
+{
     if (auto* dialog = findChild<ChannelsDialog*>())
         dialog->setCurves(m_curves);
 }
 
-/// Somebody has hidden or colored a curve at the legend.
+/// A curve was hidden or shown at the legend.
 void TrendPanel::applyLegend()
 {
     if (m_updatingChart || isReplaying())
@@ -250,104 +232,118 @@ void TrendPanel::applyLegend()
     const auto& channels = m_chart->channels();
     for (std::size_t i = 0; i < channels.size() && i < m_shownCurves.size(); ++i)
         m_curves[m_shownCurves[i]].visible = channels[i].visible;
-    saveCurves();
+    m_settings.setCurves(m_curves);
     updateSubscription();
-    if (auto* dialog = findChild<ChannelsDialog*>())
-        dialog->setCurves(m_curves);
+    showCurvesInDialog();
 }
 
 void TrendPanel::chooseChannels()
 {
     auto* dialog = findChild<ChannelsDialog*>(); // one is enough
     if (dialog == nullptr) {
-        dialog = new ChannelsDialog(m_desk, m_curves, this);
-        connect(dialog, &ChannelsDialog::curvesChanged, this,
-                [this](const std::vector<TrendCurve>& curves) {
-                    m_curves = curves;
-                    saveCurves();
-                    showCurves();
-                });
+        dialog = new ChannelsDialog(m_workbench, m_curves, this);
+        connect(dialog, &ChannelsDialog::curvesChanged, this, &TrendPanel::setCurves);
     }
     dialog->show();
     dialog->raise();
     dialog->activateWindow();
 }
 
-void TrendPanel::chooseTrigger()
+void TrendPanel::toggleFollowing()
 {
-    if (m_liveData.trigger().state() == record::Trigger::State::Armed) {
-        m_liveData.disarmTrigger();
-        return;
-    }
-    std::vector<TrendChannel> curves;
-    for (const TrendChannel& channel : m_chart->channels()) {
-        if (channel.id >= 0)
-            curves.push_back(channel);
-    }
-    record::ChannelId moving = -1;
-    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
-    if (entry != nullptr && entry->servo.profile) {
-        const QString key = registerOf(*entry->servo.profile, QStringLiteral("@moving"));
-        const session::LiveChannel* found = m_liveData.find(m_selection.current(), key);
-        moving = found != nullptr ? found->id : -1;
-    }
-    record::TriggerSpec before = m_liveData.trigger().spec();
-    if (before.pre.count() == 0 && before.post.count() == 0)
-        before.pre = before.post = 2s;
-    auto* dialog = new TriggerDialog(std::move(curves), moving, before, this);
-    connect(dialog, &TriggerDialog::triggerArmed, this, &TrendPanel::armTrigger);
+    if (isReplaying())
+        m_replay->togglePlaying();
+    else
+        m_chart->setFollowing(!m_chart->isFollowing());
+}
+
+void TrendPanel::toggleRecording()
+{
+    m_recording->toggle();
+}
+
+void TrendPanel::openRecording()
+{
+    m_replay->open();
+}
+
+void TrendPanel::load(const QString& path)
+{
+    m_replay->load(path);
+}
+
+void TrendPanel::saveImage()
+{
+    askForSavePath(this,
+                   {QStringLiteral("saveImageDialog"),
+                    tr("Save image"),
+                    {tr("Image (*.png)"), tr("Vector graphic (*.svg)")},
+                    {},
+                    &m_settings.all(),
+                    recordingFolderKey()},
+                   [this](const QString& path) { writeImage(path); });
+}
+
+void TrendPanel::writeImage(const QString& path)
+{
+    QString error;
+    const bool isSvg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
+    const bool saved = isSvg ? m_chart->saveSvg(path, imageSize, &error)
+                             : m_chart->savePng(path, imageSize, &error);
+    m_banner->showMessage([saved, path, error] {
+        return saved ? BannerText{Tone::Good, tr("Saved as %1").arg(path)}
+                     : BannerText{Tone::Bad,
+                                  tr("The image could not be saved: %1").arg(error),
+                                  {},
+                                  tr("Check the folder and the free disk space.")};
+    });
+}
+
+void TrendPanel::showPresets()
+{
+    m_toolbar->setPresets(presetNames(m_settings.all()));
+}
+
+void TrendPanel::savePresetAs()
+{
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("presetDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Save view"));
+    dialog->setLabelText(tr("Name:"));
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [this](const QString& typed) { savePresetAs(typed.trimmed()); });
     dialog->open();
 }
 
-void TrendPanel::armTrigger(const record::TriggerSpec& spec)
+void TrendPanel::savePresetAs(const QString& name)
 {
-    m_chart->setFollowing(true);
-    m_liveData.armTrigger(spec);
+    TrendPreset preset;
+    preset.width = m_chart->width();
+    for (const TrendCurve& curve : m_curves)
+        preset.channels.push_back(
+            {curve.id(), curve.visible, curve.color, curve.scale, curve.offset});
+    if (savePreset(m_settings.all(), name, preset))
+        showPresets();
 }
 
-Duration TrendPanel::defaultWidth() const
+void TrendPanel::applyPreset(const QString& name)
 {
-    return std::chrono::seconds(
-        std::max(m_settings.pageValue(widthKey, defaultSeconds).toInt(), 1));
-}
-
-void TrendPanel::updateTriggerText()
-{
-    using State = record::Trigger::State;
-    const record::Trigger& trigger = m_liveData.trigger();
-    QString words;
-    if (trigger.state() == State::Armed)
-        words = tr("Waiting — cancel");
-    else if (trigger.state() == State::Fired)
-        words = tr("Triggered …");
-    m_toolbar->setTrigger(words, trigger.state() == State::Armed);
-}
-
-/// The moment has come: the chart stands there, once.
-void TrendPanel::showTrigger()
-{
-    using State = record::Trigger::State;
-    updateTriggerText();
-    const record::Trigger& trigger = m_liveData.trigger();
-    if (trigger.state() != State::Complete || isReplaying())
+    const auto preset = loadPreset(m_settings.all(), name);
+    if (!preset)
         return;
-    if (const auto window = trigger.window()) {
-        m_chart->setOrigin(*trigger.firedAt());
-        m_chart->show(*window);
+    std::vector<TrendCurve> curves;
+    for (const PresetChannel& channel : preset->channels) {
+        TrendCurve curve = TrendCurve::fromId(channel.key);
+        curve.visible = channel.visible;
+        curve.color = channel.color;
+        curve.scale = channel.scale;
+        curve.offset = channel.offset;
+        curves.push_back(curve);
     }
-}
-
-void TrendPanel::toggleFollowing()
-{
-    if (!isReplaying())
-        m_chart->setFollowing(!m_chart->isFollowing());
-    else
-        m_replayBar->setPlaying(!m_replayBar->isPlaying());
-}
-
-void TrendPanel::showError(const QString& words, const QString& remedy)
-{
-    m_banner->showMessage([words, remedy] { return BannerText{Tone::Bad, words, {}, remedy}; });
+    setCurves(curves);
+    showCurvesInDialog();
+    m_chart->setWidth(preset->width);
 }
 
 void TrendPanel::changeEvent(QEvent* event)
@@ -355,8 +351,8 @@ void TrendPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         showCurves();
-        updateTriggerText();
-        showRecording();
+        m_trigger->retranslate();
+        m_recording->retranslate();
     } else if (event->type() == QEvent::PaletteChange) {
         showCurves();
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trend chart with everything around it: buttons, curves, cursors, trigger, recording, replay.
-// Shows what the scope keeps, or a recording; says to Desk which registers are to be read for it.
-// Owned by its page; main thread, never waits.
+// Trend chart with everything around it: toolbar, curves, cursors, trigger, recording, replay.
+// Shows the live readings or a recording, and subscribes to the registers of its curves. Owned by
+// its page; main thread, never waits.
 #pragma once
 
-#include "session/recording/replay.h"
-#include "session/settings.h"
+#include "session/recording/live_data.h"
 #include "ui/common/selection.h"
-#include "ui/trends/trend_curves.h"
+#include "ui/trends/trend_settings.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -15,23 +14,24 @@
 namespace ui {
 class Banner;
 class CursorTable;
-class RecordDialog;
+class RecordingControl;
 class ReplayBar;
 class TrendChart;
+class TrendReplay;
 class TrendToolbar;
-struct RecordRequest;
+class TriggerControl;
 
 class TrendPanel final : public QWidget {
     Q_OBJECT
 
 public:
-    TrendPanel(session::Desk& desk, session::LiveData& scope, Selection& selection,
+    TrendPanel(session::Workbench& workbench, session::LiveData& liveData, Selection& selection,
                session::Settings& settings, QWidget* parent = nullptr);
     ~TrendPanel() override;
 
     QWidget* chart() const;
-    bool isReplaying() const { return m_replayed != nullptr; }
-    base::Duration period() const { return m_period; } ///< of the readings that were chosen
+    bool isReplaying() const;
+    base::Duration period() const { return m_period; } ///< of the readings, as chosen
 
 public Q_SLOTS:
     void toggleFollowing();
@@ -50,53 +50,44 @@ protected:
 private:
     void build();
     void connectToolbar();
-    void connectScope();
+    void connectChart();
+    void connectLiveData();
+    void setRate(int hz);
     void samplesAdded();
+    void showLiveReadings();
     void showCurves();
     void updateSubscription();
-    void saveCurves();
     void setCurves(const std::vector<TrendCurve>& curves);
+    void showCurvesInDialog();
     void applyLegend();
     void chooseChannels();
-    void chooseTrigger();
-    void armTrigger(const record::TriggerSpec& spec);
-    void updateTriggerText();
-    void showTrigger();
-    void startRecording(const RecordRequest& request);
-    void recordingFailed(const base::Error& error);
-    void showRecording();
-    void recordingEnded(const record::RecorderStatus& status, const QString& path);
-    void showReplay(const std::shared_ptr<session::ReplayData>& recording);
-    void closeReplay();
-    void followReplay(base::Duration place);
     void saveImage();
     void writeImage(const QString& path);
     void showPresets();
     void savePresetAs();
+    void savePresetAs(const QString& name);
     void applyPreset(const QString& name);
-    void showError(const QString& message, const QString& remedy);
-    base::Duration defaultWidth() const; ///< of live readings, as it was chosen
-    QColor backgroundColor() const;
     TrendResolver resolver() const;
 
-    session::Desk& m_desk;
-    QPointer<session::Desk> m_deskGuard; ///< a window may go after its desk
+    session::Workbench& m_workbench;
+    QPointer<session::Workbench> m_workbenchGuard; ///< a window may outlive its workbench
     session::LiveData& m_liveData;
     Selection& m_selection;
-    session::Settings& m_settings;
-    session::Replay m_replay;
-    std::shared_ptr<session::ReplayData> m_replayed;
+    TrendSettings m_settings;
 
     Banner* m_banner = nullptr;
     TrendToolbar* m_toolbar = nullptr;
     TrendChart* m_chart = nullptr;
     CursorTable* m_cursors = nullptr;
     ReplayBar* m_replayBar = nullptr;
-    QPointer<RecordDialog> m_recordDialog;
+    TrendReplay* m_replay = nullptr;
+    TriggerControl* m_trigger = nullptr;
+    RecordingControl* m_recording = nullptr;
 
     std::vector<TrendCurve> m_curves;
-    std::vector<std::size_t> m_shownCurves; ///< channel i of the chart is this choice
+    std::vector<std::size_t>
+        m_shownCurves; ///< m_curves[m_shownCurves[i]] is channel i of the chart
     base::Duration m_period{};
-    bool m_updatingChart = false; ///< the chart is being told, its answers are no wishes
+    bool m_updatingChart = false; ///< channelsChanged() of the chart comes from here
 };
 } // namespace ui

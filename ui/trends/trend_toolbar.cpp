@@ -51,12 +51,20 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     m_layout->addWidget(m_recordState);
     m_menu = new QMenu(this);
     m_menu->setObjectName(QStringLiteral("trendMenu"));
-    // Not the button's own menu: that one waits in a loop of its own.
+    // Not the button's own menu: it runs an event loop of its own.
     connect(m_more, &QToolButton::clicked, this,
             [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
-    // Little room: these speak by their icons, tooltips and names.
+    // Space is scarce: these have an icon, a tooltip and a name, but no text.
     for (QToolButton* button : {m_pause, m_fit, m_back, m_cursors, m_more})
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    connectControls();
+    retranslate();
+    setReplaying(false);
+    setRecording({});
+}
+
+void TrendToolbar::connectControls()
+{
     connect(m_pause, &QToolButton::clicked, this, [this](bool on) { Q_EMIT followRequested(!on); });
     connect(m_width, &QComboBox::activated, this, [this](int index) {
         Q_EMIT widthRequested(widths.at(static_cast<std::size_t>(index)));
@@ -70,9 +78,6 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     connect(m_trigger, &QToolButton::clicked, this, &TrendToolbar::triggerRequested);
     connect(m_live, &QToolButton::clicked, this, &TrendToolbar::liveRequested);
     connect(m_record, &QToolButton::clicked, this, &TrendToolbar::recordRequested);
-    retranslate();
-    setReplaying(false);
-    setRecording({});
 }
 
 QToolButton* TrendToolbar::add(const char* name, const char* icon, bool checkable)
@@ -160,17 +165,17 @@ void TrendToolbar::fillPresets()
         one->setEnabled(!m_replaying || QLatin1String(name) != QLatin1String("trendClear"));
         connect(one, &QAction::triggered, this, signal);
     };
-    action("trendSaveImage", tr("Save the &picture…"), &TrendToolbar::saveImageRequested);
+    action("trendSaveImage", tr("Save &image…"), &TrendToolbar::saveImageRequested);
     action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openRequested);
-    action("trendClear", tr("&Clear the history"), &TrendToolbar::clearRequested);
+    action("trendClear", tr("&Clear chart data"), &TrendToolbar::clearRequested);
     m_menu->addSeparator();
-    action("trendPresetSave", tr("&Keep this view as…"), &TrendToolbar::presetSaveRequested);
+    action("trendPresetSave", tr("Save &view as…"), &TrendToolbar::presetSaveRequested);
     for (const QString& name : m_presets)
         connect(m_menu->addAction(name), &QAction::triggered, this,
                 [this, name] { Q_EMIT presetRequested(name); });
     if (m_presets.isEmpty())
         return;
-    QMenu* remove = m_menu->addMenu(tr("&Remove a view"));
+    QMenu* remove = m_menu->addMenu(tr("&Delete view"));
     for (const QString& name : m_presets)
         connect(remove->addAction(name), &QAction::triggered, this,
                 [this, name] { Q_EMIT presetRemoveRequested(name); });
@@ -184,20 +189,28 @@ void TrendToolbar::retranslate()
         button->setAccessibleName(text);
         button->setAccessibleDescription(tip);
     };
-    set(m_pause, tr("Pause"), tr("Let the picture stand still; measuring goes on (Space)"));
-    set(m_fit, tr("All"), tr("Show everything that was measured"));
-    set(m_back, tr("Back"), tr("The view before the last zoom (double click)"));
-    set(m_cursors, tr("Cursors"), tr("Measure between two cursors"));
-    set(m_channels, tr("Curves…"), tr("Choose which registers of which servos are shown"));
-    set(m_trigger, tr("Trigger…"), tr("Let the picture stand when something happens"));
-    set(m_more, tr("More"), tr("Pictures, recordings, kept views"));
-    set(m_live, tr("Back to the servos"), tr("Leave the recording and show what is measured now"));
-    set(m_record, tr("Record…"), tr("Write what is measured to a file"));
+    set(m_pause, tr("Pause"), tr("Pauses the chart; measuring continues (Space)"));
+    set(m_fit, tr("All"), tr("Shows all measured data"));
+    set(m_back, tr("Back"), tr("Returns to the view before the last zoom (double-click)"));
+    set(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
+    set(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
+    set(m_trigger, tr("Trigger…"), tr("Pauses the chart when an event occurs"));
+    set(m_more, tr("More"), tr("Images, recordings and saved views"));
+    set(m_live, tr("Back to live data"), tr("Closes the recording and shows live values"));
+    set(m_record, tr("Record…"), tr("Records measured values to a file"));
     m_recordState->setAccessibleName(tr("Recording"));
     m_width->setAccessibleName(tr("Time shown"));
-    m_width->setToolTip(tr("How much time the chart shows"));
+    m_width->setToolTip(tr("Length of time shown in the chart"));
     m_rate->setAccessibleName(tr("Readings per second"));
-    m_rate->setToolTip(tr("How often the servos are read"));
+    m_rate->setToolTip(tr("Read rate of the servos"));
+    retranslateLists();
+    fillPresets();
+    setTrigger(m_triggerWords, m_trigger->property("waiting").toBool());
+    setRecording(m_recordWords);
+}
+
+void TrendToolbar::retranslateLists()
+{
     const QSignalBlocker widthBlocker(m_width);
     const QSignalBlocker rateBlocker(m_rate);
     const int width = m_width->count() > 0 ? m_width->currentIndex() : 2;
@@ -217,9 +230,6 @@ void TrendToolbar::retranslate()
     for (const int hz : rates)
         m_rate->addItem(hz == 0 ? tr("fastest") : tr("%1 Hz").arg(hz));
     m_rate->setCurrentIndex(std::max(rate, 0));
-    fillPresets();
-    setTrigger(m_triggerWords, m_trigger->property("waiting").toBool());
-    setRecording(m_recordWords);
 }
 
 void TrendToolbar::changeEvent(QEvent* event)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons above the trend chart. Shows and asks; the panel does. Owned by its parent; main
+// The buttons above the trend chart. Shows states and emits requests. Owned by its parent; main
 // thread.
 #pragma once
 
@@ -25,7 +25,7 @@ public:
     void setShownWidth(base::Duration width);
     void setCursorsShown(bool shown);
     void setTrigger(const QString& text, bool waiting); ///< empty: none
-    /// `words`: "00:12 · 5580 rows"; empty: nothing is recorded.
+    /// "00:12 · 5580 rows"; empty: nothing is recorded.
     void setRecording(const QString& text);
     void setRate(int hz); ///< 0: as fast as the wire allows
     void setReplaying(bool replaying);
@@ -54,8 +54,10 @@ protected:
 
 private:
     QToolButton* add(const char* name, const char* icon, bool checkable = false);
+    void connectControls();
     void fillPresets();
     void retranslate();
+    void retranslateLists();
 
     FlowLayout* m_layout = nullptr;
     QToolButton* m_pause = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trends/trigger_dialog.h"
 
+#include "ui/common/widget_text.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
@@ -13,12 +15,12 @@
 #include <algorithm>
 
 namespace ui {
-using record::MarkKind;
-using record::TriggerSpec;
+using recording::MarkKind;
+using recording::TriggerSpec;
 
 namespace {
 constexpr double maxLevel = 1e6;
-constexpr double maxSeconds = 3600;
+constexpr double maxPrePostSeconds = 3600;
 /// The moving flag is 0 or 1.
 constexpr double halfWay = 0.5;
 
@@ -32,7 +34,7 @@ double seconds(base::Duration value)
 }
 } // namespace
 
-TriggerDialog::TriggerDialog(std::vector<TrendChannel> curves, record::ChannelId moving,
+TriggerDialog::TriggerDialog(std::vector<TrendChannel> curves, recording::ChannelId moving,
                              const TriggerSpec& before, QWidget* parent)
     : QDialog(parent)
     , m_curves(std::move(curves))
@@ -49,6 +51,30 @@ TriggerDialog::TriggerDialog(std::vector<TrendChannel> curves, record::ChannelId
 void TriggerDialog::build()
 {
     auto* column = new QVBoxLayout(this);
+    buildForm();
+    auto* buttons = new QHBoxLayout;
+    m_arm = new QPushButton(this);
+    m_arm->setObjectName(QStringLiteral("triggerArm"));
+    m_arm->setProperty("mainAction", true);
+    m_arm->setDefault(true);
+    m_cancel = new QPushButton(this);
+    m_cancel->setObjectName(QStringLiteral("triggerCancel"));
+    buttons->addStretch();
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_arm);
+    column->addLayout(m_form);
+    column->addLayout(buttons);
+    for (QComboBox* box : {m_kind, m_curve})
+        connect(box, &QComboBox::currentIndexChanged, this, &TriggerDialog::refresh);
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
+    connect(m_arm, &QPushButton::clicked, this, [this] {
+        Q_EMIT triggerArmed(spec());
+        close();
+    });
+}
+
+void TriggerDialog::buildForm()
+{
     m_form = new QFormLayout;
     const auto combo = [this](const char* name) {
         auto* box = new QComboBox(this);
@@ -70,27 +96,8 @@ void TriggerDialog::build()
         m_curve->addItem(curve.name, curve.id);
     m_level = number("triggerLevel", -maxLevel, maxLevel);
     m_hysteresis = number("triggerHysteresis", 0, maxLevel);
-    m_pre = number("triggerPre", 0, maxSeconds);
-    m_post = number("triggerPost", 0, maxSeconds);
-    auto* buttons = new QHBoxLayout;
-    m_arm = new QPushButton(this);
-    m_arm->setObjectName(QStringLiteral("triggerArm"));
-    m_arm->setProperty("mainAction", true);
-    m_arm->setDefault(true);
-    m_cancel = new QPushButton(this);
-    m_cancel->setObjectName(QStringLiteral("triggerCancel"));
-    buttons->addStretch();
-    buttons->addWidget(m_cancel);
-    buttons->addWidget(m_arm);
-    column->addLayout(m_form);
-    column->addLayout(buttons);
-    for (QComboBox* box : {m_kind, m_curve})
-        connect(box, &QComboBox::currentIndexChanged, this, &TriggerDialog::refresh);
-    connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
-    connect(m_arm, &QPushButton::clicked, this, [this] {
-        Q_EMIT triggerArmed(spec());
-        close();
-    });
+    m_pre = number("triggerPre", 0, maxPrePostSeconds);
+    m_post = number("triggerPost", 0, maxPrePostSeconds);
 }
 
 TriggerDialog::TriggerKind TriggerDialog::triggerKind() const
@@ -119,8 +126,8 @@ void TriggerDialog::refresh()
         triggerKind() == TriggerKind::MoveBegins || triggerKind() == TriggerKind::MoveEnds;
     const bool canRun = flag ? m_moving >= 0 : !isCurveTrigger() || index >= 0;
     m_arm->setEnabled(canRun);
-    m_arm->setToolTip(canRun ? tr("The chart stands still when it has happened")
-                             : tr("Nothing is read that could tell"));
+    m_arm->setToolTip(canRun ? tr("Pauses the chart when the event occurs")
+                             : tr("No values suitable for a trigger are being read"));
 }
 
 TriggerSpec TriggerDialog::spec() const
@@ -192,26 +199,23 @@ void TriggerDialog::retranslate()
     m_kind->clear();
     m_kind->addItems({tr("The value rises through a level"), tr("The value falls through a level"),
                       tr("The value is above a level"), tr("The value is below a level"),
-                      tr("The servo begins to move"), tr("The servo has stopped"),
-                      tr("A fault appears"), tr("Something is written"),
+                      tr("The servo starts to move"), tr("The servo has stopped"),
+                      tr("A fault appears"), tr("A value is written"),
                       tr("A servo stops answering")});
     m_kind->setCurrentIndex(kind);
-    const auto label = [this](QWidget* field, const QString& text, const QString& tip) {
-        static_cast<QLabel*>(m_form->labelForField(field))->setText(text);
-        field->setAccessibleName(text);
-        field->setToolTip(tip);
-    };
-    label(m_kind, tr("Wait until"), tr("What the chart is to wait for"));
-    label(m_curve, tr("Curve"), tr("The curve that is watched"));
-    label(m_level, tr("Level"), tr("In the unit of the curve"));
-    label(m_hysteresis, tr("Hysteresis"),
-          tr("The value must first be so far on the other side: noise at the level counts once"));
-    label(m_pre, tr("Seconds before"), tr("So much is shown before the moment"));
-    label(m_post, tr("Seconds after"), tr("And so much after it; then the chart stands still"));
-    m_arm->setText(tr("Wait for it"));
+    setFieldText(m_form, m_kind, tr("Wait until"), tr("Event that the chart waits for"));
+    setFieldText(m_form, m_curve, tr("Channel"), tr("Channel that is monitored"));
+    setFieldText(m_form, m_level, tr("Level"), tr("In the unit of the channel"));
+    setFieldText(m_form, m_hysteresis, tr("Hysteresis"),
+                 tr("Distance the value must first move to the opposite side of the level; "
+                    "prevents repeated triggering by noise"));
+    setFieldText(m_form, m_pre, tr("Seconds before"), tr("Time shown before the trigger"));
+    setFieldText(m_form, m_post, tr("Seconds after"),
+                 tr("Time shown after the trigger; then the chart pauses"));
+    m_arm->setText(tr("Wait for trigger"));
     m_arm->setAccessibleName(m_arm->text());
     m_cancel->setText(tr("Cancel"));
-    m_cancel->setToolTip(tr("Close without a trigger"));
+    m_cancel->setToolTip(tr("Closes without setting a trigger"));
     refresh();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the chart is to wait for: a level or an edge of a curve, the moving flag, a fault, a write.
-// Beside the window; arming it closes it. Deletes itself. Main thread.
+// The event that the chart waits for: a level or an edge of a curve, the moving flag, a fault, a
+// write. Not modal; arming the trigger closes it. Deletes itself. Main thread.
 #pragma once
 
 #include "recording/trigger.h"
@@ -19,13 +19,13 @@ class TriggerDialog final : public QDialog {
 
 public:
     /// `curves`: those with samples; `moving`: the channel of the moving flag, −1 if it has none.
-    TriggerDialog(std::vector<TrendChannel> curves, record::ChannelId moving,
-                  const record::TriggerSpec& before, QWidget* parent);
+    TriggerDialog(std::vector<TrendChannel> curves, recording::ChannelId moving,
+                  const recording::TriggerSpec& before, QWidget* parent);
 
-    record::TriggerSpec spec() const;
+    recording::TriggerSpec spec() const;
 
 Q_SIGNALS:
-    void triggerArmed(const record::TriggerSpec& spec);
+    void triggerArmed(const recording::TriggerSpec& spec);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -43,14 +43,15 @@ private:
         LinkError
     };
     void build();
-    void setSpec(const record::TriggerSpec& before);
+    void buildForm();
+    void setSpec(const recording::TriggerSpec& before);
     void refresh();
     void retranslate();
     TriggerKind triggerKind() const;
     bool isCurveTrigger() const;
 
     std::vector<TrendChannel> m_curves;
-    record::ChannelId m_moving;
+    recording::ChannelId m_moving;
     QFormLayout* m_form = nullptr;
     QComboBox* m_kind = nullptr;
     QComboBox* m_curve = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says in the window what went wrong, why and what to do about it, until it is closed or settled;
-// never stops the work. The text can be copied. Words are made by a function, so that they follow
-// the language. Owned by the window; main thread.
+// Shows in the window what went wrong, why, and what to do about it, until it is closed or hidden;
+// it never blocks. The text can be copied. A function provides the text, so that it follows the
+// language. Owned by the window; main thread.
 #pragma once
 
 #include "base/error.h"
@@ -32,7 +32,7 @@ public:
 
     explicit Banner(QWidget* parent = nullptr);
 
-    /// Replaces what it said before. The actions stay their owner's; each becomes a button.
+    /// Replaces the previous message. Each action becomes a button; it stays owned by its owner.
     void showMessage(TextProvider textProvider, const QList<QAction*>& actions = {});
     void showMessage(const base::Error& error, const QList<QAction*>& actions = {});
     /// Hides it, without `dismissed`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words inside a round face: wrapped at the chord that is free at their height, and in a smaller
-// font where they do not fit. Pure; the GUI thread, because of the fonts.
+// Text inside a circle: wrapped at the chord at its height, and in a smaller font where it does not
+// fit. Pure; main thread, because of the fonts.
 #pragma once
 
 #include <QFont>

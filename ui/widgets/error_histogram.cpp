@@ -18,7 +18,7 @@ constexpr double maxSteps = 1e9;
 constexpr double minBarWidth = 6;     ///< pixels
 constexpr double defaultBars = 12;    ///< over the errors' own range
 constexpr double minBinWidth = 0.125; ///< steps a bar
-constexpr int margin = 6;
+constexpr int plotMargin = 6;
 
 /// 1, 2 or 5 times a power of ten, not below `rough`.
 double niceStep(double rough)
@@ -37,17 +37,20 @@ QString signedNumber(double value)
 }
 } // namespace
 
-/// Where things stand in the picture.
+/// The geometry of the picture.
 struct ErrorHistogram::Frame {
     QRectF plot;
     double maxAbsError = 1; ///< steps to both sides of 0
     double width = 1;       ///< steps a bar
-    std::uint64_t most = 1;
+    std::uint64_t maxCount = 1;
     double x(double steps) const
     {
         return plot.center().x() + steps / maxAbsError * plot.width() / 2;
     }
-    double y(double count) const { return plot.bottom() - count / double(most) * plot.height(); }
+    double y(double count) const
+    {
+        return plot.bottom() - count / double(maxCount) * plot.height();
+    }
 };
 
 ErrorHistogram::ErrorHistogram(QWidget* parent)
@@ -92,8 +95,8 @@ void ErrorHistogram::setLimits(std::optional<double> warn, std::optional<double>
     update();
 }
 
-/// 0 stands in the middle. The nearer limit is always seen, unless the errors look like one line
-/// beside it; the farther one if it is not far.
+/// 0 is in the middle. The nearer limit is always visible, unless the errors would look like one
+/// line beside it; the farther one if it is not far.
 double ErrorHistogram::maxAbsError() const
 {
     double far = 1;
@@ -124,7 +127,8 @@ ErrorHistogram::Frame ErrorHistogram::frame() const
 {
     const int line = fontMetrics().height();
     Frame frame;
-    frame.plot = QRectF(rect()).adjusted(margin, line + margin, -margin, -(line + margin));
+    frame.plot =
+        QRectF(rect()).adjusted(plotMargin, line + plotMargin, -plotMargin, -(line + plotMargin));
     frame.width = barWidth(frame.plot.width());
     frame.maxAbsError = maxAbsError() + frame.width;
     return frame;
@@ -135,7 +139,7 @@ std::vector<ErrorHistogram::Bar> ErrorHistogram::bars() const
     const double width = frame().width;
     std::vector<Bar> bars;
     for (const auto& [bin, count] : m_errors) {
-        // A bar stands around its value, so that 0 is the middle of one.
+        // A bar is centered on its value, so that 0 is the middle of one.
         const double middle = std::floor(double(bin) / parts / width + 0.5) * width;
         if (bars.empty() || bars.back().from + width / 2 < middle - width / 4)
             bars.push_back({middle - width / 2, middle + width / 2, 0});
@@ -155,7 +159,7 @@ std::uint64_t ErrorHistogram::countBeyond(double limit) const
 QString ErrorHistogram::summary() const
 {
     if (m_count == 0)
-        return tr("No steady error has been measured yet.");
+        return tr("No steady-state error has been measured yet.");
     const QString step = unitName(QStringLiteral("step"));
     QStringList lines{tr("Legs: %1. From %2 to %3 %4, mean %5 %4.")
                           .arg(locale().toString(qulonglong(m_count)),
@@ -175,7 +179,7 @@ QString ErrorHistogram::summary() const
 
 void ErrorHistogram::describe()
 {
-    setAccessibleName(tr("Error at target"));
+    setAccessibleName(tr("Error at goal"));
     setAccessibleDescription(summary());
 }
 
@@ -223,16 +227,16 @@ QSize ErrorHistogram::minimumSizeHint() const
     return {fontMetrics().averageCharWidth() * 18, fontMetrics().height() * 5};
 }
 
-/// The line the bars stand on, with steps below it: as many as find room.
+/// The base line of the bars, with as many labels below it as fit.
 void ErrorHistogram::paintBackground(QPainter& painter, const Frame& frame) const
 {
     painter.setPen(palette().color(QPalette::Mid));
     painter.drawLine(frame.plot.bottomLeft(), frame.plot.bottomRight());
     const QString unit = QLatin1Char(' ') + unitName(QStringLiteral("step"));
     const double widest = fontMetrics().horizontalAdvance(signedNumber(-frame.maxAbsError) + unit);
-    const double labels = std::max(2.0, frame.plot.width() / (widest + 2 * margin));
+    const double labels = std::max(2.0, frame.plot.width() / (widest + 2 * plotMargin));
     double every = niceStep(std::max(2 * frame.maxAbsError / labels, frame.width));
-    // A small one still says how far it goes.
+    // A small one still shows its range.
     if (every > frame.maxAbsError && 3 * widest < frame.plot.width())
         every = niceStep(frame.maxAbsError / 2.5);
     const double last = std::floor(frame.maxAbsError / every) * every;
@@ -257,14 +261,14 @@ void ErrorHistogram::paintBars(QPainter& painter, const Frame& frame) const
         const double left = frame.x(bar.from);
         const double right = frame.x(bar.to);
         const double gap = std::min(2.0, (right - left) / 5);
-        // One leg among thousands is still seen.
+        // One leg among thousands is still visible.
         const double top = std::min(frame.y(double(bar.count)), frame.plot.bottom() - 1.5);
         painter.drawRect(
             QRectF(left + gap, top, right - left - 2 * gap, frame.plot.bottom() - top));
     }
 }
 
-/// A sign above each line, where the two do not run into each other.
+/// A sign above each line, if the two do not overlap.
 void ErrorHistogram::paintLimits(QPainter& painter, const Frame& frame) const
 {
     const int line = fontMetrics().height();
@@ -281,11 +285,11 @@ void ErrorHistogram::paintLimits(QPainter& painter, const Frame& frame) const
         }
     };
     paint(m_warn, Tone::Warn, Qt::DashLine,
-          apart ? gradeText(record::Grade::Warn).left(1) : QString());
-    paint(m_fail, Tone::Bad, Qt::DotLine, gradeText(record::Grade::Fail).left(1));
+          apart ? gradeText(results::Grade::Warn).left(1) : QString());
+    paint(m_fail, Tone::Bad, Qt::DotLine, gradeText(results::Grade::Fail).left(1));
 }
 
-/// How many legs, where no limit's sign stands.
+/// The number of legs, where there is no sign of a limit.
 void ErrorHistogram::paintCount(QPainter& painter, const Frame& frame) const
 {
     const QString text = QStringLiteral("n = %1").arg(locale().toString(qulonglong(m_count)));
@@ -303,13 +307,13 @@ void ErrorHistogram::paintEvent(QPaintEvent*)
     QPainter painter(this);
     if (m_count == 0) {
         painter.setPen(tone(Tone::Quiet, palette()));
-        painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
+        painter.drawText(rect().adjusted(plotMargin, plotMargin, -plotMargin, -plotMargin),
                          Qt::AlignCenter | Qt::TextWordWrap, summary());
         return;
     }
     Frame frame = this->frame();
     for (const Bar& bar : bars())
-        frame.most = std::max(frame.most, bar.count);
+        frame.maxCount = std::max(frame.maxCount, bar.count);
     painter.setRenderHint(QPainter::Antialiasing);
     paintBackground(painter, frame);
     paintBars(painter, frame);

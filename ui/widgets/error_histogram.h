@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the steady errors of a sweep test are spread: bars over steps, 0 in the middle, the limits as
-// lines on both sides. Grows leg by leg; the width of the bars follows the spread and the room.
-// The numbers stand in tooltip and accessible description, too. Memory is bounded: errors are
-// counted by 1/64 step. Owned by its parent; main thread.
+// The distribution of the steady errors of a sweep test: bars over steps, 0 in the middle, the
+// limits as lines on both sides. Grows leg by leg; the width of the bars follows the spread and the
+// available width. The numbers are in tooltip and accessible description, too. Memory is bounded:
+// errors are counted by 1/64 step. Owned by its parent; main thread.
 #pragma once
 
 #include <QWidget>

@@ -21,20 +21,18 @@ struct QuantityInfo {
     Role role;
     const char* title; ///< context "Feedback"
     int decimals;
-    bool isBipolar;
-    double defaultMax; ///< end of the scale where the servo tells none
+    double defaultMax; ///< end of the scale where the servo has no limit
 };
 constexpr std::array quantityTable{
     QuantityInfo{Quantity::Voltage, Role::PresentVoltage, QT_TRANSLATE_NOOP("Feedback", "Voltage"),
-                 1, false, 12},
+                 1, 12},
     QuantityInfo{Quantity::Temperature, Role::PresentTemperature,
-                 QT_TRANSLATE_NOOP("Feedback", "Temperature"), 0, false, 100},
-    QuantityInfo{Quantity::Load, Role::PresentLoad, QT_TRANSLATE_NOOP("Feedback", "Load"), 1, true,
-                 100},
+                 QT_TRANSLATE_NOOP("Feedback", "Temperature"), 0, 100},
+    QuantityInfo{Quantity::Load, Role::PresentLoad, QT_TRANSLATE_NOOP("Feedback", "Load"), 1, 100},
     QuantityInfo{Quantity::Current, Role::PresentCurrent, QT_TRANSLATE_NOOP("Feedback", "Current"),
-                 0, true, 1000},
+                 0, 1000},
     QuantityInfo{Quantity::Speed, Role::PresentSpeed, QT_TRANSLATE_NOOP("Feedback", "Speed"), 1,
-                 true, 60},
+                 60},
 };
 
 const QuantityInfo& infoOf(Quantity measure)
@@ -84,7 +82,7 @@ void setTemperature(const device::Servo& servo, GaugeState& view)
         view.caption = QStringLiteral("≤ ") + number(*high, 0);
 }
 
-/// Above the overload threshold an alarm is near; the torque limit is what the servo gives at most.
+/// Above the overload threshold an alarm is near; the torque limit is the maximum of the servo.
 void setLoad(const device::Servo& servo, GaugeState& view)
 {
     const auto overload = limit(servo, Role::OverloadTorque);
@@ -113,16 +111,16 @@ void setCurrent(const device::Servo& servo, GaugeState& view)
         view.caption = QStringLiteral("≤ ") + number(*high, 0);
 }
 
-/// The scale grows with what is seen, in whole steps, so that it does not follow each value.
+/// The scale grows with the values in whole steps, so that it does not follow each value.
 void setSpeed(const session::ServoEntry& entry, GaugeState& view)
 {
-    constexpr double step = 30;
+    constexpr double roundTo = 30;
     double top = infoOf(Quantity::Speed).defaultMax;
     const catalog::Register* fastest = entry.servo.profile->find(QStringLiteral("max_speed_limit"));
     if (const auto maxValue = fastest != nullptr ? shown(entry, *fastest) : std::nullopt)
         top = std::max(top, *maxValue);
     if (view.value)
-        top = std::max(top, std::ceil(std::abs(*view.value) / step) * step);
+        top = std::max(top, std::ceil(std::abs(*view.value) / roundTo) * roundTo);
     view.scale.max = top;
     view.scale.min = -top;
     view.caption = view.value && *view.value != 0
@@ -145,11 +143,11 @@ void addKeys(const device::Servo& servo, std::initializer_list<Role> roles, QStr
 }
 } // namespace
 
-bool isFresh(const session::ServoEntry& entry, const session::Desk& desk)
+bool isFresh(const session::ServoEntry& entry, const session::Workbench& workbench)
 {
     return !entry.silent && !entry.linkMonitor.isLost() &&
-           desk.state() == session::LinkState::Open &&
-           desk.now() - entry.lastSeen <= session::maxReadingAge;
+           workbench.link().state() == session::LinkState::Open &&
+           workbench.now() - entry.lastSeen <= session::maxReadingAge;
 }
 
 GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure)
@@ -217,6 +215,24 @@ QStringList settingKeys(const device::Servo& servo)
     return keys;
 }
 
+namespace {
+void addGoal(DialState& view, const session::ServoEntry& entry, const catalog::Mode& mode)
+{
+    const catalog::Profile& profile = *entry.servo.profile;
+    const catalog::Register* goal = profile.byRole(
+        profile.byRole(Role::ActiveGoal) != nullptr ? Role::ActiveGoal : Role::GoalPosition);
+    const auto raw = goal != nullptr ? entry.displayedRaw(*goal) : std::nullopt;
+    if (!raw)
+        return;
+    view.goal = double(*raw);
+    view.subtitle += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*raw));
+    if (const auto range = device::goalRange(entry.servo); range && !mode.limitsZero) {
+        view.minGoal = range->min;
+        view.maxGoal = range->max;
+    }
+}
+} // namespace
+
 DialState dialState(const session::ServoEntry& entry, bool fresh)
 {
     DialState view;
@@ -244,21 +260,12 @@ DialState dialState(const session::ServoEntry& entry, bool fresh)
         view.value = QStringLiteral("—");
         view.subtitle = translate("Feedback", "not read");
     }
-    if (steps) { // 56 is what is left of the step: no place on the dial
+    if (steps) { // register 56 is what is left of the step, not a position on the dial
         view.position.reset();
-        view.turnsText = translate("Feedback", "left to go");
+        view.turnsText = translate("Feedback", "remaining distance");
     }
-    const catalog::Register* goal = profile.byRole(
-        profile.byRole(Role::ActiveGoal) != nullptr ? Role::ActiveGoal : Role::GoalPosition);
-    const auto goalRaw = goal != nullptr ? entry.displayedRaw(*goal) : std::nullopt;
-    if (!drivesPosition || steps || !goalRaw)
-        return view;
-    view.goal = double(*goalRaw);
-    view.subtitle += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*goalRaw));
-    if (const auto range = device::goalRange(servo); range && !mode->limitsZero) {
-        view.minGoal = range->min;
-        view.maxGoal = range->max;
-    }
+    if (drivesPosition && !steps)
+        addGoal(view, entry, *mode);
     return view;
 }
 

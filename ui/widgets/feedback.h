@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the gauges, the dial and the lights of the operate page show of one servo: scales and limits
-// from its own registers, values only as far as they were really read, words in the language of the
-// moment. Pure functions of an entry; main thread.
+// from its own registers, values only if they were really read, texts in the current language. Pure
+// functions of an entry; main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/common/theme.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/position_dial.h"
@@ -29,11 +29,11 @@ GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure);
 QStringList feedbackKeys(const device::Servo& servo);
 QStringList settingKeys(const device::Servo& servo);
 
-/// Without turns in words and without leave to move the goal: whoever drives adds them.
+/// Without the text of the turns and with a fixed goal: the operate page adds both.
 DialState dialState(const session::ServoEntry& entry, bool fresh);
 
 /// It answers, the port is open and the last answer is recent: what is shown is so now.
-bool isFresh(const session::ServoEntry& entry, const session::Desk& desk);
+bool isFresh(const session::ServoEntry& entry, const session::Workbench& workbench);
 
 /// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
 QString faultText(const QString& key);

@@ -10,8 +10,8 @@ namespace ui {
 namespace {
 constexpr int margin = 6;
 constexpr int maxWidth = 560;
-constexpr int maxPercent = 50; ///< of the area: what moves servos stands in its left half
-constexpr int minWidth = 340;  ///< where there is so much: narrower text is too many lines
+constexpr int maxPercent = 50; ///< of the area: controls that move servos are in its left half
+constexpr int minWidth = 340;  ///< if available: narrower text has too many lines
 } // namespace
 
 FloatingOverlay::FloatingOverlay(QWidget* floating, QWidget* area, Corner corner)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lets a widget float over an area instead of taking room in a layout, so that nothing else moves
-// when it appears, grows or goes. It is as high as its text needs. Owned by the floating widget,
-// whose parent becomes the area; main thread.
+// Lets a widget float over an area instead of taking space in a layout, so that nothing else moves
+// when it appears, grows or goes. It is as high as its text needs. Owned by the floating widget;
+// the area becomes the parent of that widget. Main thread.
 #pragma once
 
 #include <QObject>

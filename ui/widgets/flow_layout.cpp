@@ -70,7 +70,7 @@ void FlowLayout::setGeometry(const QRect& rect)
     arrange(rect, false);
 }
 
-/// Items of a line stand on one middle line.
+/// Items of a line are centered vertically.
 void FlowLayout::placeLine(const QRect& rect, std::size_t first, std::size_t last, int y,
                            int height) const
 {

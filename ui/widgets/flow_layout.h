@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of widgets that goes on in the next line where the width ends, so that a tool row needs no
-// room it does not have. Owned by its widget; main thread.
+// A row of widgets that continues in the next line where the width ends. Owned by its widget; main
+// thread.
 #pragma once
 
 #include <QLayout>

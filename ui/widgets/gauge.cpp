@@ -10,7 +10,7 @@
 
 namespace ui {
 namespace {
-/// So near a limit, as a share of the scale, is worth a sign.
+/// Within this share of the scale a value counts as near a limit.
 constexpr double nearFraction = 0.06;
 constexpr int sixteenths = 16; ///< QPainter counts angles in these
 constexpr double half = 180;

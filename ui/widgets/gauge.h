@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A half-round gauge: title, value, unit, and where the servo's own limits lie. Says so where
-// nothing is measured. Color goes with a sign: "!" near a limit, "✗" beyond it. Values are
-// physical. Owned by its parent; main thread.
+// A half-round gauge: title, value, unit, and the servo's own limits. Shows when nothing is
+// measured. Color comes with a sign: "!" near a limit, "✗" beyond it. Values are physical. Owned by
+// its parent; main thread.
 #pragma once
 
 #include <QWidget>

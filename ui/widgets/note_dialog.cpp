@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/note_dialog.h"
 
+#include "ui/common/widget_text.h"
+
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QLabel>
@@ -66,18 +68,14 @@ void NoteDialog::retranslate()
     setAccessibleName(windowTitle());
     m_labelName->setText(tr("&Label"));
     m_label->setAccessibleName(tr("Label"));
-    m_label->setToolTip(tr("A short name, shown in lists: “reference, tested”"));
+    m_label->setToolTip(tr("Short name shown in lists, for example “reference, tested”"));
     m_noteName->setText(tr("&Note"));
     m_note->setAccessibleName(tr("Note"));
-    m_note->setToolTip(tr("Anything worth knowing later"));
+    m_note->setToolTip(tr("Additional information"));
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
-    save->setText(tr("Save"));
-    save->setAccessibleName(save->text());
-    save->setToolTip(tr("Keep label and note"));
+    setButtonText(save, tr("Save"), tr("Saves label and note"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
-    cancel->setText(tr("Cancel"));
-    cancel->setAccessibleName(cancel->text());
-    cancel->setToolTip(tr("Change nothing"));
+    setButtonText(cancel, tr("Cancel"), tr("Discards the changes"));
 }
 
 void NoteDialog::changeEvent(QEvent* event)

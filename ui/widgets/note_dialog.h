@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Label and note of something that is kept. Opened, never waited for; main thread.
+// Edits label and note of a saved item. Does not block; main thread.
 #pragma once
 
 #include <QDialog>

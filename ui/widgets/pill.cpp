@@ -7,7 +7,7 @@ namespace ui {
 namespace {
 constexpr int side = 10;
 constexpr int lightSize = 10;
-constexpr int gap = 6;
+constexpr int lightGap = 6;
 constexpr int above = 5;
 } // namespace
 
@@ -33,7 +33,7 @@ void Pill::setState(Tone light, const QString& words, const QString& shortText, 
 
 int Pill::widthFor(const QString& text) const
 {
-    return fontMetrics().horizontalAdvance(text) + 2 * side + (m_filled ? 0 : lightSize + gap);
+    return fontMetrics().horizontalAdvance(text) + 2 * side + (m_filled ? 0 : lightSize + lightGap);
 }
 
 QSize Pill::sizeHint() const
@@ -61,7 +61,7 @@ void Pill::paintEvent(QPaintEvent*)
         painter.setBrush(color);
         painter.drawEllipse(
             QRectF(room.left(), (height() - lightSize) / 2.0, lightSize, lightSize));
-        room.setLeft(room.left() + lightSize + gap);
+        room.setLeft(room.left() + lightSize + lightGap);
     }
     const bool fits = fontMetrics().horizontalAdvance(m_text) <= room.width();
     painter.setPen(palette().color(m_filled ? QPalette::Base : QPalette::WindowText));

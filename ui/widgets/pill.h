@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A short state in a rounded frame: a light in its tone and words; shorter words where the room is
-// narrow, and then the whole in the tooltip. Filled, it is a badge that cannot be overlooked. Owned
-// by its parent; main thread.
+// A short state in a rounded frame: a light in its tone and a text; a shorter text where space is
+// scarce, and then the whole in the tooltip. Filled, it is a conspicuous badge. Owned by its
+// parent; main thread.
 #pragma once
 
 #include "ui/common/theme.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the servo is and where it is to go: needle, goal knob, the allowed sector, turns. Dragging,
-// the wheel (while it has the focus) and the keys ask for a goal by goalRequested; the dial itself
-// sets nothing. Raw values in steps of the position register; clockwise is positive. Owned by its
-// parent; main thread.
+// The position of the servo and its goal: needle, goal knob, the allowed sector, turns. Dragging,
+// the wheel (while it has the focus) and the keys request a goal by goalRequested(); the dial
+// itself sets nothing. Raw values in steps of the position register; clockwise is positive. Owned
+// by its parent; main thread.
 #pragma once
 
 #include <QWidget>
@@ -22,7 +22,7 @@ struct DialState {
     bool isStale = false; ///< the servo does not answer
     QString value{};      ///< "187.4°", or why there is none
     QString subtitle{};   ///< "2132 → 2400"
-    QString turnsText{};  ///< "+3 turns since connecting"; empty: nothing to say
+    QString turnsText{};  ///< "+3 turns since connecting"; empty: none
     bool operator==(const DialState&) const = default;
 };
 

@@ -34,7 +34,7 @@ void PressGuard::setClock(const base::Clock* clock)
     testClock() = clock;
 }
 
-/// Whatever the control stands in may move it.
+/// Every parent of the control can move it.
 void PressGuard::watchParents()
 {
     for (const QPointer<QWidget>& widget : m_watched) {
@@ -117,7 +117,8 @@ bool PressGuard::filterMouse(QEvent& event)
 
 void PressGuard::explain(const QPoint& geometry)
 {
-    QToolTip::showText(geometry, tr("Ignored: this control moved just now. Press it again."),
-                       &m_control);
+    QToolTip::showText(
+        geometry, tr("Click ignored: this control had just moved on the screen. Click it again."),
+        &m_control);
 }
 } // namespace ui

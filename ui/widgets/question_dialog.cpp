@@ -20,8 +20,8 @@ class QuestionDialog final : public QDialog {
 public:
     QuestionDialog(QWidget* parent, const Question& question);
 
-    /// False once the guard has gone. Not asked of a QPointer: a widget announces its end before
-    /// its own pointers are cleared, but after its members are gone.
+    /// False once the guard is destroyed. Not a QPointer: a widget emits destroyed() before its
+    /// pointers are cleared, but after its members are destroyed.
     bool isConfirmed() const { return m_confirmed; }
 
 protected:
@@ -103,7 +103,7 @@ void QuestionDialog::addButtons(QVBoxLayout* column, const Question& question)
                         this);
     no->setObjectName(QStringLiteral("questionNo"));
     no->setAccessibleName(no->text());
-    no->setToolTip(QCoreApplication::translate("Ask", "Leave everything as it is"));
+    no->setToolTip(QCoreApplication::translate("Ask", "Leaves everything unchanged"));
     auto* yes = new QPushButton(question.acceptText, this);
     yes->setObjectName(QStringLiteral("questionYes"));
     yes->setAccessibleName(question.acceptText);

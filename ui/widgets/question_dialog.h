@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One question before something that cannot be taken back lightly: what will happen, what can go
-// wrong, and a button that names the deed. Never blocks; the answer arrives in the callback, once,
-// on the main thread. Enter and Esc mean "no", unless the question is harmless.
+// One question before an action that cannot easily be undone: what will happen, what can go wrong,
+// and a button that names the action. Never blocks; the answer arrives in the callback, once, on
+// the main thread. Enter and Esc mean "no", unless the question is harmless.
 #pragma once
 
 #include <QString>
@@ -15,7 +15,7 @@ struct Question {
     QString title;                    ///< window title and first line: "Write register 33?"
     QString text{};                   ///< what will happen
     QString risk{};                   ///< what can go wrong; shown with a warning sign
-    QString acceptText;               ///< the deed: "Write anyway"
+    QString acceptText;               ///< the action: "Write anyway"
     QString rejectText{};             ///< empty: "Cancel"
     bool acceptIsDefault = false;     ///< Enter means yes
     std::function<void()> rejected{}; ///< "no", Esc and closing; may be empty

@@ -6,7 +6,6 @@
 
 #include <QEvent>
 #include <QListWidget>
-#include <QScreen>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -14,11 +13,10 @@
 
 namespace ui {
 RateChooser::RateChooser(QWidget* parent)
-    : QFrame(parent, Qt::Popup)
+    : PopupFrame("rateChooser", parent)
     , m_list(new QListWidget(this))
 {
-    setObjectName(QStringLiteral("rateChooser"));
-    setFrameShape(QFrame::StyledPanel);
+    setFocusProxy(m_list);
     m_list->setObjectName(QStringLiteral("rateList"));
     for (const int rate : session::standardBaudRates()) {
         auto* item = new QListWidgetItem(rateText(rate), m_list);
@@ -56,29 +54,15 @@ void RateChooser::setRates(const std::vector<int>& rates)
     }
 }
 
-void RateChooser::popUpBelow(const QWidget& button)
-{
-    adjustSize();
-    QPoint position = button.mapToGlobal(QPoint(0, button.height()));
-    const QRect screen = button.screen()->availableGeometry();
-    position.setX(
-        qBound(screen.left(), position.x(), qMax(screen.left(), screen.right() - width())));
-    position.setY(
-        qBound(screen.top(), position.y(), qMax(screen.top(), screen.bottom() - height())));
-    move(position);
-    show();
-    m_list->setFocus();
-}
-
 void RateChooser::retranslate()
 {
-    m_list->setAccessibleName(tr("Rates to search"));
-    m_list->setToolTip(tr("Tick the rates to search; the space bar ticks too"));
+    m_list->setAccessibleName(tr("Baud rates to search"));
+    m_list->setToolTip(tr("Select the baud rates to search; you can also use the space bar"));
 }
 
 void RateChooser::changeEvent(QEvent* event)
 {
-    QFrame::changeEvent(event);
+    PopupFrame::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
 }

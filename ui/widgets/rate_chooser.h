@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rates of a search, to be ticked; opens below its button. Owned by the search panel; main
+// The baud rates of a search as checkboxes; opens below its button. Owned by the search panel; main
 // thread.
 #pragma once
 
-#include <QFrame>
+#include "ui/widgets/popup_frame.h"
 
 #include <vector>
 
 class QListWidget;
 
 namespace ui {
-class RateChooser final : public QFrame {
+class RateChooser final : public PopupFrame {
     Q_OBJECT
 
 public:
     explicit RateChooser(QWidget* parent = nullptr);
 
-    std::vector<int> rates() const; ///< ticked, highest first
+    std::vector<int> rates() const; ///< the checked ones, highest first
     void setRates(const std::vector<int>& rates);
-    void popUpBelow(const QWidget& button);
 
 Q_SIGNALS:
     void changed();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How rates and spans are written: the same in lists, fields and messages. Pure; main thread.
+// How baud rates and time spans are written, the same in lists, fields and messages. Pure; main
+// thread.
 #pragma once
 
 #include "base/clock.h"

@@ -63,7 +63,7 @@ ReplayBar::ReplayBar(QWidget* parent)
     retranslate();
 }
 
-void ReplayBar::setRecording(const QString& name, const record::TimeSpan& span)
+void ReplayBar::setRecording(const QString& name, const recording::TimeSpan& span)
 {
     setPlaying(false);
     m_name = name;
@@ -118,11 +118,11 @@ void ReplayBar::retranslate()
                                      : QStringLiteral("media-playback-start");
     m_play->setIcon(QIcon::fromTheme(icon));
     m_play->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
-    m_play->setToolTip(isPlaying() ? tr("Stand still") : tr("Play the recording"));
-    m_slider->setAccessibleName(tr("Place in the recording"));
-    m_slider->setToolTip(m_name.isEmpty() ? tr("Place in the recording") : m_name);
+    m_play->setToolTip(isPlaying() ? tr("Pause") : tr("Plays the recording"));
+    m_slider->setAccessibleName(tr("Position in the recording"));
+    m_slider->setToolTip(m_name.isEmpty() ? tr("Position in the recording") : m_name);
     m_speed->setAccessibleName(tr("Speed"));
-    m_speed->setToolTip(tr("How fast it is played"));
+    m_speed->setToolTip(tr("Playback speed"));
     m_label->setAccessibleName(tr("Time in the recording"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Play, pause, speed and the place in a recording that is shown again. Knows time only; whoever
-// shows the recording follows moved(). Owned by its parent; main thread.
+// Play, pause, speed and position of a recording that is shown again. Knows time only; the chart
+// follows positionChanged(). Owned by its parent; main thread.
 #pragma once
 
 #include "recording/sample_store.h"
@@ -22,7 +22,7 @@ public:
     explicit ReplayBar(QWidget* parent = nullptr);
 
     /// A new recording, shown from its beginning, standing still.
-    void setRecording(const QString& name, const record::TimeSpan& span);
+    void setRecording(const QString& name, const recording::TimeSpan& span);
     base::Duration position() const { return m_position; }
     bool isPlaying() const { return m_tick.isActive(); }
     void setPlaying(bool on);
@@ -39,7 +39,7 @@ private:
     void retranslate();
     void updatePositionLabel();
 
-    record::TimeSpan m_span;
+    recording::TimeSpan m_span;
     base::Duration m_position{};
     QString m_name;
     QToolButton* m_play = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One of several buttons side by side of which one is chosen; the chosen one stands out in the
-// accent color, in both themes. Owned by its parent; main thread.
+// One of several buttons side by side of which one is selected; the selected one has the accent
+// color, in both themes. Owned by its parent; main thread.
 #pragma once
 
 #include <QToolButton>

@@ -46,8 +46,7 @@ struct State {
     Tone tone = Tone::Quiet;
 };
 
-/// Worked out here, because the servo reports nothing itself; fine only if there was enough to
-/// judge by.
+/// Derived here, because the servo reports no faults itself; OK only if enough was read to judge.
 State derivedState(const device::Servo& servo)
 {
     const auto alarms = device::derivedAlarms(servo);
@@ -60,7 +59,7 @@ State derivedState(const device::Servo& servo)
         return {names.join(QStringLiteral(" + ")), Tone::Bad};
     const bool judged = servo.raw(Role::PresentTemperature) && servo.raw(Role::PresentVoltage) &&
                         servo.raw(Role::MaxTemperature);
-    return judged ? State{translate("ServoRow", "fine"), Tone::Good}
+    return judged ? State{translate("ServoRow", "OK"), Tone::Good}
                   : State{translate("ServoRow", "not read"), Tone::Quiet};
 }
 
@@ -69,22 +68,22 @@ State stateOf(const session::ServoEntry& entry)
     const device::Servo& servo = entry.servo;
     const catalog::Profile* profile = servo.profile.get();
     if (entry.silent && entry.garbled)
-        return {translate("ServoRow", "unreadable answers"), Tone::Bad};
+        return {translate("ServoRow", "replies cannot be decoded"), Tone::Bad};
     if (entry.silent)
-        return {translate("ServoRow", "no answer"), Tone::Quiet};
+        return {translate("ServoRow", "no reply"), Tone::Quiet};
     if (servo.status != 0)
         return {text::statusText(servo.status, profile, text::isUiChinese()), Tone::Bad};
     if (profile == nullptr)
         return {translate("ServoRow", "not identified"), Tone::Warn};
     if (servo.repliesCarryStatus())
-        return {translate("ServoRow", "fine"), Tone::Good};
+        return {translate("ServoRow", "OK"), Tone::Good};
     if (const catalog::Register* status = profile->byRole(Role::Status))
-        return servo.raw(*status) ? State{translate("ServoRow", "fine"), Tone::Good}
+        return servo.raw(*status) ? State{translate("ServoRow", "OK"), Tone::Good}
                                   : State{translate("ServoRow", "not read"), Tone::Quiet};
     return derivedState(servo);
 }
 
-/// A lock flag that was read during a write to the EPROM does not say how the write has left it.
+/// A lock flag read during a write to the EPROM does not show its state after the write.
 bool isLockReadSinceWrites(const session::ServoEntry& entry)
 {
     const catalog::Register* lock = entry.servo.profile->byRole(Role::Lock);
@@ -101,11 +100,11 @@ QString lockRemark(const session::ServoEntry& entry, bool old)
 {
     const bool isReadSinceWrites = isLockReadSinceWrites(entry);
     if (!entry.lockOpenedByUs)
-        return isReadSinceWrites ? translate("ServoRow", "EPROM lock open")
-                                 : translate("ServoRow", "EPROM lock not proven closed");
+        return isReadSinceWrites ? translate("ServoRow", "EPROM unlocked")
+                                 : translate("ServoRow", "EPROM not confirmed as locked");
     return isReadSinceWrites && !entry.silent && !old
-               ? translate("ServoRow", "EPROM lock open, opened by ServoDesk")
-               : translate("ServoRow", "EPROM lock not proven closed, opened by ServoDesk");
+               ? translate("ServoRow", "EPROM unlocked by ServoDesk")
+               : translate("ServoRow", "EPROM unlocked by ServoDesk, not confirmed as locked");
 }
 
 std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
@@ -118,15 +117,15 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
     if (entry.isLockOpen().value_or(false))
         remarks.push_back({Tone::Warn, lockRemark(entry, old)});
     if (entry.lateReplySeen)
-        remarks.push_back({Tone::Warn, translate("ServoRow", "Answers late")});
+        remarks.push_back({Tone::Warn, translate("ServoRow", "Replies late")});
     if (profile != nullptr && profile->conflict)
-        remarks.push_back({Tone::Bad, translate("ServoRow", "Family unclear: read only")});
+        remarks.push_back({Tone::Bad, translate("ServoRow", "Family unclear: read-only")});
     else if (profile != nullptr && !profile->writable)
-        remarks.push_back({Tone::Warn, translate("ServoRow", "Unknown firmware: read only")});
+        remarks.push_back({Tone::Warn, translate("ServoRow", "Unknown firmware: read-only")});
     if (newer)
         remarks.push_back(
             {Tone::Accent,
-             translate("ServoRow", "Firmware %1 known (%2)")
+             translate("ServoRow", "Known firmware: %1 (%2)")
                  .arg(newer->version(), newer->date.toString(QStringLiteral("yyyy-MM")))});
     return remarks;
 }
@@ -173,13 +172,13 @@ QString ServoRow::details() const
 
 QString ServoRow::toolTipText() const
 {
-    const QString unknown = translate("ServoRow", "not known");
+    const QString unknown = translate("ServoRow", "unknown");
     const auto known = [&](const QString& text) { return text.isEmpty() ? unknown : text; };
     QStringList lines{translate("ServoRow", "ID %1 · %2").arg(id).arg(model),
                       translate("ServoRow", "State: %1").arg(alarm),
                       translate("ServoRow", "Firmware: %1").arg(known(firmware)),
                       translate("ServoRow", "Register map: %1").arg(known(map)),
-                      translate("ServoRow", "Line: %1").arg(known(line)),
+                      translate("ServoRow", "Bus type: %1").arg(known(line)),
                       translate("ServoRow", "Protocol: %1").arg(protocol),
                       translate("ServoRow", "Baud rate: %1").arg(rate),
                       translate("ServoRow", "Last seen: %1").arg(lastSeen)};

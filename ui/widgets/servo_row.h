@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One servo of the list in words: what is known of it, in what state it is, what is remarkable.
-// Only what was really read; what was not is said to be unknown. A value; main thread. The words
-// are made in the language of the moment.
+// One servo of the list as text: what is known about it, its state, and remarks. Contains only what
+// was really read; the rest is shown as unknown. A value; main thread. The texts are made in the
+// current language.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "ui/common/theme.h"
 
 #include <QMetaType>
@@ -20,7 +20,7 @@ struct ServoRow {
     session::ServoRef ref = 0;
     int id = -1;
     QString model;
-    QString firmware; ///< "3.10"; empty: not told
+    QString firmware; ///< "3.10"; empty: unknown
     QString map;
     QString line;
     QString rate;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first column of a table takes the room the others leave, but never less than its words need:
-// where the table is too narrow for all, it scrolls sideways. Lives on the main thread as long as
-// its table.
+// The first column of a table takes the space the others leave, but never less than its text needs:
+// where the table is too narrow for all, it scrolls sideways. Main thread; lives as long as its
+// table.
 #pragma once
 
 #include <QObject>

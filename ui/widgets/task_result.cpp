@@ -10,7 +10,7 @@ namespace {
 constexpr int signWidth = 18;
 constexpr int gap = 8;
 
-QString symbolFor(Tone tone)
+QString signFor(Tone tone)
 {
     switch (tone) {
     case Tone::Good:
@@ -82,7 +82,7 @@ void TaskResult::fill()
     if (!m_wording)
         return;
     m_text = m_wording();
-    m_sign->setText(symbolFor(m_text.tone));
+    m_sign->setText(signFor(m_text.tone));
     m_headline->setText(m_text.message);
     m_details->setText(m_text.details.join(QLatin1Char('\n')));
     m_details->setVisible(!m_text.details.isEmpty());
@@ -90,7 +90,7 @@ void TaskResult::fill()
     updateColors();
 }
 
-/// The sign says it as well, so the color is never alone.
+/// The sign has the same meaning as the color.
 void TaskResult::updateColors()
 {
     QPalette palette = this->palette();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a task ended, in a dialog: a sign in its tone, a headline, and lines that can be copied. The
-// words are made by a function, so that they follow the language. Owned by its dialog; main thread.
+// The result of a task in a dialog: a sign in its tone, a headline, and lines that can be copied. A
+// function provides the text, so that it follows the language. Owned by its dialog; main thread.
 #pragma once
 
 #include "ui/widgets/task_text.h"

@@ -41,8 +41,7 @@ QString valueText(const device::Servo& servo, const QString& key,
 
 QString registerText(const device::Servo& servo, const QString& key)
 {
-    const catalog::Register* reg = servo.profile ? servo.profile->find(key) : nullptr;
-    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
+    return text::registerName(servo.profile.get(), key);
 }
 
 QString lockLine(device::LockState lock)
@@ -56,7 +55,7 @@ QStringList noticeLines(const device::Notices& notices)
 {
     QStringList lines;
     for (const base::Notice& notice : notices) {
-        // Where it answers now is said in full.
+        // The ID and baud rate at which it answers now are given in full.
         if (notice.code == base::NoticeCode::IdChanged ||
             notice.code == base::NoticeCode::RateChanged ||
             notice.code == base::NoticeCode::AckFromNewId)
@@ -74,7 +73,7 @@ TaskText errorText(const base::Error& error)
     TaskText result{Tone::Bad, description.message};
     if (!description.cause.isEmpty())
         result.details << translate("ServoTasks", "Likely cause: %1").arg(description.cause);
-    result.details << translate("ServoTasks", "What to do: %1").arg(description.remedy);
+    result.details << translate("ServoTasks", "Remedy: %1").arg(description.remedy);
     return result;
 }
 
@@ -88,7 +87,7 @@ TaskText refusedText(const base::Error& error, const QString& what)
 }
 
 namespace {
-/// It was heard at the end, by what was read last: the lock, or the register where there is none.
+/// The servo answered at the end: the last reading was the lock, or the register if it has none.
 bool isAnswering(const device::WriteReport& report)
 {
     if (report.lock != device::LockState::None)
@@ -103,10 +102,10 @@ QString addressText(const device::Servo& servo)
     return servo.baud > 0 ? translate("ServoTasks", "The servo answers as ID %1 at %2 baud.")
                                 .arg(servo.id)
                                 .arg(rateText(servo.baud))
-                          : translate("ServoTasks", "The servo answers as ID %1.").arg(servo.id);
+                          : translate("ServoTasks", "The servo replies as ID %1.").arg(servo.id);
 }
 
-/// Of a change of its ID or rate that was sent, or may have been: where the servo can be.
+/// Where the servo can be after a change of ID or baud rate that was, or may have been, sent.
 QString possibleAddressText(const session::ServoEntry& entry, const device::WriteResult& write)
 {
     const bool sent = !device::isUntouched(write.outcome);
@@ -117,14 +116,14 @@ QString possibleAddressText(const session::ServoEntry& entry, const device::Writ
     const QString before = valueText(entry.servo, write.key, write.oldRaw);
     const QString after = valueText(entry.servo, write.key, write.newRaw);
     if (reg->role == catalog::Role::BaudRate)
-        return translate("ServoTasks", "It did not answer at the end and may be at either baud "
-                                       "rate: %1 or %2. Port → Interrupted writes looks for it at "
-                                       "both; so does a search at these rates.")
+        return translate("ServoTasks",
+                         "The servo did not reply at the end, so its baud rate may be %1 or %2. To "
+                         "find it, use Port → Interrupted writes or search at both baud rates.")
             .arg(before, after);
     if (reg->role == catalog::Role::Id)
-        return translate("ServoTasks", "It did not answer at the end and may have either ID: %1 or "
-                                       "%2. Port → Interrupted writes looks for it at both; so "
-                                       "does a search.")
+        return translate("ServoTasks",
+                         "The servo did not reply at the end, so its ID may be %1 or %2. To find "
+                         "it, use Port → Interrupted writes or search the bus.")
             .arg(before, after);
     return {};
 }
@@ -150,7 +149,7 @@ TaskText writeText(const session::ServoEntry& entry, const device::WriteReport& 
     }
     if (result.tone == Tone::Good && !report.isSuccessful()) {
         result.tone = Tone::Warn;
-        result.message = translate("ServoTasks", "Not everything ended as it should.");
+        result.message = translate("ServoTasks", "Some steps did not end as expected.");
     }
     if (const QString lock = lockLine(report.lock); !lock.isEmpty())
         result.details << lock;

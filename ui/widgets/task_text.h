@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialogs of the servo menu say about servos, writes and their ends. Pure functions, in
-// the language of the moment; main thread.
+// The texts of the dialogs of the servo menu about servos, writes and results. Pure functions, in
+// the current language; main thread.
 #pragma once
 
 #include "base/error.h"
 #include "device/writer.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 #include "ui/common/theme.h"
 
 namespace ui {
-/// What a dialog tells: a headline with its sign, and what there is more to say.
+/// The result shown by a dialog: a headline with its sign, and details.
 struct TaskText {
     Tone tone = Tone::Quiet;
     QString message;

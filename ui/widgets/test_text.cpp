@@ -10,14 +10,7 @@
 #include <cmath>
 
 namespace ui {
-using record::Grade;
-
-namespace {
-QString localized(const catalog::Text& words)
-{
-    return words.in(text::isUiChinese());
-}
-} // namespace
+using results::Grade;
 
 QString sweepNumber(const std::optional<double>& value)
 {
@@ -26,30 +19,31 @@ QString sweepNumber(const std::optional<double>& value)
 
 QString unitName(const QString& unit)
 {
-    return localized(report::unitText(unit));
+    return text::localized(report::unitText(unit));
 }
 
 QString sweepValue(const std::optional<double>& value, const QString& unit)
 {
     if (!value || !std::isfinite(*value))
-        return localized(report::sweepTexts().notMeasured);
+        return text::localized(report::sweepTexts().notMeasured);
     const QString number = report::figure(*value);
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + unitName(unit);
 }
 
 QString metricName(const QString& key)
 {
-    return localized(report::metricLabel(key));
+    return text::localized(report::metricLabel(key));
 }
 
 QString gradeText(Grade grade)
 {
-    return report::gradeSign(grade) + QLatin1Char(' ') + localized(report::gradeLabel(grade));
+    return report::gradeSign(grade) + QLatin1Char(' ') + text::localized(report::gradeLabel(grade));
 }
 
 QString lineGradeText(Grade grade)
 {
-    return report::gradeSign(grade) + QLatin1Char(' ') + localized(report::lineGradeLabel(grade));
+    return report::gradeSign(grade) + QLatin1Char(' ') +
+           text::localized(report::lineGradeLabel(grade));
 }
 
 Tone gradeTone(Grade grade)
@@ -67,22 +61,22 @@ Tone gradeTone(Grade grade)
     return Tone::Quiet;
 }
 
-QString limitText(const record::SweepLimit& limit, const std::optional<double>& bound)
+QString limitText(const results::SweepLimit& limit, const std::optional<double>& bound)
 {
     if (!bound)
         return QStringLiteral("–");
     return (limit.atLeast ? QStringLiteral("< ") : QStringLiteral("> ")) + report::figure(*bound);
 }
 
-QString reasonText(const record::VerdictLine& line)
+QString reasonText(const results::VerdictLine& line)
 {
     const report::SweepTexts& words = report::sweepTexts();
     if (line.grade == Grade::NotMeasured)
-        return localized(words.noFeedback);
+        return text::localized(words.noFeedback);
     if (line.grade == Grade::Pass)
-        return localized(words.within);
+        return text::localized(words.within);
     const auto bound = line.grade == Grade::Fail ? line.limit.fail : line.limit.warn;
-    const QString& form = localized(line.limit.atLeast ? words.under : words.over);
+    const QString& form = text::localized(line.limit.atLeast ? words.under : words.over);
     return form.arg(bound ? sweepValue(bound, line.limit.unit) : QString());
 }
 
@@ -95,34 +89,35 @@ QString unreleasedTorqueText(const std::vector<jobs::UnreleasedTorque>& left)
     const QString comma = QStringLiteral(", ");
     QStringList sentences;
     if (!torque.isEmpty())
-        sentences << text::translate("ui::SweepPage", "Torque could not be switched off: %1.")
+        sentences << text::translate("ui::SweepPage", "Torque could not be turned off: %1.")
                          .arg(torque.join(comma));
     if (!moving.isEmpty())
-        sentences << text::translate("ui::SweepPage", "Motion could not be stopped: %1.")
+        sentences << text::translate("ui::SweepPage", "Movement could not be stopped: %1.")
                          .arg(moving.join(comma));
     return sentences.join(QLatin1Char(' '));
 }
 
 QString unreleasedTorqueRemedy()
 {
-    return text::translate("ui::SweepPage", "Such a servo may still hold or move to its last goal. "
-                                            "Press the emergency stop or cut the supply.");
+    return text::translate("ui::SweepPage",
+                           "These servos may still be holding their position or moving to their "
+                           "last goal. Press the emergency stop or disconnect the power supply.");
 }
 
 QString unrevertedSettingsRemedy()
 {
-    return text::translate("ui::StepPage",
-                           "It is noted in the journal: when the servo answers again, put it back "
-                           "under Port → Interrupted writes. At power-off the servo forgets it by "
-                           "itself.");
+    return text::translate(
+        "ui::StepPage",
+        "This is recorded in the journal. When the servo replies again, restore the old values "
+        "under Port → Interrupted writes. At power-off, the servo discards the trial values.");
 }
 
 BannerText notStartedText()
 {
     return {Tone::Warn, text::translate("ui::SweepPage", "The test was not started."),
-            text::translate("ui::SweepPage", "A servo it was meant for has left the list or was "
-                                             "exchanged."),
-            text::translate("ui::SweepPage", "Choose the servo and start again.")};
+            text::translate("ui::SweepPage", "The servo to be tested is no longer in the list "
+                                             "or was replaced."),
+            text::translate("ui::SweepPage", "Select the servo and start again.")};
 }
 
 BannerText failureText(const base::Error& error, const std::vector<jobs::UnreleasedTorque>& left)

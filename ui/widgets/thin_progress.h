@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A progress bar as a thin line: the figures stand in words beside it. Owned by its parent; main
+// A progress bar as a thin line; the numbers are shown as text beside it. Owned by its parent; main
 // thread.
 #pragma once
 

@@ -11,7 +11,7 @@ void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
     if (toneValue.isValid())
         option->palette.setColor(QPalette::Text,
                                  tone(static_cast<Tone>(toneValue.toInt()), option->palette));
-    // Words do not stick to the number at their left.
+    // Space between the text and the number at its left.
     if (index.column() > 0 && (option->displayAlignment & Qt::AlignLeft) && !option->text.isEmpty())
         option->text.prepend(QChar(0x2002));
 }

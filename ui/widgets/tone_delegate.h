@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paints the cells of a table in the tone their model names by ui::toneRole, in the view's palette
-// of the moment; the model's words stand beside the color. Owned by its parent; main thread.
+// Paints the cells of a table in the tone that their model names by ui::toneRole, in the current
+// palette of the view; the model's text comes with the color. Owned by its parent; main thread.
 #pragma once
 
 #include <QStyledItemDelegate>

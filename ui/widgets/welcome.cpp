@@ -73,14 +73,14 @@ void Welcome::retranslate()
 {
     m_title->setText(tr("No servos connected yet"));
     m_adapterText->setText(
-        tr("Plug the adapter in, switch the servos' supply on, choose the port above. Connecting "
-           "and searching write nothing, and nothing moves."));
-    m_adapter->setText(tr("Connect the chosen port"));
-    m_adapter->setToolTip(tr("Open the port chosen above and search it"));
+        tr("Plug in the adapter, turn on the servos' power supply, and select the port above. "
+           "Connecting and searching write nothing, and nothing moves."));
+    m_adapter->setText(tr("Connect to selected port"));
+    m_adapter->setToolTip(tr("Opens the port selected above and searches it for servos"));
     m_simulationText->setText(
-        tr("No hardware at hand? The simulated bus has servos of several families, with a fault "
-           "or two to find."));
-    m_simulation->setText(tr("Try it on a simulated bus"));
+        tr("No hardware? The simulated bus has servos of several families, some with faults to "
+           "find."));
+    m_simulation->setText(tr("Try a simulated bus"));
     m_simulation->setToolTip(tr("Simulated servos; nothing needs to be connected"));
     for (QPushButton* button : {m_adapter, m_simulation})
         button->setAccessibleName(button->text());

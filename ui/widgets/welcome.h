@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the middle of the window while nothing is connected: the two ways to begin, each
-// one click. Owned by the window; main thread.
+// The middle of the window while nothing is connected: the two ways to begin, each one click. Owned
+// by the window; main thread.
 #pragma once
 
 #include "ui/common/commands.h"

@@ -15,8 +15,8 @@
 
 namespace cli {
 namespace {
-/// Everybody on the line, at the rate the port has.
-base::Result<std::vector<device::Servo>> everybody(Run& run, const device::Context& context)
+/// All servos on the bus, at the baud rate of the port.
+base::Result<std::vector<device::Servo>> allServos(Run& run, const device::Context& context)
 {
     std::vector<base::Protocol> protocols;
     if (run.globals().protocol)
@@ -26,7 +26,7 @@ base::Result<std::vector<device::Servo>> everybody(Run& run, const device::Conte
                          [&line](const jobs::Progress& progress) { line.update(progress); });
 }
 
-base::Result<std::vector<device::Servo>> named(Run& run, const QStringList& words)
+base::Result<std::vector<device::Servo>> namedServos(Run& run, const QStringList& words)
 {
     const auto ids = parseIds(words);
     if (!ids)
@@ -47,7 +47,7 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     if (!context)
         return tl::unexpected(context.error());
     const QStringList words = values.arguments("ID");
-    auto servos = words.isEmpty() ? everybody(run, *context) : named(run, words);
+    auto servos = words.isEmpty() ? allServos(run, *context) : namedServos(run, words);
     if (!servos)
         return tl::unexpected(servos.error());
     if (servos->empty())
@@ -63,12 +63,12 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     bundle->label = values.option("--label").value_or(QString());
     bundle->note = values.option("--note").value_or(QString());
     const QString file = values.argument("FILE");
-    if (const auto saved = record::saveBundle(*bundle, file); !saved)
+    if (const auto saved = snapshot::saveBundle(*bundle, file); !saved)
         return tl::unexpected(saved.error());
     Json::Array ids;
     QStringList names;
-    for (const record::Snapshot& snapshot : bundle->servos) {
-        session::addToHistory(snapshot, record::SnapshotReason::Bundle,
+    for (const snapshot::Snapshot& snapshot : bundle->servos) {
+        session::addToHistory(snapshot, history::SnapshotReason::Bundle,
                               QFileInfo(file).absoluteFilePath());
         names.push_back(QString::number(snapshot.servo.id));
         ids.push_back(Json::object()
@@ -76,19 +76,18 @@ base::Result<Exit> runSave(Run& run, const Values& values)
                           .add("model", snapshot.servo.model)
                           .add("registers", static_cast<int>(snapshot.registers.size())));
     }
-    run.finish(Json::object().add("file", file).add("servos", std::move(ids)),
-               translate("cli", "Servos saved to %1: %2 (ID %3)")
-                       .arg(file)
-                       .arg(bundle->servos.size())
-                       .arg(names.join(QStringLiteral(", "))) +
-                   QLatin1Char('\n'));
+    run.finish(
+        Json::object().add("file", file).add("servos", std::move(ids)),
+        translate("cli", "%n servo(s) saved to %1 (ID %2)", nullptr, int(bundle->servos.size()))
+                .arg(file, names.join(QStringLiteral(", "))) +
+            QLatin1Char('\n'));
     return Exit::Success;
 }
 
 base::Result<Exit> runRestore(Run& run, const Values& values)
 {
     const QString file = values.argument("FILE");
-    const auto bundle = record::loadBundle(file);
+    const auto bundle = snapshot::loadBundle(file);
     if (!bundle)
         return tl::unexpected(bundle.error());
     const auto context = run.context();
@@ -105,21 +104,23 @@ base::Result<Exit> runRestore(Run& run, const Values& values)
 Command bundleSaveCommand()
 {
     return {"bundle save",
-            QT_TRANSLATE_NOOP("cli", "save all servos of the bus to one file"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.bundle.json; replaced if it exists")},
-             {"ID", QT_TRANSLATE_NOOP("cli", "only these: 1, 1-6 or 1,3,5"), 0, many}},
-            {{"--label", QT_TRANSLATE_NOOP("cli", "a name for it"), "TEXT"},
-             {"--note", QT_TRANSLATE_NOOP("cli", "a remark"), "TEXT"}},
+            QT_TRANSLATE_NOOP("cli", "save all servos on the bus to one file"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "output file, for example NAME.bundle.json; an "
+                                               "existing file is replaced")},
+             {"ID", QT_TRANSLATE_NOOP("cli", "only these servos: 1, 1-6 or 1,3,5"), 0, many}},
+            {{"--label", QT_TRANSLATE_NOOP("cli", "label saved in the file"), "TEXT"},
+             {"--note", QT_TRANSLATE_NOOP("cli", "note saved in the file"), "TEXT"}},
             runSave};
 }
 
 Command bundleRestoreCommand()
 {
     return {"bundle restore",
-            QT_TRANSLATE_NOOP("cli", "write a saved bus back, each servo by its ID"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "a file made by bundle save")}},
-            restoreOptions({{"--other-model", QT_TRANSLATE_NOOP("cli", "also where another model "
-                                                                       "has the ID now")}}),
+            QT_TRANSLATE_NOOP("cli", "restore a saved bus, matching servos by ID"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by bundle save")}},
+            restoreOptions(
+                {{"--other-model",
+                  QT_TRANSLATE_NOOP("cli", "also write to IDs that now belong to another model")}}),
             runRestore};
 }
 } // namespace cli

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/input/arguments.h"
 #include "cli/output/report_text.h"
+#include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/change/change.h"
@@ -10,12 +11,6 @@
 
 namespace cli {
 namespace {
-Exit exitCodeForLock(device::LockState lock)
-{
-    const bool shut = lock == device::LockState::Closed || lock == device::LockState::None;
-    return shut ? Exit::Success : Exit::Failed;
-}
-
 base::Result<Exit> runSetId(Run& run, const Values& values)
 {
     const auto oldId = parseId(values.argument("OLD"));
@@ -41,7 +36,7 @@ base::Result<Exit> runSetBaud(Run& run, const Values& values)
     if (!rates)
         return tl::unexpected(rates.error());
     if (rates->size() != 1)
-        return badArgument(translate("cli", "give one baud rate"));
+        return badArgument(translate("cli", "specify exactly one baud rate"));
     auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
@@ -74,14 +69,14 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
         const auto shown = [&](const std::optional<std::int64_t>& raw) {
             return raw && reg != nullptr
                        ? catalog::formatValue(*raw, *reg, servo->meaning(*reg), text::isUiChinese())
-                       : QStringLiteral("–");
+                       : noValue();
         };
         table.add({name, shown(before), shown(after)});
     };
     row(translate("cli", "Position"), catalog::Role::PresentPosition, report->positionBefore,
         report->positionAfter);
-    row(translate("cli", "Offset"), catalog::Role::PositionOffset, report->offsetBefore,
-        report->offsetAfter);
+    row(translate("cli", "Position correction"), catalog::Role::PositionOffset,
+        report->offsetBefore, report->offsetAfter);
     run.finish(Json::object()
                    .add("id", servo->id)
                    .add("position_before", report->positionBefore)
@@ -93,7 +88,7 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
                    translate("cli", "EPROM lock: %1")
                        .arg(text::lockLabel(device::lockName(report->lock))) +
                    QLatin1Char('\n'));
-    return exitCodeForLock(report->lock);
+    return exitCode(report->lock);
 }
 
 base::Result<Exit> runReboot(Run& run, const Values& values)
@@ -114,9 +109,10 @@ base::Result<Exit> runReboot(Run& run, const Values& values)
 Command setIdCommand()
 {
     return {"set-id",
-            QT_TRANSLATE_NOOP("cli", "give a servo another ID, which is proven free first"),
-            {{"OLD", QT_TRANSLATE_NOOP("cli", "its ID now")},
-             {"NEW", QT_TRANSLATE_NOOP("cli", "its new ID, 0 to 253")}},
+            QT_TRANSLATE_NOOP("cli", "change the ID of a servo after checking that the new one "
+                                     "is free"),
+            {{"OLD", QT_TRANSLATE_NOOP("cli", "current ID")},
+             {"NEW", QT_TRANSLATE_NOOP("cli", "new ID, 0 to 253")}},
             {},
             runSetId};
 }
@@ -124,9 +120,8 @@ Command setIdCommand()
 Command setBaudCommand()
 {
     return {"set-baud",
-            QT_TRANSLATE_NOOP("cli", "give a servo another baud rate"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
-             {"RATE", QT_TRANSLATE_NOOP("cli", "the new baud rate")}},
+            QT_TRANSLATE_NOOP("cli", "change the baud rate of a servo"),
+            {servoIdArgument, {"RATE", QT_TRANSLATE_NOOP("cli", "new baud rate")}},
             {},
             runSetBaud};
 }
@@ -134,8 +129,8 @@ Command setBaudCommand()
 Command centerCommand()
 {
     return {"center",
-            QT_TRANSLATE_NOOP("cli", "make the present position the middle"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            QT_TRANSLATE_NOOP("cli", "set the present position as the midpoint"),
+            {servoIdArgument},
             {},
             runCenter};
 }
@@ -143,8 +138,8 @@ Command centerCommand()
 Command rebootCommand()
 {
     return {"reboot",
-            QT_TRANSLATE_NOOP("cli", "restart a servo and wait for it"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            QT_TRANSLATE_NOOP("cli", "reboot a servo and wait until it answers"),
+            {servoIdArgument},
             {},
             runReboot};
 }

@@ -9,7 +9,7 @@
 
 namespace cli {
 namespace {
-Json jsonAlarms(const jobs::AlarmPlan& plan)
+Json jsonAlarmPlan(const jobs::AlarmPlan& plan)
 {
     Json::Array alarms;
     for (const jobs::Alarm& alarm : plan.alarms) {
@@ -31,7 +31,7 @@ QString shown(const device::Servo& servo, const jobs::Alarm& alarm,
     const catalog::Register* reg = servo.profile->find(alarm.measured);
     return raw && reg != nullptr
                ? catalog::formatValue(*raw, *reg, servo.meaning(*reg), text::isUiChinese())
-               : QStringLiteral("–");
+               : noValue();
 }
 
 QString alarmText(const device::Servo& servo, const jobs::AlarmPlan& plan)
@@ -54,7 +54,7 @@ bool writes(const jobs::AlarmPlan& plan)
             plan.next == jobs::ClearMethod::FaultReset);
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runClearAlarm(Run& run, const Values& values)
 {
     auto servo = run.servoWithSettings(values);
     if (!servo)
@@ -66,13 +66,13 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (plan->needsConsent() && !values.has("--move")) {
         run.finish(Json::object()
                        .add("id", servo->id)
-                       .add("alarms", jsonAlarms(*plan))
+                       .add("alarms", jsonAlarmPlan(*plan))
                        .add("next", jobs::clearMethodName(plan->next))
                        .add("acted", false)
                        .add("cleared", false),
                    alarmText(*servo, *plan) +
                        translate("cli", "Nothing was written. Keep clear of the mechanism and "
-                                        "repeat it with --move.") +
+                                        "run the command again with --move.") +
                        QLatin1Char('\n'));
         return Exit::Failed;
     }
@@ -85,12 +85,12 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(report.error());
     run.finish(Json::object()
                    .add("id", servo->id)
-                   .add("alarms", jsonAlarms(report->after))
+                   .add("alarms", jsonAlarmPlan(report->after))
                    .add("next", jobs::clearMethodName(report->after.next))
                    .add("acted", report->isExecuted)
                    .add("cleared", report->isCleared()),
                report->isExecuted && report->isCleared()
-                   ? translate("cli", "The alarm is gone.") + QLatin1Char('\n')
+                   ? translate("cli", "The alarm has cleared.") + QLatin1Char('\n')
                    : alarmText(*servo, report->after));
     return report->isCleared() ? Exit::Success : Exit::Failed;
 }
@@ -98,11 +98,11 @@ base::Result<Exit> run(Run& run, const Values& values)
 
 Command clearAlarmCommand()
 {
-    return {"clear-alarm",
-            QT_TRANSLATE_NOOP("cli", "show what keeps an alarm alive, and clear it by its cause"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
-            {{"--move", QT_TRANSLATE_NOOP("cli", "agree that the servo turns a little, or that its "
-                                                 "torque is switched on")}},
-            run};
+    return {
+        "clear-alarm",
+        QT_TRANSLATE_NOOP("cli", "show the cause of an alarm and clear it"),
+        {servoIdArgument},
+        {{"--move", QT_TRANSLATE_NOOP("cli", "allow slight servo movement and turning torque on")}},
+        runClearAlarm};
 }
 } // namespace cli

@@ -22,12 +22,7 @@ namespace {
 using jobs::CommissionStep;
 using jobs::CommissionView;
 
-QString in(const catalog::Text& words)
-{
-    return words.in(text::isUiChinese());
-}
-
-/// The hand that plugs servos in and out of a simulated bag, a moment after it is asked to.
+/// Plugs simulated servos in and out, shortly after each request.
 class SimHotplugDriver {
 public:
     explicit SimHotplugDriver(session::Connection& connection)
@@ -45,7 +40,7 @@ public:
     SimHotplugDriver(const SimHotplugDriver&) = delete;
     SimHotplugDriver& operator=(const SimHotplugDriver&) = delete;
 
-    /// Called for every change of the line: what it asks for is done.
+    /// Called for every change of the batch; does what it asks for.
     void onViewChanged(const CommissionView& view)
     {
         if (view.step == CommissionStep::Unplug)
@@ -53,7 +48,7 @@ public:
         else if (view.step == CommissionStep::Waiting)
             post(Action::PlugNext);
     }
-    /// Nobody is left to be plugged in.
+    /// No servo is left to be plugged in.
     bool empty() const { return m_empty; }
     std::function<void()> onEmpty;
 
@@ -76,7 +71,7 @@ private:
             if (action == Action::End)
                 return;
             if (m_asked.wait_for(lock, moment, [this] { return m_action != Action::None; }))
-                continue; // overtaken
+                continue; // outdated
             lock.unlock();
             if (action == Action::Unplug)
                 m_connection.unplugAll();
@@ -95,7 +90,7 @@ private:
     std::thread m_thread;
 };
 
-/// Ctrl-C, or the end of a simulated bag.
+/// Ctrl-C, or the end of the simulated servos.
 class CombinedStop {
 public:
     explicit CombinedStop(const base::StopToken& first)
@@ -140,7 +135,7 @@ private:
     base::Result<void> collectIds();
     jobs::CommissionAnswer answer();
     void display(const CommissionView& view);
-    void display(const record::CommissionRow& row);
+    void display(const results::CommissionRow& row);
     void listUnfinished();
     Exit finish(jobs::CommissionEnd end);
 
@@ -148,7 +143,7 @@ private:
     const Values& m_values;
     jobs::CommissionSpec m_spec;
     QString m_csv;
-    record::CommissionBatch m_batch;
+    results::CommissionBatch m_batch;
     std::size_t m_before = 0; ///< rows of earlier runs
     QString m_lastLine;
     transport::StdinReader m_input;
@@ -163,7 +158,7 @@ base::Result<void> CommissionCommand::collectIds()
         if (!ids)
             return tl::unexpected(ids.error());
         if (m_values.option("--first-id"))
-            return badArgument(translate("cli", "give --first-id or --id-list, not both"));
+            return badArgument(translate("cli", "use either --first-id or --id-list, not both"));
         m_spec.ids = *ids;
     } else {
         auto first = m_values.option("--first-id") ? parseId(*m_values.option("--first-id"))
@@ -189,12 +184,12 @@ base::Result<void> CommissionCommand::collect()
     if (const auto rate = m_values.option("--to-baud")) {
         const auto rates = parseBauds(*rate);
         if (!rates || rates->size() != 1)
-            return rates ? badArgument(translate("cli", "give one baud rate"))
+            return rates ? badArgument(translate("cli", "specify exactly one baud rate"))
                          : tl::unexpected(rates.error());
         m_spec.baud = rates->front();
     }
     if (const auto file = m_values.option("--template")) {
-        auto snapshot = record::loadSnapshot(*file);
+        auto snapshot = snapshot::loadSnapshot(*file);
         if (!snapshot)
             return tl::unexpected(snapshot.error());
         m_spec.settings = std::move(*snapshot);
@@ -203,13 +198,13 @@ base::Result<void> CommissionCommand::collect()
     if (const auto& language = m_run.globals().protocol)
         m_spec.protocols = {*language};
     m_spec.center = m_values.has("--center");
-    m_spec.dangerous = m_values.has("--dangerous");
+    m_spec.consent = device::Consent::byOption(m_values.has("--dangerous"));
     m_spec.automatic = m_values.has("--auto");
-    m_spec.labelFormat = m_values.option("--label-format").value_or(record::defaultLabelFormat());
+    m_spec.labelFormat = m_values.option("--label-format").value_or(results::defaultLabelFormat());
     m_csv = m_values.option("--batch").value_or(QString());
     if (m_csv.isEmpty())
-        return badArgument(translate("cli", "name the file of the batch with --batch FILE.csv"));
-    auto batch = record::openCommissionBatch(m_csv);
+        return badArgument(translate("cli", "specify the batch file with --batch FILE.csv"));
+    auto batch = results::openCommissionBatch(m_csv);
     if (!batch)
         return tl::unexpected(batch.error());
     m_batch = std::move(*batch);
@@ -218,7 +213,7 @@ base::Result<void> CommissionCommand::collect()
     return {};
 }
 
-/// Enter goes on. Without anybody who could press it the line ends, as with Ctrl-C.
+/// Waits for Enter. At the end of the input the batch ends, as with Ctrl-C.
 jobs::CommissionAnswer CommissionCommand::answer()
 {
     const auto line = m_input.readLine();
@@ -232,22 +227,23 @@ jobs::CommissionAnswer CommissionCommand::answer()
         return jobs::CommissionAnswer::Skip;
     if (*line == "s")
         return jobs::CommissionAnswer::SameServo;
-    m_run.console().printNote(
-        translate("cli", "Nothing is done. Enter: go on; a and Enter: set it aside."));
+    m_run.console().printNote(translate("cli", "Nothing was done. Press Enter to continue, or type "
+                                               "\"a\" and press Enter to set the servo aside."));
     return jobs::CommissionAnswer::None;
 }
 
-QString withConcerns(const QString& text, const std::vector<record::CommissionIssue>& issues)
+QString withConcerns(const QString& text, const std::vector<results::CommissionIssue>& issues)
 {
     if (issues.empty())
         return text;
     return text + QLatin1Char(' ') +
-           translate("cli", "Beware: %1.").arg(in(report::commissionIssuesText(issues)));
+           translate("cli", "Warning: %1.")
+               .arg(text::localized(report::commissionIssuesText(issues)));
 }
 
 QString confirmText(const CommissionView& view)
 {
-    QString text = translate("cli", "%1, ID %2 at %3 baud, gets ID %4.")
+    QString text = translate("cli", "%1 with ID %2 at %3 baud will be set to ID %4.")
                        .arg(view.servo.model)
                        .arg(view.servo.id)
                        .arg(view.baud)
@@ -255,21 +251,22 @@ QString confirmText(const CommissionView& view)
     text = withConcerns(text, view.issues);
     if (view.candidateId >= 0 && view.candidateId == view.newId)
         return text + QLatin1Char(' ') +
-               translate("cli", "A servo of this kind was left unfinished; no ID is left for "
-                                "another one. If this is that servo, press s and Enter; a and "
-                                "Enter: set it aside.");
+               translate("cli", "A servo of this model is unfinished, and no IDs are left for "
+                                "other servos. If this is that servo, type \"s\" and press Enter. "
+                                "To set it aside, type \"a\" and press Enter.");
     if (view.candidateId >= 0)
         text +=
             QLatin1Char(' ') +
             translate("cli",
-                      "A servo of this kind was left unfinished; it was to have ID %1. If this is "
-                      "that servo, press s and Enter; otherwise it is set up as a new one.")
+                      "A servo of this model is unfinished; its assigned ID is %1. If this is that "
+                      "servo, type \"s\" and press Enter; otherwise it is set up as a new servo.")
                 .arg(view.candidateId);
     else if (view.isResumed)
-        text += QLatin1Char(' ') +
-                translate("cli", "A servo of this kind was left unfinished here. Go on only if "
-                                 "this is that servo.");
-    return text + QLatin1Char(' ') + translate("cli", "Enter: go on; a and Enter: set it aside.");
+        text += QLatin1Char(' ') + translate("cli", "A servo of this model is unfinished in this "
+                                                    "batch. Continue only if this is that servo.");
+    return text + QLatin1Char(' ') +
+           translate("cli",
+                     "Press Enter to continue, or type \"a\" and press Enter to set it aside.");
 }
 
 QString viewText(const CommissionView& view)
@@ -278,27 +275,32 @@ QString viewText(const CommissionView& view)
     case CommissionStep::Waiting:
         if (view.obstacle == jobs::CommissionObstacle::Lost)
             return withConcerns(
-                translate("cli", "The servo went away in the middle; plug it in again (ID %1).")
+                translate("cli", "The servo was disconnected during setup. Connect it again (ID "
+                                 "%1).")
                     .arg(view.newId),
                 view.issues);
         return view.newId < 0
-                   ? translate("cli", "No ID is left; an unfinished servo is awaited.")
-                   : translate("cli", "Connect the next servo (it gets ID %1).").arg(view.newId);
+                   ? translate("cli", "No IDs are left. Waiting for an unfinished servo.")
+                   : translate("cli", "Connect the next servo (it will get ID %1).")
+                         .arg(view.newId);
     case CommissionStep::Blocked:
         switch (view.obstacle) {
         case jobs::CommissionObstacle::DuplicateId:
-            return translate("cli", "Several servos answer; leave one: nothing is written.");
+            return translate("cli", "Several servos are answering. Leave only one connected. "
+                                    "Nothing is written.");
         case jobs::CommissionObstacle::DuplicateIds:
-            return translate("cli", "Two servos answer under ID %1; leave one: nothing is written.")
+            return translate("cli", "Two servos are answering with ID %1. Leave only one "
+                                    "connected. Nothing is written.")
                 .arg(view.detected.empty() ? -1 : view.detected.front().place.id);
         default:
-            return translate("cli", "Somebody answers, but cannot be recognised.");
+            return translate("cli", "A device is answering but could not be identified.");
         }
     case CommissionStep::Confirm:
         return confirmText(view);
     case CommissionStep::Unplug:
-        return view.newId < 0 ? translate("cli", "Unplug it.")
-                              : translate("cli", "Unplug: ID %1 is done.").arg(view.newId);
+        return view.newId < 0
+                   ? translate("cli", "Unplug the servo.")
+                   : translate("cli", "ID %1 is done. Unplug the servo.").arg(view.newId);
     default:
         return {};
     }
@@ -311,18 +313,18 @@ void CommissionCommand::display(const CommissionView& view)
         return;
     m_lastLine = text;
     if (view.step == CommissionStep::Confirm)
-        m_input.discardTyped(); // an Enter too many is no answer about a servo nobody has seen yet
+        m_input.discardTyped(); // an extra Enter must not answer for the next servo
     m_run.console().printNote(text);
 }
 
-Json jsonRow(const record::CommissionRow& row)
+Json jsonRow(const results::CommissionRow& row)
 {
     Json::Array issues;
-    for (const record::CommissionIssue& issue : row.issues)
+    for (const results::CommissionIssue& issue : row.issues)
         issues.push_back(Json::object().add("word", issue.word).add("detail", issue.detail));
     Json json = Json::object();
     json.add("time", row.at.toUTC().toString(Qt::ISODate))
-        .add("verdict", record::verdictName(row.verdict))
+        .add("verdict", results::verdictName(row.verdict))
         .add("model", row.servo.model)
         .add("firmware", row.servo.firmware)
         .add("was_id", row.servo.id)
@@ -340,20 +342,20 @@ Json jsonRow(const record::CommissionRow& row)
     return json;
 }
 
-void CommissionCommand::display(const record::CommissionRow& row)
+void CommissionCommand::display(const results::CommissionRow& row)
 {
     if (m_run.console().isJson()) {
         m_run.console().write(jsonRow(row).compact() + '\n');
         return;
     }
-    const QString issues = in(report::commissionIssuesText(row.issues));
+    const QString issues = text::localized(report::commissionIssuesText(row.issues));
     const QString identity =
         row.label.isEmpty() ? QStringLiteral("%1 · ID %2").arg(row.servo.model).arg(row.servo.id)
                             : row.label;
     m_run.console().print(
         QStringLiteral("%1 %2: %3%4\n")
             .arg(report::commissionVerdictSign(row.verdict), identity,
-                 in(report::commissionVerdictText(row.verdict)),
+                 text::localized(report::commissionVerdictText(row.verdict)),
                  issues.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(issues)));
 }
 
@@ -361,22 +363,23 @@ void CommissionCommand::listUnfinished()
 {
     if (m_batch.pending.empty())
         return;
-    for (const record::PendingCommission& one : m_batch.pending)
+    for (const results::PendingCommission& one : m_batch.pending)
         m_run.console().printNote(withConcerns(
-            translate("cli", "Unfinished: %1 that was to have ID %2. A part of its settings may be "
-                             "written. Connect it and run the same command again to finish it.")
+            translate("cli", "Unfinished: %1 with assigned ID %2. Some of its settings may have "
+                             "been written. Connect it and run the same command again to finish "
+                             "it.")
                 .arg(one.servo.model)
                 .arg(one.newId),
-            record::unfinishedIssues(one)));
-    // Between two writes none is open.
+            results::unfinishedIssues(one)));
+    // Between two servos no write is unfinished.
     const auto open = m_run.session().journal().open();
     if (!open || !open->empty())
-        m_run.console().printNote(translate("cli", "\"recover\" shows the changes that are open."));
+        m_run.console().printNote(translate("cli", "\"recover\" shows the unfinished changes."));
 }
 
 Exit CommissionCommand::finish(jobs::CommissionEnd end)
 {
-    using record::CommissionVerdict;
+    using results::CommissionVerdict;
     const QString summary =
         translate("cli", "%1 set up, %2 failed, %3 set aside; %4 unfinished. Batch: %5")
             .arg(m_batch.done())
@@ -385,13 +388,13 @@ Exit CommissionCommand::finish(jobs::CommissionEnd end)
             .arg(m_batch.pending.size())
             .arg(m_csv);
     if (end == jobs::CommissionEnd::IdsExhausted)
-        m_run.console().printNote(translate("cli", "All IDs have been given."));
+        m_run.console().printNote(translate("cli", "All IDs have been assigned."));
     m_run.console().printNote(summary);
     listUnfinished();
     if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
         m_run.console().printNote(notices.trimmed());
     const bool good = std::all_of(m_batch.rows.begin() + std::ptrdiff_t(m_before),
-                                  m_batch.rows.end(), [](const record::CommissionRow& row) {
+                                  m_batch.rows.end(), [](const results::CommissionRow& row) {
                                       return row.verdict == CommissionVerdict::Good ||
                                              row.verdict == CommissionVerdict::Remark;
                                   });
@@ -419,12 +422,11 @@ base::Result<Exit> CommissionCommand::run()
         hand.onViewChanged(view);
     };
     callbacks.answer = [this] { return answer(); };
-    callbacks.onRow = [this](const record::CommissionRow& row) { display(row); };
+    callbacks.onRow = [this](const results::CommissionRow& row) { display(row); };
     callbacks.save = [this](const device::Context& with, device::Servo& servo) {
-        auto saved = session::saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
+        auto saved = session::saveSafetySnapshot(with, servo, history::SnapshotReason::Commission);
         if (saved)
-            m_run.console().printNote(
-                translate("cli", "The present settings are saved in %1").arg(*saved));
+            m_run.console().printNote(translate("cli", "Present settings saved to %1").arg(*saved));
         return saved;
     };
     session::CommissionLabels names;
@@ -440,7 +442,7 @@ base::Result<Exit> CommissionCommand::run()
     return finish(*end);
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runCommission(Run& run, const Values& values)
 {
     return CommissionCommand(run, values).run();
 }
@@ -451,25 +453,25 @@ Command commissionCommand()
     return {
         "commission",
         QT_TRANSLATE_NOOP("cli",
-                          "set up servos plugged in one after the other: template, ID, rate"),
+                          "set up servos connected one after another: template, ID, baud rate"),
         {},
-        {{"--batch",
-          QT_TRANSLATE_NOOP("cli", "the list of the batch; one that exists is gone on with"),
+        {{"--batch", QT_TRANSLATE_NOOP("cli", "batch list file; an existing batch is resumed"),
           "FILE.csv"},
-         {"--first-id", QT_TRANSLATE_NOOP("cli", "the first ID to give (usual: 1)"), "ID"},
-         {"--id-list", QT_TRANSLATE_NOOP("cli", "the IDs to give, in this order: 4-9,12"), "IDS"},
-         {"--count", QT_TRANSLATE_NOOP("cli", "end after so many servos of the batch"), "N"},
-         {"--to-baud", QT_TRANSLATE_NOOP("cli", "the rate to give (else each keeps its own)"),
-          "RATE"},
-         {"--template", QT_TRANSLATE_NOOP("cli", "a snapshot or template to write"), "FILE"},
-         {"--dangerous", QT_TRANSLATE_NOOP("cli", "also write its dangerous rows")},
-         {"--center", QT_TRANSLATE_NOOP("cli", "make the present position the middle")},
-         {"--auto", QT_TRANSLATE_NOOP("cli", "set up each servo without asking; what has an alarm "
-                                             "or does not fit is set aside")},
+         {"--first-id", QT_TRANSLATE_NOOP("cli", "first ID to assign (default: 1)"), "ID"},
+         {"--id-list", QT_TRANSLATE_NOOP("cli", "IDs to assign, in this order: 4-9,12"), "IDS"},
+         {"--count",
+          QT_TRANSLATE_NOOP("cli", "end when this many servos in the batch are finished"), "N"},
+         {"--to-baud", QT_TRANSLATE_NOOP("cli", "baud rate to write (default: unchanged)"), "RATE"},
+         {"--template", QT_TRANSLATE_NOOP("cli", "snapshot or template to write"), "FILE"},
+         {"--dangerous", QT_TRANSLATE_NOOP("cli", "also write the dangerous registers of the "
+                                                  "template")},
+         {"--center", QT_TRANSLATE_NOOP("cli", "set the present position as the midpoint")},
+         {"--auto", QT_TRANSLATE_NOOP("cli", "set up each servo without asking; servos with an "
+                                             "alarm or a mismatch are set aside")},
          {"--label-format",
-          QT_TRANSLATE_NOOP("cli", "text of the labels, with {model} {id} {rate} {baud} {firmware} "
-                                   "{date} {was_id}"),
+          QT_TRANSLATE_NOOP("cli", "label text, with placeholders: {model} {id} {rate} {baud} "
+                                   "{firmware} {date} {was_id}"),
           "TEXT"}},
-        run};
+        runCommission};
 }
 } // namespace cli

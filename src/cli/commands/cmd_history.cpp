@@ -14,12 +14,11 @@
 
 namespace cli {
 namespace {
-using record::HistoryKind;
+using history::HistoryKind;
 
 QString formatTime(const QDateTime& at)
 {
-    return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))
-                        : QStringLiteral("–");
+    return at.isValid() ? localTime(at) : noValue();
 }
 
 QString shown(std::int64_t number)
@@ -27,19 +26,19 @@ QString shown(std::int64_t number)
     return QString::number(qint64(number));
 }
 
-QString formatOutcome(const record::HistoryWrite& write)
+QString formatOutcome(const history::HistoryWrite& write)
 {
     const QString word = text::writeOutcomeLabel(write.outcome);
     return write.isGood() ? word : QStringLiteral("✗ ") + word;
 }
 
-Table tableOf(const std::vector<record::HistoryServo>& servos)
+Table tableOf(const std::vector<history::HistoryServo>& servos)
 {
     Table table({translate("cli", "Servo"), translate("cli", "Model"), translate("cli", "Firmware"),
-                 translate("cli", "ID"), translate("cli", "Label"), translate("cli", "Now"),
+                 translate("cli", "ID"), translate("cli", "Label"), translate("cli", "Present"),
                  translate("cli", "Last write"), translate("cli", "Port")});
     table.alignRight({0, 3});
-    for (const record::HistoryServo& servo : servos) {
+    for (const history::HistoryServo& servo : servos) {
         const base::ServoIdentity& identity = servo.identity;
         const QString firmware =
             identity.firmwareMajor < 0
@@ -52,63 +51,63 @@ Table tableOf(const std::vector<record::HistoryServo>& servos)
     return table;
 }
 
-Table tableOf(const std::vector<record::HistoryWrite>& writes,
-              const record::HistoryProfiles& profiles)
+Table tableOf(const std::vector<history::HistoryWrite>& writes,
+              const history::HistoryProfiles& profiles)
 {
     Table table({translate("cli", "Write"), translate("cli", "When"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Register"),
                  translate("cli", "Old"), translate("cli", "New"), translate("cli", "Outcome"),
                  translate("cli", "Kind"), translate("cli", "Port")});
     table.alignRight({0, 2, 6, 7});
-    for (const record::HistoryWrite& write : writes)
+    for (const history::HistoryWrite& write : writes)
         table.add({shown(write.number), formatTime(write.at), QString::number(write.servoId),
                    write.model, write.label, write.key,
                    profiles.valueText(write, write.oldRaw, text::isUiChinese()),
                    write.newRaw ? profiles.valueText(write, *write.newRaw, text::isUiChinese())
-                                : QStringLiteral("–"),
+                                : noValue(),
                    formatOutcome(write),
                    text::intentLabel(write.kind, write.temporary, write.ownDefaults), write.port});
     return table;
 }
 
-Table tableOf(const std::vector<record::HistorySnapshot>& snapshots)
+Table tableOf(const std::vector<history::HistorySnapshot>& snapshots)
 {
     Table table({translate("cli", "Snapshot"), translate("cli", "When"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Note"),
-                 translate("cli", "Taken"), translate("cli", "Registers"),
+                 translate("cli", "Reason"), translate("cli", "Registers"),
                  translate("cli", "File")});
     table.alignRight({0, 2, 7});
-    for (const record::HistorySnapshot& snapshot : snapshots)
+    for (const history::HistorySnapshot& snapshot : snapshots)
         table.add({shown(snapshot.number), formatTime(snapshot.at),
                    QString::number(snapshot.servoId), snapshot.model,
                    QString(snapshot.label).simplified(), QString(snapshot.note).simplified(),
-                   snapshot.reason == record::SnapshotReason::Automatic
+                   snapshot.reason == history::SnapshotReason::Automatic
                        ? translate("cli", "before a change")
-                       : translate("cli", "on request"),
+                       : translate("cli", "manual"),
                    QString::number(snapshot.registers), snapshot.file});
     return table;
 }
 
-Table tableOf(const std::vector<record::HistoryAlarm>& alarms)
+Table tableOf(const std::vector<history::HistoryAlarm>& alarms)
 {
-    Table table({translate("cli", "Alarm"), translate("cli", "When"), translate("cli", "Gone"),
+    Table table({translate("cli", "Alarm"), translate("cli", "When"), translate("cli", "Cleared"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
                  translate("cli", "What")});
     table.alignRight({0, 3});
-    for (const record::HistoryAlarm& alarm : alarms)
+    for (const history::HistoryAlarm& alarm : alarms)
         table.add({shown(alarm.number), formatTime(alarm.at), formatTime(alarm.clearedAt),
                    QString::number(alarm.servoId), alarm.model, alarm.label,
                    text::alarmLabel(alarm.key)});
     return table;
 }
 
-Table tableOf(const std::vector<record::HistoryRecording>& recordings)
+Table tableOf(const std::vector<history::HistoryRecording>& recordings)
 {
     Table table({translate("cli", "Recording"), translate("cli", "When"),
                  translate("cli", "Length"), translate("cli", "ID"), translate("cli", "Readings"),
                  translate("cli", "File")});
     table.alignRight({0, 2, 4});
-    for (const record::HistoryRecording& recording : recordings) {
+    for (const history::HistoryRecording& recording : recordings) {
         QStringList ids;
         for (const auto& servo : recording.servos)
             ids.append(QString::number(servo.id));
@@ -120,18 +119,18 @@ Table tableOf(const std::vector<record::HistoryRecording>& recordings)
     return table;
 }
 
-Table tableOf(const std::vector<record::TestRun>& runs)
+Table tableOf(const std::vector<history::TestRun>& runs)
 {
     Table table({translate("cli", "Run"), translate("cli", "When"), translate("cli", "Test"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
                  translate("cli", "Verdict"), translate("cli", "Note")});
     table.alignRight({0, 3});
-    for (const record::TestRun& run : runs) {
-        for (const record::TestServo& servo : run.servos)
+    for (const history::TestRun& run : runs) {
+        for (const history::TestServo& servo : run.servos)
             table.add({shown(run.number), formatTime(run.at), run.kind, QString::number(servo.id),
                        servo.model, servo.label,
                        report::gradeSign(servo.verdict) + QLatin1Char(' ') +
-                           report::gradeLabel(servo.verdict).in(text::isUiChinese()),
+                           text::localized(report::gradeLabel(servo.verdict)),
                        QString(run.note).simplified()});
     }
     return table;
@@ -165,25 +164,22 @@ base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::
 {
     if (!rows)
         return tl::unexpected(rows.error());
-    const QStringList columns = record::historyColumns(kind);
     Json::Array list;
     for (const Row& row : *rows) {
-        const QVariantList values = record::valuesOf(row);
         Json::Object object;
-        for (qsizetype i = 0; i < columns.size(); ++i)
-            object.emplace_back(columns[i], jsonOf(values.value(i)));
+        for (const auto& [name, value] : history::fieldsOf(row))
+            object.emplace_back(QLatin1String(name), jsonOf(value));
         list.push_back(std::move(object));
     }
     QString text = rows->empty()
-                       ? translate("cli", "Nothing in the history fits.") + QLatin1Char('\n')
+                       ? translate("cli", "No matching entries in the history.") + QLatin1Char('\n')
                        : tableOf(*rows, meaning...).text();
     if (kind == HistoryKind::Servos && !rows->empty())
-        text +=
-            translate("cli", "Servos carry no serial number: those alike in model, firmware, ID "
-                             "and label are one here.") +
-            QLatin1Char('\n');
+        text += translate("cli", "Servos have no serial number: servos with the same model, "
+                                 "firmware, ID and label are listed as one.") +
+                QLatin1Char('\n');
     run.finish(
-        Json::object().add(record::historyKindName(kind).toLatin1().constData(), std::move(list)),
+        Json::object().add(history::historyKindName(kind).toLatin1().constData(), std::move(list)),
         text);
     return Exit::Success;
 }
@@ -191,11 +187,10 @@ base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::
 base::Result<HistoryKind> kindOf(const Values& values)
 {
     const QString word = values.option("--kind").value_or(QStringLiteral("writes"));
-    const auto kind = record::historyKindFromName(word);
+    const auto kind = history::historyKindFromName(word);
     if (!kind)
-        return badArgument(translate("cli",
-                                     "--kind is writes, snapshots, alarms, recordings, runs, "
-                                     "servos or, of a server, benches"));
+        return badArgument(translate("cli", "--kind must be writes, snapshots, alarms, recordings, "
+                                            "runs, servos or, on a server, benches"));
     return *kind;
 }
 
@@ -205,58 +200,58 @@ base::Result<std::vector<Row>> nothing()
     return std::vector<Row>();
 }
 
-base::Result<Exit> showWrites(Run& run, const record::History* history,
-                              const record::HistoryFilter& filter)
+base::Result<Exit> showWrites(Run& run, const history::History* history,
+                              const history::HistoryFilter& filter)
 {
-    record::HistoryProfiles profiles(run.session().catalog());
+    history::HistoryProfiles profiles(run.session().catalog());
     if (history == nullptr)
-        return showRows(run, HistoryKind::Writes, nothing<record::HistoryWrite>(), profiles);
+        return showRows(run, HistoryKind::Writes, nothing<history::HistoryWrite>(), profiles);
     if (const auto known = loadProfiles(*history, profiles); !known)
         return tl::unexpected(known.error());
     return showRows(run, HistoryKind::Writes, history->log().writes(filter), profiles);
 }
 
-base::Result<Exit> show(Run& run, const record::History* history, HistoryKind kind,
-                        const record::HistoryFilter& filter)
+base::Result<Exit> show(Run& run, const history::History* history, HistoryKind kind,
+                        const history::HistoryFilter& filter)
 {
     switch (kind) {
     case HistoryKind::Servos:
         return showRows(run, kind,
-                        history ? history->log().servos(filter) : nothing<record::HistoryServo>());
+                        history ? history->log().servos(filter) : nothing<history::HistoryServo>());
     case HistoryKind::Writes:
         return showWrites(run, history, filter);
     case HistoryKind::Snapshots:
         return showRows(run, kind,
                         history ? history->log().snapshots(filter)
-                                : nothing<record::HistorySnapshot>());
+                                : nothing<history::HistorySnapshot>());
     case HistoryKind::Alarms:
         return showRows(run, kind,
-                        history ? history->log().alarms(filter) : nothing<record::HistoryAlarm>());
+                        history ? history->log().alarms(filter) : nothing<history::HistoryAlarm>());
     case HistoryKind::Recordings:
         return showRows(run, kind,
                         history ? history->log().recordings(filter)
-                                : nothing<record::HistoryRecording>());
+                                : nothing<history::HistoryRecording>());
     case HistoryKind::Runs:
         break;
     }
     if (history == nullptr)
-        return showRows(run, kind, nothing<record::TestRun>());
-    auto runs = record::runFilterOf(*history, filter);
+        return showRows(run, kind, nothing<history::TestRun>());
+    auto runs = history::runFilterOf(*history, filter);
     if (!runs)
         return tl::unexpected(runs.error());
     runs->limit = filter.limit;
     return showRows(run, kind, history->runs(*runs));
 }
 
-base::Result<Exit> exportTo(Run& run, const record::History& history, HistoryKind kind,
-                            const record::HistoryFilter& filter, const QString& file, bool csv)
+base::Result<Exit> exportTo(Run& run, const history::History& history, HistoryKind kind,
+                            const history::HistoryFilter& filter, const QString& file, bool csv)
 {
-    const auto rows = csv ? record::exportHistoryCsv(history, kind, filter, file)
-                          : record::exportHistoryJson(history, {kind}, filter, file);
+    const auto rows = csv ? history::exportHistoryCsv(history, kind, filter, file)
+                          : history::exportHistoryJson(history, {kind}, filter, file);
     if (!rows)
         return tl::unexpected(rows.error());
     run.finish(Json::object().add("file", file).add("rows", *rows),
-               translate("cli", "Rows written to %1: %2").arg(file).arg(qint64(*rows)) +
+               translate("cli", "%n row(s) written to %1", nullptr, int(*rows)).arg(file) +
                    QLatin1Char('\n'));
     return Exit::Success;
 }
@@ -270,7 +265,7 @@ base::Result<Exit> showBenches(Run& run, const Values& values)
         {translate("cli", "Bench"), translate("cli", "Last sent"), translate("cli", "Writes")});
     table.alignRight({2});
     Json::Array list;
-    for (const record::HistoryBench& bench : *benches) {
+    for (const history::HistoryBench& bench : *benches) {
         table.add({bench.name, formatTime(bench.sent), shown(bench.writes)});
         list.push_back(Json::object()
                            .add("name", bench.name)
@@ -292,7 +287,7 @@ base::Result<Exit> list(Run& run, const Values& values)
     const auto csv = values.option("--csv");
     const auto json = values.option("--export");
     if (csv && json)
-        return badArgument(translate("cli", "give --csv or --export, not both"));
+        return badArgument(translate("cli", "use either --csv or --export, not both"));
     const auto history = openHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
@@ -302,13 +297,8 @@ base::Result<Exit> list(Run& run, const Values& values)
     if (!csv && !json)
         return show(run, history->get(), *kind, *filter);
     if (!*history)
-        return badArgument(translate("cli", "there is no history yet"));
+        return badArgument(translate("cli", "no history yet"));
     return exportTo(run, **history, *kind, *filter, csv ? *csv : *json, csv.has_value());
-}
-
-base::Result<Exit> runList(Run& run, const Values& values)
-{
-    return runHistoryCommand(run, values, list);
 }
 } // namespace
 
@@ -316,22 +306,24 @@ Command historyCommand()
 {
     std::vector<Option> options{
         {"--kind",
-         QT_TRANSLATE_NOOP("cli", "writes (usual), snapshots, alarms, recordings, runs, servos; "
-                                  "of a server also benches"),
+         QT_TRANSLATE_NOOP("cli", "kind of entries: writes (default), snapshots, alarms, "
+                                  "recordings, runs, servos; on a server also benches"),
          "KIND"}};
     for (const Option& option : historyOptions())
         options.push_back(option);
     for (const Option& option : serverOptions())
         options.push_back(option);
+    options.push_back({"--csv",
+                       QT_TRANSLATE_NOOP("cli", "write all matching entries to a CSV file instead"),
+                       "FILE"});
     options.push_back(
-        {"--csv", QT_TRANSLATE_NOOP("cli", "all that fits to a CSV file instead"), "FILE"});
-    options.push_back(
-        {"--export", QT_TRANSLATE_NOOP("cli", "all that fits to a JSON file instead"), "FILE"});
+        {"--export", QT_TRANSLATE_NOOP("cli", "write all matching entries to a JSON file instead"),
+         "FILE"});
     return {"history",
-            QT_TRANSLATE_NOOP("cli", "list what was written to servos and happened to them; needs "
-                                     "no port"),
+            QT_TRANSLATE_NOOP("cli", "list writes, snapshots, alarms, recordings and tests of "
+                                     "servos; needs no port"),
             {},
             options,
-            runList};
+            runHistoryCommand<list>};
 }
 } // namespace cli

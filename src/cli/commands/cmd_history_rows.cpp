@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One row of the history: a write with all that belongs to it, a label, a table taken out again.
+// Single entries of the history: a write with all its registers, labels, saving a snapshot or a
+// table.
 #include "cli/commands.h"
 #include "cli/history_remote.h"
 #include "cli/input/arguments.h"
@@ -15,31 +16,31 @@
 
 namespace cli {
 namespace {
-base::Result<std::unique_ptr<record::History>> requireHistory(Run& run, const Values& values)
+base::Result<std::unique_ptr<history::History>> requireHistory(Run& run, const Values& values)
 {
     auto history = openHistory(run, values);
     if (history && !*history)
-        return badArgument(translate("cli", "there is no history yet"));
+        return badArgument(translate("cli", "no history yet"));
     return history;
 }
 
 base::Result<std::int64_t> parseNumber(const QString& word)
 {
-    bool fine = false;
-    const qint64 number = QString(word).remove(QLatin1Char('#')).toLongLong(&fine);
-    if (!fine || number < 1)
-        return badArgument(translate("cli", "\"%1\" is no number of a row").arg(word));
+    bool isNumber = false;
+    const qint64 number = QString(word).remove(QLatin1Char('#')).toLongLong(&isNumber);
+    if (!isNumber || number < 1)
+        return badArgument(translate("cli", "\"%1\" is not a row number").arg(word));
     return number;
 }
 
-/// All registers that were written together with one of them.
-base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLog& log,
-                                                         std::int64_t number)
+/// All registers that were written together with this one.
+base::Result<std::vector<history::HistoryWrite>> together(const history::HistoryLog& log,
+                                                          std::int64_t number)
 {
     const auto one = log.write(number);
     if (!one)
         return tl::unexpected(one.error());
-    record::HistoryFilter filter;
+    history::HistoryFilter filter;
     filter.servo = one->servo;
     filter.from = one->at;
     filter.until = one->at.addMSecs(1);
@@ -47,15 +48,60 @@ base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLo
     auto near = log.writes(filter);
     if (!near)
         return near;
-    std::vector<record::HistoryWrite> own;
-    for (record::HistoryWrite& write : *near) {
+    std::vector<history::HistoryWrite> own;
+    for (history::HistoryWrite& write : *near) {
         if (write.intent == one->intent)
             own.insert(own.begin(), std::move(write));
     }
     return own;
 }
 
-base::Result<Exit> show(Run& run, const Values& values)
+Json jsonWrite(const history::HistoryWrite& write)
+{
+    return Json::object()
+        .add("number", write.number)
+        .add("register", write.key)
+        .add("address", write.address)
+        .add("old", write.oldRaw)
+        .add("new", write.newRaw)
+        .add("read_back", write.readBack)
+        .add("outcome", write.outcome);
+}
+
+/// The properties that all registers of a write share.
+Json jsonIntent(const history::HistoryWrite& write)
+{
+    return Json::object()
+        .add("intent", write.intentUuid)
+        .add("time", write.at.toString(Qt::ISODateWithMs))
+        .add("kind", base::intentKindName(write.kind))
+        .add("temporary", write.temporary)
+        .add("servo", write.servo)
+        .add("id", write.servoId)
+        .add("model", write.model)
+        .add("label", write.label)
+        .add("port", write.port)
+        .add("baud", write.baud)
+        .add("program", write.program)
+        .add("detail", write.detail);
+}
+
+QString intentText(const history::HistoryWrite& write)
+{
+    const QString servo = write.label.isEmpty() ? write.model
+                                                : write.model + QStringLiteral(" \"") +
+                                                      write.label + QLatin1Char('"');
+    return text::intentLabel(write.kind, write.temporary, write.ownDefaults) +
+           QStringLiteral(": ") +
+           translate("cli", "%1, ID %2, %3, on %4 at %5 baud, by %6")
+               .arg(localTime(write.at), QString::number(write.servoId), servo, write.port,
+                    QString::number(write.baud),
+                    write.program.isEmpty() ? translate("cli", "an earlier version")
+                                            : write.program) +
+           QLatin1Char('\n');
+}
+
+base::Result<Exit> showWrite(Run& run, const Values& values)
 {
     const auto number = parseNumber(values.argument("WRITE"));
     if (!number)
@@ -66,56 +112,35 @@ base::Result<Exit> show(Run& run, const Values& values)
     const auto writes = together((*history)->log(), *number);
     if (!writes)
         return tl::unexpected(writes.error());
-    record::HistoryProfiles profiles(run.session().catalog());
+    history::HistoryProfiles profiles(run.session().catalog());
     if (const auto known = loadProfiles(**history, profiles); !known)
         return tl::unexpected(known.error());
-    const record::HistoryWrite& head = writes->front();
     Table table({translate("cli", "Register"), translate("cli", "Old"), translate("cli", "New"),
                  translate("cli", "Read back"), translate("cli", "Outcome")});
     table.alignRight({1, 2, 3});
     Json::Array rows;
-    for (const record::HistoryWrite& write : *writes) {
+    for (const history::HistoryWrite& write : *writes) {
         const auto value = [&](const std::optional<std::int64_t>& raw) {
-            return raw ? profiles.valueText(write, *raw, text::isUiChinese()) : QStringLiteral("–");
+            return raw ? profiles.valueText(write, *raw, text::isUiChinese()) : noValue();
         };
         table.add({write.key, value(write.oldRaw), value(write.newRaw), value(write.readBack),
                    text::writeOutcomeLabel(write.outcome)});
-        rows.push_back(Json::object()
-                           .add("number", write.number)
-                           .add("register", write.key)
-                           .add("address", write.address)
-                           .add("old", write.oldRaw)
-                           .add("new", write.newRaw)
-                           .add("read_back", write.readBack)
-                           .add("outcome", write.outcome));
+        rows.push_back(jsonWrite(write));
     }
-    run.finish(
-        Json::object()
-            .add("intent", head.intentUuid)
-            .add("time", head.at.toString(Qt::ISODateWithMs))
-            .add("kind", base::intentKindName(head.kind))
-            .add("temporary", head.temporary)
-            .add("servo", head.servo)
-            .add("id", head.servoId)
-            .add("model", head.model)
-            .add("label", head.label)
-            .add("port", head.port)
-            .add("baud", head.baud)
-            .add("program", head.program)
-            .add("detail", head.detail)
-            .add("writes", std::move(rows)),
-        text::intentLabel(head.kind, head.temporary, head.ownDefaults) + QStringLiteral(": ") +
-            translate("cli", "%1, servo %2 %3, on %4 at %5 baud, by %6")
-                .arg(head.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-                     QString::number(head.servoId),
-                     head.label.isEmpty()
-                         ? head.model
-                         : head.model + QStringLiteral(" \"") + head.label + QLatin1Char('"'),
-                     head.port, QString::number(head.baud),
-                     head.program.isEmpty() ? translate("cli", "an earlier version")
-                                            : head.program) +
-            QLatin1Char('\n') + table.text());
+    const history::HistoryWrite& first = writes->front();
+    run.finish(jsonIntent(first).add("writes", std::move(rows)), intentText(first) + table.text());
     return Exit::Success;
+}
+
+QString renamedText(const history::HistoryServo& servo, bool another)
+{
+    const QString line =
+        another ? translate("cli", "The %1 answering as ID %2 is now servo #%3, \"%4\"")
+        : servo.label.isEmpty()
+            ? translate("cli", "The %1 with ID %2, servo #%3, no longer has a label")
+            : translate("cli", "The %1 with ID %2, servo #%3, now has the label \"%4\"");
+    const QString filled = line.arg(servo.identity.model).arg(servo.identity.id).arg(servo.number);
+    return line.contains(QLatin1String("%4")) ? filled.arg(servo.label) : filled;
 }
 
 base::Result<Exit> runLabel(Run& run, const Values& values)
@@ -123,7 +148,7 @@ base::Result<Exit> runLabel(Run& run, const Values& values)
     const auto history = requireHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
-    const record::HistoryLog log = (*history)->log();
+    const history::HistoryLog log = (*history)->log();
     auto servo = parseServo(**history, values.argument("SERVO"));
     if (!servo)
         return tl::unexpected(servo.error());
@@ -144,12 +169,7 @@ base::Result<Exit> runLabel(Run& run, const Values& values)
                    .add("id", now->identity.id)
                    .add("model", now->identity.model)
                    .add("label", now->label),
-               (values.has("--another")
-                    ? translate("cli", "The %1 that answers to ID %2 is now servo %3, \"%4\"")
-                    : translate("cli", "The %1 with ID %2, servo %3, is called \"%4\""))
-                       .arg(now->identity.model, QString::number(now->identity.id),
-                            QString::number(qint64(now->number)), now->label) +
-                   QLatin1Char('\n'));
+               renamedText(*now, values.has("--another")) + QLatin1Char('\n'));
     return Exit::Success;
 }
 
@@ -165,7 +185,7 @@ base::Result<Exit> takeSnapshot(Run& run, const Values& values)
     if (!snapshot)
         return tl::unexpected(snapshot.error());
     const QString file = values.argument("FILE");
-    if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
+    if (const auto saved = snapshot::saveSnapshot(*snapshot, file); !saved)
         return tl::unexpected(saved.error());
     const auto count = int(snapshot->registers.size());
     run.finish(Json::object()
@@ -173,34 +193,35 @@ base::Result<Exit> takeSnapshot(Run& run, const Values& values)
                    .add("id", snapshot->servo.id)
                    .add("file", file)
                    .add("registers", count),
-               translate("cli", "Registers saved to %1: %2").arg(file).arg(count) +
+               translate("cli", "%n register(s) saved to %1", nullptr, count).arg(file) +
                    QLatin1Char('\n'));
     return Exit::Success;
 }
 
-QString tableText(const record::TableState& point, const QString& file)
+QString tableText(const history::TableState& point, const QString& file)
 {
-    const auto local = [](const QDateTime& at) {
-        return at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
-    };
     const QString comma = QStringLiteral(", ");
     QStringList lines{
-        translate("cli", "Registers saved to %1: %2").arg(file).arg(point.table.registers.size()),
-        translate("cli", "From snapshot %1 of %2; written since then: %3")
-            .arg(QString::number(qint64(point.base.number)), local(point.base.at),
+        translate("cli", "%n register(s) saved to %1", nullptr, int(point.table.registers.size()))
+            .arg(file),
+        translate("cli", "From snapshot %1 taken on %2; written since then: %3")
+            .arg(QString::number(qint64(point.base.number)), localTime(point.base.at),
                  point.replayed.isEmpty() ? translate("cli", "nothing")
                                           : point.replayed.join(comma))};
     if (!point.unknown.isEmpty())
-        lines << translate("cli", "Changed without a record of how, so without a value: %1")
+        lines << translate("cli",
+                           "Saved without a value because the new value was not recorded: %1")
                      .arg(point.unknown.join(comma));
     if (!point.temporary.isEmpty())
-        lines << translate("cli", "Written temporarily, which is left out: the table has the "
-                                  "stored value of %1")
-                     .arg(point.temporary.join(comma));
+        lines
+            << translate(
+                   "cli",
+                   "Temporary writes are not included; the table contains the stored values of: %1")
+                   .arg(point.temporary.join(comma));
     if (point.changedId)
-        lines << translate("cli", "Its ID was changed to %1 on %2: what was written to it with "
-                                  "that ID is in the history of servo ID %1, not here")
-                     .arg(QString::number(point.changedId->id), local(point.changedId->at));
+        lines << translate("cli", "The ID was changed to %1 on %2; writes made with that ID are "
+                                  "in the history of the servo with ID %1, not here")
+                     .arg(QString::number(point.changedId->id), localTime(point.changedId->at));
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -215,13 +236,13 @@ base::Result<Exit> takeTable(Run& run, const Values& values)
     const auto servo = parseServo(**history, values.argument("SERVO"));
     if (!servo)
         return tl::unexpected(servo.error());
-    const auto point = record::tableAt((*history)->file(), run.session().catalog(), *servo, *at);
+    const auto point = history::tableAt((*history)->file(), run.session().catalog(), *servo, *at);
     if (!point)
         return tl::unexpected(point.error());
     const QString file = values.argument("FILE");
-    if (const auto saved = record::saveSnapshot(point->table, file); !saved)
+    if (const auto saved = snapshot::saveSnapshot(point->table, file); !saved)
         return tl::unexpected(saved.error());
-    Json changedId; // null: it kept its ID
+    Json changedId; // null: unchanged
     if (point->changedId)
         changedId = Json::object()
                         .add("id", point->changedId->id)
@@ -240,68 +261,55 @@ base::Result<Exit> takeTable(Run& run, const Values& values)
                tableText(*point, file));
     return Exit::Success;
 }
-
-base::Result<Exit> runShow(Run& run, const Values& values)
-{
-    return runHistoryCommand(run, values, show);
-}
-
-base::Result<Exit> runSnapshot(Run& run, const Values& values)
-{
-    return runHistoryCommand(run, values, takeSnapshot);
-}
-
-base::Result<Exit> runTable(Run& run, const Values& values)
-{
-    return runHistoryCommand(run, values, takeTable);
-}
 } // namespace
 
 Command historyShowCommand()
 {
     return {"history show",
-            QT_TRANSLATE_NOOP("cli", "show a write with all that was written together with it"),
-            {{"WRITE", QT_TRANSLATE_NOOP("cli", "its number in \"history\"")}},
+            QT_TRANSLATE_NOOP("cli", "show a write and everything written together with it"),
+            {{"WRITE", QT_TRANSLATE_NOOP("cli", "write number, as listed by \"history\"")}},
             serverOptions(),
-            runShow};
+            runHistoryCommand<showWrite>};
 }
 
 Command historyLabelCommand()
 {
     return {"history label",
-            QT_TRANSLATE_NOOP("cli", "give a servo of the history a name, as servos carry no "
-                                     "serial number"),
-            {{"SERVO",
-              QT_TRANSLATE_NOOP("cli", "its number in \"history --kind servos\", or its label")},
-             {"LABEL", QT_TRANSLATE_NOOP("cli", "the name; \"\" takes it away")}},
+            QT_TRANSLATE_NOOP("cli", "label a servo in the history (servos have no serial number)"),
+            {{"SERVO", QT_TRANSLATE_NOOP(
+                           "cli", "servo label, or number as listed by \"history --kind servos\"")},
+             {"LABEL", QT_TRANSLATE_NOOP("cli", "new label; \"\" removes it")}},
             {{"--another",
-              QT_TRANSLATE_NOOP("cli", "what answers like this from now on is another servo, the "
-                                       "one with this label; the past stays with the former")}},
+              QT_TRANSLATE_NOOP(
+                  "cli", "from now on, treat the servo that gives these replies as a different "
+                         "servo, with this label; earlier entries stay with the previous servo")}},
             runLabel};
 }
 
 Command historySnapshotCommand()
 {
     return {"history snapshot",
-            QT_TRANSLATE_NOOP("cli", "take a snapshot out of the history again, as a file for "
-                                     "snapshot restore"),
-            {{"SNAPSHOT", QT_TRANSLATE_NOOP("cli", "its number in \"history --kind snapshots\"")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
+            QT_TRANSLATE_NOOP("cli", "save a snapshot from the history as a file for snapshot "
+                                     "restore"),
+            {{"SNAPSHOT", QT_TRANSLATE_NOOP(
+                              "cli", "snapshot number, as listed by \"history --kind snapshots\"")},
+             outputFileArgument},
             serverOptions(),
-            runSnapshot};
+            runHistoryCommand<takeSnapshot>};
 }
 
 Command historyTableCommand()
 {
-    return {"history table",
-            QT_TRANSLATE_NOOP("cli",
-                              "a servo's table as it was at a moment, as a file for snapshot "
-                              "restore: the last snapshot before it and the writes since"),
-            {{"SERVO",
-              QT_TRANSLATE_NOOP("cli", "its number in \"history --kind servos\", or its label")},
-             {"TIME", QT_TRANSLATE_NOOP("cli", "2026-11-22T10:30, 10:30, or 90m, 2h, 3d, 1w ago")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
-            serverOptions(),
-            runTable};
+    return {
+        "history table",
+        QT_TRANSLATE_NOOP("cli", "save a servo's memory table at a given time (last snapshot plus "
+                                 "the writes up to then) as a file for snapshot restore"),
+        {{"SERVO", QT_TRANSLATE_NOOP(
+                       "cli", "servo label, or number as listed by \"history --kind servos\"")},
+         {"TIME", QT_TRANSLATE_NOOP(
+                      "cli", "time: 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w")},
+         outputFileArgument},
+        serverOptions(),
+        runHistoryCommand<takeTable>};
 }
 } // namespace cli

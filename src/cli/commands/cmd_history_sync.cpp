@@ -18,7 +18,7 @@ constexpr auto checkInterval = std::chrono::milliseconds(50);
 constexpr auto maxSilence = std::chrono::minutes(2);
 constexpr auto shutdownTimeout = std::chrono::milliseconds(900);
 
-/// On a thread that can be left behind, since a server may hang for as long as it likes.
+/// On a thread that can be abandoned, because a server may hang.
 base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& choice)
 {
     const auto sending = std::make_shared<session::HistoryUploader>(session::historyFile(),
@@ -43,10 +43,10 @@ base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& ch
 QString savedServerText(const session::HistoryServerChoice& choice)
 {
     return (choice.isFixedByEnvironment
-                ? translate("cli", "The name of the bench was stored; the server is set "
-                                   "by SERVODESK_HISTORY_SERVER")
-                : translate("cli", "Server and name of the bench were stored; the window "
-                                   "uses them too")) +
+                ? translate("cli", "Bench name saved; the server is set by "
+                                   "SERVODESK_HISTORY_SERVER")
+                : translate("cli", "Server and bench name saved; the desktop program uses them "
+                                   "too")) +
            QLatin1Char('\n');
 }
 
@@ -60,27 +60,27 @@ base::Result<Exit> runSync(Run& run, const Values& values)
     }
     choice.bench = values.option("--bench").value_or(choice.bench).trimmed();
     if (choice.address.trimmed().isEmpty())
-        return badArgument(translate("cli", "no history server is set; name one with --server or "
+        return badArgument(translate("cli", "no history server is set; set one with --server or "
                                             "SERVODESK_HISTORY_SERVER"));
-    const auto address = record::ServerAddress::parse(choice.address);
+    const auto address = history::ServerAddress::parse(choice.address);
     if (!address)
         return tl::unexpected(address.error());
     const auto sent = send(run, choice);
     const bool remember = values.has("--remember");
     if (!sent) {
         if (remember)
-            run.console().printMessage(
-                translate("cli", "Server and name of the bench were not stored"));
+            run.console().printMessage(translate("cli", "Server and bench name were not saved"));
         return tl::unexpected(sent.error());
     }
     if (remember) {
         if (const auto kept = session::setHistoryServerChoice(settings, choice); !kept)
             return tl::unexpected(kept.error());
     }
-    QString words = translate("cli", "Rows sent to %1 as %2: %3; it has everything now")
-                        .arg(address->displayText(), choice.bench)
-                        .arg(qint64(sent->sent)) +
-                    QLatin1Char('\n');
+    QString words =
+        translate("cli", "%n row(s) sent to %1 from bench %2; the server is now up to date",
+                  nullptr, int(sent->sent))
+            .arg(address->displayText(), choice.bench) +
+        QLatin1Char('\n');
     if (remember)
         words += savedServerText(choice);
     run.finish(Json::object()
@@ -95,21 +95,22 @@ base::Result<Exit> runSync(Run& run, const Values& values)
 
 Command historySyncCommand()
 {
-    return {"history sync",
-            QT_TRANSLATE_NOOP("cli", "send what a history server (PostgreSQL) has missed; needs no "
-                                     "port"),
-            {},
-            {{"--server",
-              QT_TRANSLATE_NOOP("cli", "its connection string, such as "
-                                       "postgresql://USER@HOST/DATABASE, without a password (store "
-                                       "it in ~/.pgpass); default: the one remembered. Another "
-                                       "computer must have a valid TLS certificate, unless "
-                                       "?sslmode=... says otherwise"),
-              "STRING"},
-             {"--bench", QT_TRANSLATE_NOOP("cli", "what this bench is called there"), "NAME"},
-             {"--remember",
-              QT_TRANSLATE_NOOP("cli", "use server and name from now on, in the window too; "
-                                       "stored once the server has been reached")}},
-            runSync};
+    return {
+        "history sync",
+        QT_TRANSLATE_NOOP("cli", "send missing history to a history server (PostgreSQL); "
+                                 "needs no port"),
+        {},
+        {{"--server",
+          QT_TRANSLATE_NOOP("cli", "connection string, for example "
+                                   "postgresql://USER@HOST/DATABASE, without a password "
+                                   "(store it in ~/.pgpass); default: the remembered "
+                                   "server. A server on another computer needs a valid TLS "
+                                   "certificate, unless ?sslmode=... specifies otherwise"),
+          "STRING"},
+         {"--bench", QT_TRANSLATE_NOOP("cli", "name of this bench on the server"), "NAME"},
+         {"--remember",
+          QT_TRANSLATE_NOOP("cli", "use this server and name from now on, in the desktop program "
+                                   "too; saved after the first successful connection")}},
+        runSync};
 }
 } // namespace cli

@@ -8,7 +8,7 @@
 
 namespace cli {
 namespace {
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runIdentify(Run& run, const Values& values)
 {
     auto servo = run.servo(values);
     if (!servo)
@@ -20,17 +20,19 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto report = jobs::blink(*context, *servo, jobs::blinkTime, [&](const jobs::Progress&) {
         if (!std::exchange(reported, true))
             run.console().printNote(
-                translate("cli", "The LED of servo %1 blinks; Ctrl-C ends it.").arg(servo->id));
+                translate("cli", "The LED of servo %1 is blinking. Press Ctrl-C to stop.")
+                    .arg(servo->id));
     });
     if (!report)
         return tl::unexpected(report.error());
-    run.finish(Json::object()
-                   .add("id", servo->id)
-                   .add("register", report->key)
-                   .add("blinks", report->blinks)
-                   .add("stopped", report->stopped),
-               translate("cli", "The LED of servo %1 is as it was before.").arg(servo->id) +
-                   QLatin1Char('\n'));
+    run.finish(
+        Json::object()
+            .add("id", servo->id)
+            .add("register", report->key)
+            .add("blinks", report->blinks)
+            .add("stopped", report->stopped),
+        translate("cli", "The LED of servo %1 is back in its previous state.").arg(servo->id) +
+            QLatin1Char('\n'));
     return Exit::Success;
 }
 } // namespace
@@ -38,9 +40,9 @@ base::Result<Exit> run(Run& run, const Values& values)
 Command identifyCommand()
 {
     return {"identify",
-            QT_TRANSLATE_NOOP("cli", "make a servo blink its LED for a few seconds"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            QT_TRANSLATE_NOOP("cli", "blink the LED of a servo for a few seconds"),
+            {servoIdArgument},
             {},
-            run};
+            runIdentify};
 }
 } // namespace cli

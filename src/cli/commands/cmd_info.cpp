@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/input/arguments.h"
 #include "cli/output/report_text.h"
+#include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "device/motion/motion.h"
@@ -22,7 +23,7 @@ const catalog::Register* registerOf(const device::Servo& servo, Role role)
 QString formatRole(const device::Servo& servo, Role role)
 {
     const catalog::Register* reg = registerOf(servo, role);
-    return reg != nullptr ? formatValueText(servo, *reg) : QStringLiteral("–");
+    return reg != nullptr ? formatValueText(servo, *reg) : noValue();
 }
 
 Json jsonRole(const device::Servo& servo, Role role)
@@ -80,8 +81,8 @@ QString infoText(const device::Servo& servo)
         table.add({name, value});
     };
     row(translate("cli", "Model known"),
-        profile.modelKnown ? translate("cli", "yes") : translate("cli", "no, only its family"));
-    row(translate("cli", "Series, map"),
+        profile.modelKnown ? translate("cli", "yes") : translate("cli", "no, only the family"));
+    row(translate("cli", "Series, register map"),
         profile.series.isEmpty() ? profile.mapKey
                                  : QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
     row(translate("cli", "Protocol, line"),
@@ -90,7 +91,7 @@ QString infoText(const device::Servo& servo)
     row(translate("cli", "Port, baud rate"),
         QStringLiteral("%1, %2").arg(servo.port).arg(servo.baud));
     row(translate("cli", "Mode"),
-        mode != nullptr ? mode->name.in(text::isUiChinese()) : translate("cli", "not known"));
+        mode != nullptr ? text::localized(mode->name) : translate("cli", "unknown"));
     row(translate("cli", "Torque"), formatRole(servo, Role::TorqueSwitch));
     row(translate("cli", "EPROM lock"), formatRole(servo, Role::Lock));
     row(translate("cli", "Position"), formatRole(servo, Role::PresentPosition));
@@ -100,7 +101,7 @@ QString infoText(const device::Servo& servo)
     return table.text();
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runInfo(Run& run, const Values& values)
 {
     auto servo = run.servo(values);
     if (!servo)
@@ -110,25 +111,25 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(read.error());
     device::addAlarmNotices(*context, *servo);
     run.reportDuplicates(*servo);
-    const auto bar = device::writeObstacle(*servo);
+    const auto obstacle = device::writeObstacle(*servo);
     QString text = infoText(*servo);
-    if (bar) {
-        const text::Description words = text::describe(*bar);
+    if (obstacle) {
+        const text::Description words = text::describe(*obstacle);
         text += QStringLiteral("%1\n%2\n%3\n").arg(words.message, words.cause, words.remedy);
     }
     const catalog::Register* lock = registerOf(*servo, Role::Lock);
     if (lock != nullptr && servo->raw(*lock) == 0) {
         text += (run.hasOpenChange(servo->id)
-                     ? translate("cli", "The EPROM lock is open because a change of this servo was "
-                                        "interrupted; to finish or undo it: %1")
+                     ? translate("cli", "The EPROM is unlocked because a change to this servo "
+                                        "was interrupted. To finish or undo it: %1")
                            .arg(run.recoverCommand())
-                     : translate("cli", "The EPROM lock is open; to close it: servodesk-cli write "
+                     : translate("cli", "The EPROM is unlocked. To lock it: servodesk-cli write "
                                         "%1 lock=1")
                            .arg(servo->id)) +
                 QLatin1Char('\n');
     }
     Json info = jsonInfo(*servo);
-    info.add("not_writable", bar ? Json(base::errorName(bar->code)) : Json());
+    info.add("not_writable", obstacle ? Json(base::errorName(obstacle->code)) : Json());
     run.finish(std::move(info), text);
     return Exit::Success;
 }
@@ -137,9 +138,10 @@ base::Result<Exit> run(Run& run, const Values& values)
 Command infoCommand()
 {
     return {"info",
-            QT_TRANSLATE_NOOP("cli", "what a servo is and its state, alarms with their remedy"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            QT_TRANSLATE_NOOP("cli", "show model and state of a servo, and remedies for its "
+                                     "alarms"),
+            {servoIdArgument},
             {},
-            run};
+            runInfo};
 }
 } // namespace cli

@@ -4,6 +4,7 @@
 #include "cli/input/register_input.h"
 #include "cli/output/progress.h"
 #include "cli/output/report_text.h"
+#include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "device/motion/motion.h"
@@ -16,7 +17,7 @@ namespace cli {
 namespace {
 using catalog::Role;
 
-/// Long enough for a slow turn; Ctrl-C ends it at any time.
+/// Long enough for a slow turn; Ctrl-C ends the wait.
 constexpr base::Duration arrivalTimeout = std::chrono::minutes(2);
 
 struct Target {
@@ -31,13 +32,13 @@ base::Result<std::vector<Target>> parseTargets(const QStringList& words)
         const auto assignment = parseAssignment(word);
         if (!assignment)
             return badArgument(
-                translate("cli", "\"%1\" must have the form ID=POS, without blanks").arg(word));
+                translate("cli", "\"%1\" must have the form ID=POS, without spaces").arg(word));
         const auto id = parseId(assignment->first);
         if (!id)
             return tl::unexpected(id.error());
         for (const Target& other : targets) {
             if (other.id == *id)
-                return badArgument(translate("cli", "servo %1 is given twice").arg(*id));
+                return badArgument(translate("cli", "ID %1 is specified twice").arg(*id));
         }
         targets.push_back({*id, assignment->second});
     }
@@ -52,10 +53,10 @@ base::Result<device::MoveMethod> parseHow(const QString& word)
         return device::MoveMethod::Sync;
     if (word == QLatin1String("async"))
         return device::MoveMethod::Async;
-    return badArgument(translate("cli", "--how is write, sync or async"));
+    return badArgument(translate("cli", "--how must be write, sync or async"));
 }
 
-/// A value that cannot be understood is complained about in the register's own terms.
+/// The message for an invalid value says what the register accepts.
 base::Result<void> checkWords(const device::Servo& servo, const device::MoveCommand& order)
 {
     const catalog::Mode* mode = servo.mode();
@@ -136,13 +137,12 @@ void show(Run& run, const std::vector<device::MovePlan>& plans, bool waited)
             json.add("position", servo.raw(*position)).add("value", jsonValue(servo, *position));
         moves.push_back(std::move(json));
         table.add({QString::number(servo.id), written.join(QStringLiteral(", ")),
-                   waited && position != nullptr ? formatValueText(servo, *position)
-                                                 : QStringLiteral("–")});
+                   waited && position != nullptr ? formatValueText(servo, *position) : noValue()});
     }
     run.finish(Json::object().add("moves", std::move(moves)), table.text());
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runMove(Run& run, const Values& values)
 {
     const auto targets = parseTargets(values.arguments("ID=POS"));
     if (!targets)
@@ -150,7 +150,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto how = parseHow(values.option("--how").value_or(QStringLiteral("write")));
     if (!how)
         return tl::unexpected(how.error());
-    std::deque<device::Servo> servos; // plans point into it
+    std::deque<device::Servo> servos; // the plans refer to them
     auto plans = planAll(run, values, *targets, servos);
     if (!plans)
         return tl::unexpected(plans.error());
@@ -168,21 +168,23 @@ base::Result<Exit> run(Run& run, const Values& values)
 
 Command moveCommand()
 {
-    return {"move",
-            QT_TRANSLATE_NOOP("cli", "give goals; what is not given is not written"),
-            {{"ID=POS",
-              QT_TRANSLATE_NOOP("cli", "raw (1=2048) or with its unit (1=90deg; in speed mode "
-                                       "1=30rpm)"),
-              1, many}},
-            {{"--speed", QT_TRANSLATE_NOOP("cli", "raw or with its unit"), "V"},
-             {"--acceleration", QT_TRANSLATE_NOOP("cli", "raw or with its unit"), "A"},
-             {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS)"), "MS"},
-             {"--wait", QT_TRANSLATE_NOOP("cli", "wait until the servos have arrived")},
-             {"--how",
-              QT_TRANSLATE_NOOP("cli", "one by one, in one packet, or held and released together; "
-                                       "released to several Feetech servos at once, goals that "
-                                       "other programs hold on the bus start as well"),
-              "write|sync|async"}},
-            run};
+    return {
+        "move",
+        QT_TRANSLATE_NOOP("cli", "set goals; values that are not specified are not written"),
+        {{"ID=POS",
+          QT_TRANSLATE_NOOP("cli",
+                            "goal, raw (1=2048) or with its unit (1=90deg; in speed mode 1=30rpm)"),
+          1, many}},
+        {{"--speed", QT_TRANSLATE_NOOP("cli", "raw value, or value with its unit"), "V"},
+         {"--acceleration", QT_TRANSLATE_NOOP("cli", "raw value, or value with its unit"), "A"},
+         {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS)"), "MS"},
+         {"--wait", QT_TRANSLATE_NOOP("cli", "wait until the servos have reached their goals")},
+         {"--how",
+          QT_TRANSLATE_NOOP(
+              "cli", "write: one servo at a time; sync: all in one packet; async: stored first, "
+                     "then started together. Starting several Feetech servos together also starts "
+                     "any moves that other programs have stored in servos on the bus"),
+          "write|sync|async"}},
+        runMove};
 }
 } // namespace cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/output/report_text.h"
+#include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 
@@ -9,13 +10,13 @@ namespace {
 QString usbId(const transport::PortInfo& port)
 {
     if (port.vendorId == 0)
-        return QStringLiteral("–");
+        return noValue();
     return QStringLiteral("%1:%2")
         .arg(port.vendorId, 4, 16, QLatin1Char('0'))
         .arg(port.productId, 4, 16, QLatin1Char('0'));
 }
 
-base::Result<Exit> run(Run& run, const Values&)
+base::Result<Exit> runPorts(Run& run, const Values&)
 {
     Json::Array ports;
     Table table({translate("cli", "Port"), translate("cli", "Description"),
@@ -43,6 +44,6 @@ base::Result<Exit> run(Run& run, const Values&)
 
 Command portsCommand()
 {
-    return {"ports", QT_TRANSLATE_NOOP("cli", "list the ports of this computer"), {}, {}, run};
+    return {"ports", QT_TRANSLATE_NOOP("cli", "list the ports of this computer"), {}, {}, runPorts};
 }
 } // namespace cli

@@ -13,7 +13,7 @@ struct Piece {
     QString meaning;
 };
 
-/// Cuts what came back into frames and noise.
+/// Splits the received bytes into frames and noise.
 std::vector<Piece> pieces(const protocol::Codec& codec, base::ByteView received)
 {
     std::vector<Piece> found;
@@ -23,14 +23,15 @@ std::vector<Piece> pieces(const protocol::Codec& codec, base::ByteView received)
         const base::ByteView piece = received.first(size);
         const bool frame =
             result.kind == protocol::ScanKind::Reply || result.kind == protocol::ScanKind::Foreign;
-        found.push_back({base::Bytes(piece.begin(), piece.end()),
-                         frame ? codec.explain(piece, false) : translate("cli", "no valid frame")});
+        found.push_back(
+            {base::Bytes(piece.begin(), piece.end()),
+             frame ? codec.explain(piece, false) : translate("cli", "not a valid frame")});
         received = received.subspan(size);
     }
     return found;
 }
 
-/// What the bytes look like: two equal header bytes, or none with Modbus.
+/// By the bytes: two equal header bytes; Modbus has none.
 base::Protocol protocolOf(base::ByteView sent)
 {
     if (sent.size() < 2 || sent[0] != sent[1])
@@ -38,7 +39,7 @@ base::Protocol protocolOf(base::ByteView sent)
     return sent[0] == 0x55 ? base::Protocol::Lx : base::Protocol::Feetech;
 }
 
-/// A broadcast is not answered.
+/// There is no reply to a broadcast.
 bool expectsReply(base::Protocol language, base::ByteView sent)
 {
     if (language == base::Protocol::Modbus)
@@ -47,11 +48,11 @@ bool expectsReply(base::Protocol language, base::ByteView sent)
     return sent.size() <= idPlace || sent[idPlace] != protocol::broadcastId;
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runRaw(Run& run, const Values& values)
 {
     const auto bytes = base::fromHex(values.arguments("HEX").join(QLatin1Char(' ')));
     if (!bytes || bytes->empty())
-        return badArgument(translate("cli", "write bytes as hexadecimal pairs: FF FF 01 02 01 FB"));
+        return badArgument(translate("cli", "enter bytes as hexadecimal pairs: FF FF 01 02 01 FB"));
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
@@ -82,7 +83,7 @@ base::Result<Exit> run(Run& run, const Values& values)
                table.text());
     if (!received.empty() || !expectsReply(language, *bytes))
         return Exit::Success;
-    run.console().printNote(translate("cli", "Nothing came back."));
+    run.console().printNote(translate("cli", "No reply."));
     return Exit::NoReply;
 }
 } // namespace
@@ -90,9 +91,9 @@ base::Result<Exit> run(Run& run, const Values& values)
 Command rawCommand()
 {
     return {"raw",
-            QT_TRANSLATE_NOOP("cli", "send bytes as they are and show what comes back"),
-            {{"HEX", QT_TRANSLATE_NOOP("cli", "a whole frame with its checksum"), 1, many}},
+            QT_TRANSLATE_NOOP("cli", "send raw bytes and show the reply"),
+            {{"HEX", QT_TRANSLATE_NOOP("cli", "complete frame with checksum"), 1, many}},
             {},
-            run};
+            runRaw};
 }
 } // namespace cli

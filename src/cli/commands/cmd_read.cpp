@@ -50,7 +50,7 @@ base::Result<Exit> runRead(Run& run, const Values& values)
         requested.push_back(*reg);
     }
     const auto context = run.context();
-    // Other registers decide what some values mean; those wanted are read last, so they are fresh.
+    // The settings determine the units of values; the requested registers are read last.
     if (const auto read = device::readSettings(*context, *servo); !read)
         return tl::unexpected(read.error());
     if (const auto read = device::read(*context, *servo, requested); !read)
@@ -65,7 +65,7 @@ Command dumpCommand()
 {
     return {"dump",
             QT_TRANSLATE_NOOP("cli", "read the whole memory table"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            {servoIdArgument},
             {},
             runDump};
 }
@@ -73,9 +73,9 @@ Command dumpCommand()
 Command readCommand()
 {
     return {"read",
-            QT_TRANSLATE_NOOP("cli", "read single registers"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
-             {"KEY", QT_TRANSLATE_NOOP("cli", "register names, as dump shows them"), 1, many}},
+            QT_TRANSLATE_NOOP("cli", "read individual registers"),
+            {servoIdArgument,
+             {"KEY", QT_TRANSLATE_NOOP("cli", "register names, as shown by dump"), 1, many}},
             {},
             runRead};
 }

@@ -16,8 +16,8 @@ namespace {
 QString nothingOpen(const UncheckedChanges& elsewhere)
 {
     return elsewhere.intents.empty()
-               ? translate("cli", "No change was left open.") + QLatin1Char('\n')
-               : translate("cli", "No change was left open on %1.").arg(elsewhere.port) +
+               ? translate("cli", "No unfinished changes.") + QLatin1Char('\n')
+               : translate("cli", "No unfinished changes on %1.").arg(elsewhere.port) +
                      QLatin1Char('\n');
 }
 
@@ -36,9 +36,9 @@ void show(Run& run, const std::vector<jobs::RecoveryResult>& all, jobs::Recovery
             text += text::describe(*one.error).message + QLatin1Char('\n');
     }
     if (!all.empty() && action == jobs::RecoveryAction::Preview)
-        text += translate("cli", "Nothing was written. --finish completes what was begun, --undo "
-                                 "puts the old values back, --forget gives up a change whose servo "
-                                 "will not come back.") +
+        text += translate("cli", "Nothing was written. Use --finish to complete the changes, "
+                                 "--undo to restore the old values, or --forget to abandon a "
+                                 "change whose servo will not be connected again.") +
                 QLatin1Char('\n');
     Json document = Json::object().add("intents", std::move(intents));
     elsewhere.addTo(document, "elsewhere");
@@ -46,7 +46,7 @@ void show(Run& run, const std::vector<jobs::RecoveryResult>& all, jobs::Recovery
     run.finish(std::move(document), text + elsewhere.text(otherPortsTitle()));
 }
 
-/// The port cannot be opened: what is open is named all the same.
+/// Lists the unfinished changes although the port cannot be opened.
 base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& open,
                                    const base::Error& why)
 {
@@ -57,7 +57,7 @@ base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& op
     if (elsewhere.intents.empty() && own.intents.empty())
         return tl::unexpected(why);
     if (!run.console().isJson()) {
-        run.console().print(own.text(translate("cli", "Changes are open on this port:")) +
+        run.console().print(own.text(translate("cli", "Unfinished changes on this port:")) +
                             elsewhere.text(otherPortsTitle()));
         return tl::unexpected(why);
     }
@@ -82,8 +82,8 @@ Exit exitOf(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction a
     return exit;
 }
 
-/// Ends intents as abandoned; for servos that are gone for good. Needs no port. What another
-/// program has under way is not given up.
+/// Marks changes as abandoned, for servos that will not return. Needs no port. Changes that another
+/// program is making are not abandoned.
 base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const QString& which)
 {
     QStringList forgotten;
@@ -104,29 +104,31 @@ base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const
         lines += discardedText(intent);
     }
     if (forgotten.isEmpty() && running.intents.empty() && which != QLatin1String("all"))
-        return badArgument(translate("cli", "there is no open change \"%1\"").arg(which));
+        return badArgument(translate("cli", "no unfinished change \"%1\"").arg(which));
     Json document = Json::object().add("forgotten", forgotten).add("given_up", std::move(details));
     running.addTo(document, "under_way");
-    run.finish(std::move(document), translate("cli", "Changes given up: %1").arg(forgotten.size()) +
-                                        QLatin1Char('\n') + lines + running.advice());
+    run.finish(std::move(document),
+               translate("cli", "%n change(s) abandoned", nullptr, int(forgotten.size())) +
+                   QLatin1Char('\n') + lines + running.advice());
     return running.intents.empty() ? Exit::Success : Exit::Failed;
 }
 
-/// Those that are meant: all, or the one that was named.
-base::Result<std::vector<base::Intent>> meant(std::vector<base::Intent> open, const Values& values)
+/// The change named with --change, or all.
+base::Result<std::vector<base::Intent>> chosenChanges(std::vector<base::Intent> open,
+                                                      const Values& values)
 {
     const auto which = values.option("--change");
     if (!which)
         return open;
     std::erase_if(open, [&](const base::Intent& one) { return !one.uuid.startsWith(*which); });
     if (open.empty())
-        return badArgument(translate("cli", "there is no open change \"%1\"").arg(*which));
+        return badArgument(translate("cli", "no unfinished change \"%1\"").arg(*which));
     if (open.size() > 1)
-        return badArgument(translate("cli", "several changes begin with \"%1\"").arg(*which));
+        return badArgument(translate("cli", "several changes start with \"%1\"").arg(*which));
     return open;
 }
 
-/// A port that is there has its own servo: only one change at a time is taken from it, by its name.
+/// A change from another port that still exists must be named, because that port has its own servo.
 jobs::RecoveryOptions optionsOf(Run& run, const std::vector<base::Intent>& open,
                                 const Values& values)
 {
@@ -160,10 +162,10 @@ base::Result<Exit> runRecovery(Run& run, const std::vector<base::Intent>& open,
     return exit == Exit::Success && !elsewhere.intents.empty() ? Exit::Failed : exit;
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runRecover(Run& run, const Values& values)
 {
     if (values.has("--finish") && values.has("--undo"))
-        return badArgument(translate("cli", "give --finish or --undo, not both"));
+        return badArgument(translate("cli", "use either --finish or --undo, not both"));
     const auto action = values.has("--finish") ? jobs::RecoveryAction::Finish
                         : values.has("--undo") ? jobs::RecoveryAction::Undo
                                                : jobs::RecoveryAction::Preview;
@@ -172,36 +174,36 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(open.error());
     if (const auto which = values.option("--forget"))
         return forget(run, *open, *which);
-    const auto asked = meant(*open, values);
-    if (!asked)
-        return tl::unexpected(asked.error());
-    if (asked->empty()) {
+    const auto chosen = chosenChanges(*open, values);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    if (chosen->empty()) {
         show(run, {}, action, {});
         return Exit::Success;
     }
-    return runRecovery(run, *asked, action, values);
+    return runRecovery(run, *chosen, action, values);
 }
 } // namespace
 
 Command recoverCommand()
 {
     return {"recover",
-            QT_TRANSLATE_NOOP("cli", "show changes that were interrupted; finish or undo them"),
+            QT_TRANSLATE_NOOP("cli", "show interrupted changes; finish or undo them"),
             {},
-            {{"--finish", QT_TRANSLATE_NOOP("cli", "complete them")},
-             {"--undo", QT_TRANSLATE_NOOP("cli", "put the old values back")},
+            {{"--finish", QT_TRANSLATE_NOOP("cli", "complete the changes")},
+             {"--undo", QT_TRANSLATE_NOOP("cli", "restore the old values")},
              {"--forget",
-              QT_TRANSLATE_NOOP("cli", "give up a change whose servo will not come back (the first "
-                                       "letters of its name will do)"),
+              QT_TRANSLATE_NOOP("cli", "abandon a change whose servo will not be connected again "
+                                       "(the first characters of the change name are enough)"),
               "CHANGE|all"},
              {"--change",
-              QT_TRANSLATE_NOOP("cli", "only this change (the first letters of its name will do)"),
+              QT_TRANSLATE_NOOP("cli", "only this change (the first characters of its name are "
+                                       "enough)"),
               "CHANGE"},
              {"--any-port",
-              QT_TRANSLATE_NOOP(
-                  "cli", "also changes begun on a port that no longer exists, and with --change on "
-                         "one that does; the exit code is 1 while changes begun on other "
-                         "ports are open")}},
-            run};
+              QT_TRANSLATE_NOOP("cli", "include changes started on ports that no longer exist and, "
+                                       "with --change, on ports that still exist. The exit code is "
+                                       "1 while changes started on other ports are unfinished")}},
+            runRecover};
 }
 } // namespace cli

@@ -35,7 +35,7 @@ QString restoreText(const jobs::RestoreDefaultsReport& report)
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runRestoreDefaults(Run& run, const Values& values)
 {
     auto servo = run.servoWithSettings(values);
     if (!servo)
@@ -54,19 +54,17 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (!report)
         return tl::unexpected(report.error());
     run.finish(jsonRestore(*report), restoreText(*report));
-    const bool shut =
-        report->lock != device::LockState::Open && report->lock != device::LockState::Unknown;
-    return shut ? Exit::Success : Exit::Failed;
+    return exitCode(report->lock);
 }
 } // namespace
 
 Command restoreDefaultsCommand()
 {
     return {"restore-defaults",
-            QT_TRANSLATE_NOOP("cli", "put back the stored parameters (0x06); ID and baud rate may "
-                                     "change, so connect this servo alone"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
+            QT_TRANSLATE_NOOP("cli", "restore the parameters stored in the servo (0x06); ID and "
+                                     "baud rate may change, so connect only this servo"),
+            {servoIdArgument},
             {},
-            run};
+            runRestoreDefaults};
 }
 } // namespace cli

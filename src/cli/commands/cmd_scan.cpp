@@ -55,17 +55,17 @@ Json jsonReport(const jobs::ScanReport& report)
 QString remarkOf(const jobs::FoundServo& found)
 {
     if (found.duplicateSuspected)
-        return translate("cli", "two servos with this ID suspected");
+        return translate("cli", "possibly two servos with this ID");
     const bool unclear = found.servo.profile && found.servo.profile->conflict;
-    return unclear ? translate("cli", "family unclear: read only") : QString();
+    return unclear ? translate("cli", "family unclear: read-only") : QString();
 }
 
 Table foundTable(const jobs::ScanReport& report)
 {
-    Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Number"),
-                 translate("cli", "Firmware"), translate("cli", "Protocol"),
-                 translate("cli", "Map"), translate("cli", "Baud"), translate("cli", "Alarms"),
-                 translate("cli", "Remark")});
+    Table table({translate("cli", "ID"), translate("cli", "Model"),
+                 translate("cli", "Model number"), translate("cli", "Firmware"),
+                 translate("cli", "Protocol"), translate("cli", "Register map"),
+                 translate("cli", "Baud"), translate("cli", "Alarms"), translate("cli", "Note")});
     table.alignRight({0, 6});
     for (const jobs::FoundServo& found : report.found) {
         const catalog::Profile* profile = found.servo.profile.get();
@@ -88,25 +88,27 @@ QString remarks(const jobs::ScanReport& report)
         QStringList rates;
         for (const int rate : report.rates)
             rates << QString::number(rate);
-        lines << translate("cli", "No servo answered. Check supply and leads, and try --bauds all.")
-              << translate("cli", "Searched at %1 baud. At 1000000 baud there are Feetech servos "
-                                  "only; LX, Modbus and most SMS servos are at 115200.")
+        lines << translate("cli", "No servo answered. Check the power supply and wiring, and "
+                                  "try --bauds all.")
+              << translate("cli", "Searched at %1 baud. Only Feetech servos use 1000000 baud; "
+                                  "LX, Modbus and most SMS servos use 115200.")
                      .arg(rates.join(QStringLiteral(", ")));
     }
     if (report.hasGarbledReplies)
-        lines << translate("cli", "Something unreadable was heard where no servo could be proven: "
-                                  "another baud rate, two servos with one ID, or noise.");
+        lines << translate(
+            "cli", "Unreadable data was received, but no servo could be confirmed. Possible "
+                   "causes: another baud rate, two servos with the same ID, or noise.");
     if (report.slowPassAdvised)
-        lines << translate("cli", "Several servos answered late, so others may have been missed: "
-                                  "try again with --slow.");
+        lines << translate("cli", "Several servos answered late, so others may have been "
+                                  "missed. Try again with --slow.");
     for (const int rate : report.unsupportedRates)
-        lines << translate("cli", "This adapter cannot run at %1 baud.").arg(rate);
+        lines << translate("cli", "This adapter does not support %1 baud.").arg(rate);
     for (const int rate : report.busyRates)
-        lines << translate("cli", "At %1 baud the line never falls silent: something sends "
+        lines << translate("cli", "At %1 baud the line is never idle: a device is sending "
                                   "continuously. Servos may have been missed.")
                      .arg(rate);
     if (report.stopped)
-        lines << translate("cli", "Stopped before the end.");
+        lines << translate("cli", "The search was stopped early.");
     return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -134,7 +136,7 @@ base::Result<jobs::ScanSpec> specOf(const Run& run, const Values& values)
     return spec;
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runScan(Run& run, const Values& values)
 {
     const auto spec = specOf(run, values);
     if (!spec)
@@ -151,9 +153,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (!report)
         return tl::unexpected(report.error());
     const QString summary =
-        translate("cli", "Found on %1: %2, in %3 s")
+        translate("cli", "%n servo(s) found on %1 in %2 s", nullptr, int(report->found.size()))
             .arg(report->port)
-            .arg(report->found.size())
             .arg(std::chrono::duration<double>(report->elapsed).count(), 0, 'f', 2);
     const QString table = report->found.empty() ? QString() : foundTable(*report).text();
     run.finish(jsonReport(*report), table + summary + QLatin1Char('\n') + remarks(*report));
@@ -166,9 +167,9 @@ Command scanCommand()
     return {"scan",
             QT_TRANSLATE_NOOP("cli", "search the bus; writes nothing"),
             {},
-            {{"--ids", QT_TRANSLATE_NOOP("cli", "only these IDs (usual: 0-253)"), "A-B"},
+            {{"--ids", QT_TRANSLATE_NOOP("cli", "only these IDs (default: 0-253)"), "A-B"},
              {"--bauds", QT_TRANSLATE_NOOP("cli", "baud rates to search at"), "all|N,N…"},
-             {"--slow", QT_TRANSLATE_NOOP("cli", "ask silent IDs again, with long patience")}},
-            run};
+             {"--slow", QT_TRANSLATE_NOOP("cli", "query silent IDs again with a longer timeout")}},
+            runScan};
 }
 } // namespace cli

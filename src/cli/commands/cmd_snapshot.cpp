@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/input/arguments.h"
 #include "cli/output/report_text.h"
+#include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "device/write_access.h"
@@ -30,20 +31,19 @@ base::Result<Exit> runSave(Run& run, const Values& values)
         return tl::unexpected(snapshot.error());
     snapshot->label = values.option("--label").value_or(QString());
     snapshot->note = values.option("--note").value_or(QString());
-    if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
+    if (const auto saved = snapshot::saveSnapshot(*snapshot, file); !saved)
         return tl::unexpected(saved.error());
-    session::addToHistory(*snapshot, record::SnapshotReason::Manual,
+    session::addToHistory(*snapshot, history::SnapshotReason::Manual,
                           QFileInfo(file).absoluteFilePath());
     const auto count = static_cast<int>(snapshot->registers.size());
-    run.finish(
-        Json::object().add("id", servo->id).add("file", file).add("registers", count),
-        translate("cli", "Servo %1, %2: registers saved to %3: %4")
-                .arg(QString::number(servo->id), servoTitle(*servo), file, QString::number(count)) +
-            QLatin1Char('\n'));
+    run.finish(Json::object().add("id", servo->id).add("file", file).add("registers", count),
+               translate("cli", "Servo %1, %2: %n register(s) saved to %3", nullptr, int(count))
+                       .arg(QString::number(servo->id), servoTitle(*servo), file) +
+                   QLatin1Char('\n'));
     return Exit::Success;
 }
 
-Json jsonRow(const record::SnapshotRegister& row)
+Json jsonRow(const snapshot::SnapshotRegister& row)
 {
     return Json::object()
         .add("key", row.key)
@@ -55,10 +55,10 @@ Json jsonRow(const record::SnapshotRegister& row)
         .add("access", catalog::accessName(row.access));
 }
 
-Json jsonSnapshot(const record::Snapshot& snapshot)
+Json jsonSnapshot(const snapshot::Snapshot& snapshot)
 {
     Json::Array rows;
-    for (const record::SnapshotRegister& row : snapshot.registers)
+    for (const snapshot::SnapshotRegister& row : snapshot.registers)
         rows.push_back(jsonRow(row));
     return Json::object()
         .add("id", snapshot.servo.id)
@@ -77,19 +77,19 @@ Json jsonSnapshot(const record::Snapshot& snapshot)
         .add("registers", std::move(rows));
 }
 
-QString snapshotText(const record::Snapshot& snapshot)
+QString snapshotText(const snapshot::Snapshot& snapshot)
 {
-    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Value"),
+    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Value"),
                  translate("cli", "Unit"), translate("cli", "Raw"), translate("cli", "Area"),
                  translate("cli", "Access")});
     table.alignRight({0, 2, 4});
-    for (const record::SnapshotRegister& row : snapshot.registers) {
+    for (const snapshot::SnapshotRegister& row : snapshot.registers) {
         table.add({QString::number(row.address), row.key,
-                   row.value ? QString::number(*row.value, 'g', 8) : QStringLiteral("–"), row.unit,
-                   row.raw ? QString::number(*row.raw) : QStringLiteral("–"),
-                   text::areaLabel(row.area), text::accessLabel(row.access)});
+                   row.value ? QString::number(*row.value, 'g', 8) : noValue(), row.unit,
+                   row.raw ? QString::number(*row.raw) : noValue(), text::areaLabel(row.area),
+                   text::accessLabel(row.access)});
     }
-    const record::SnapshotServo& servo = snapshot.servo;
+    const snapshot::SnapshotServo& servo = snapshot.servo;
     QString about;
     if (!snapshot.label.isEmpty())
         about += translate("cli", "Label: %1").arg(snapshot.label.simplified()) + QLatin1Char('\n');
@@ -98,17 +98,17 @@ QString snapshotText(const record::Snapshot& snapshot)
     return translate("cli", "Servo %1: %2 (%3), firmware %4, on %5 at %6")
                .arg(servo.id)
                .arg(servo.model, servo.modelId, servo.firmware, snapshot.port,
-                    snapshot.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))) +
+                    localTime(snapshot.at)) +
            QLatin1Char('\n') + about + table.text();
 }
 
 base::Result<Exit> runShow(Run& run, const Values& values)
 {
-    const auto snapshot = record::loadSnapshot(values.argument("FILE"));
+    const auto snapshot = snapshot::loadSnapshot(values.argument("FILE"));
     if (!snapshot)
         return tl::unexpected(snapshot.error());
     if (values.has("--csv") && !run.console().isJson()) {
-        run.console().write(record::encodeSnapshotCsv(*snapshot));
+        run.console().write(snapshot::encodeSnapshotCsv(*snapshot));
         return Exit::Success;
     }
     run.finish(jsonSnapshot(*snapshot), snapshotText(*snapshot));
@@ -120,10 +120,9 @@ Command snapshotSaveCommand()
 {
     return {"snapshot save",
             QT_TRANSLATE_NOOP("cli", "save all registers of a servo to a file"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")}},
-            {{"--label", QT_TRANSLATE_NOOP("cli", "the name of this servo"), "TEXT"},
-             {"--note", QT_TRANSLATE_NOOP("cli", "a remark"), "TEXT"}},
+            {servoIdArgument, outputFileArgument},
+            {{"--label", QT_TRANSLATE_NOOP("cli", "label saved in the file"), "TEXT"},
+             {"--note", QT_TRANSLATE_NOOP("cli", "note saved in the file"), "TEXT"}},
             runSave};
 }
 
@@ -131,8 +130,8 @@ Command snapshotShowCommand()
 {
     return {"snapshot show",
             QT_TRANSLATE_NOOP("cli", "show a saved file; needs no port"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "a file made by snapshot save")}},
-            {{"--csv", QT_TRANSLATE_NOOP("cli", "as CSV, for spreadsheets")}},
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by snapshot save")}},
+            {{"--csv", QT_TRANSLATE_NOOP("cli", "output as CSV, for spreadsheets")}},
             runShow};
 }
 } // namespace cli

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/input/arguments.h"
 #include "cli/output/restore_text.h"
+#include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/restore/take_snapshot.h"
@@ -19,8 +20,8 @@ const QLatin1String factoryText("default");
 struct Column {
     QString title;
     QString source; ///< "servo", "file", "default"
-    record::Snapshot table;
-    catalog::ProfilePtr profile; ///< null: a file whose map is not known any more
+    snapshot::Snapshot table;
+    catalog::ProfilePtr profile; ///< null: the map of a file is unknown
 };
 
 base::Result<Column> fromServo(Run& run, const QString& word, int id)
@@ -38,14 +39,14 @@ base::Result<Column> fromServo(Run& run, const QString& word, int id)
 
 base::Result<Column> fromFile(Run& run, const QString& file)
 {
-    auto table = record::loadSnapshot(file);
+    auto table = snapshot::loadSnapshot(file);
     if (!table)
         return tl::unexpected(table.error());
-    catalog::ProfilePtr profile = record::profileOf(*table, run.session().catalog());
+    catalog::ProfilePtr profile = snapshot::profileOf(*table, run.session().catalog());
     return Column{file, QStringLiteral("file"), std::move(*table), std::move(profile)};
 }
 
-/// The defaults are those of the first kind of servo that stands beside them.
+/// The defaults of the model of the first other side.
 base::Result<void> fillDefaults(std::deque<Column>& columns)
 {
     catalog::ProfilePtr kind;
@@ -57,9 +58,9 @@ base::Result<void> fillDefaults(std::deque<Column>& columns)
         if (column.source != factoryText)
             continue;
         if (!kind)
-            return badArgument(translate("cli", "\"default\" needs a servo, or a file of a known "
-                                                "model, beside it"));
-        column.table = record::factorySnapshot(*kind);
+            return badArgument(translate("cli", "\"default\" must be combined with a servo, or "
+                                                "with a file of a known model"));
+        column.table = snapshot::factorySnapshot(*kind);
         column.profile = kind;
     }
     return {};
@@ -90,7 +91,7 @@ base::Result<std::deque<Column>> readColumns(Run& run, const QStringList& words)
 
 Json jsonColumn(const Column& column)
 {
-    const record::SnapshotServo& servo = column.table.servo;
+    const snapshot::SnapshotServo& servo = column.table.servo;
     return Json::object()
         .add("source", column.source)
         .add("title", column.title)
@@ -100,17 +101,18 @@ Json jsonColumn(const Column& column)
         .add("map", servo.map);
 }
 
-Json jsonComparison(const record::SnapshotComparison& comparison, const std::deque<Column>& columns)
+Json jsonComparison(const snapshot::SnapshotComparison& comparison,
+                    const std::deque<Column>& columns)
 {
     Json::Array heads;
     for (const Column& column : columns)
         heads.push_back(jsonColumn(column));
     Json::Array rows;
-    for (const record::CompareRow& row : comparison.rows) {
+    for (const snapshot::CompareRow& row : comparison.rows) {
         Json::Array cells;
-        for (const record::CompareCell& cell : row.cells) {
+        for (const snapshot::CompareCell& cell : row.cells) {
             cells.push_back(Json::object()
-                                .add("state", record::cellStateName(cell.state))
+                                .add("state", snapshot::cellStateName(cell.state))
                                 .add("raw", cell.raw)
                                 .add("value", cell.value)
                                 .add("unit", cell.unit));
@@ -118,7 +120,7 @@ Json jsonComparison(const record::SnapshotComparison& comparison, const std::deq
         rows.push_back(Json::object()
                            .add("key", row.key)
                            .add("address", row.address)
-                           .add("verdict", record::verdictName(row.verdict))
+                           .add("verdict", snapshot::verdictName(row.verdict))
                            .add("cells", std::move(cells)));
     }
     return Json::object()
@@ -131,25 +133,25 @@ Json jsonComparison(const record::SnapshotComparison& comparison, const std::deq
         .add("rows", std::move(rows));
 }
 
-QString cellText(const record::CompareCell& cell)
+QString cellText(const snapshot::CompareCell& cell)
 {
     switch (cell.state) {
-    case record::CellState::Known:
+    case snapshot::CellState::Known:
         return formatNumber(cell.raw, cell.value, cell.unit);
-    case record::CellState::Unknown:
+    case snapshot::CellState::Unknown:
         return QStringLiteral("?");
-    case record::CellState::Missing:
-        return QStringLiteral("–");
-    case record::CellState::NotChosen:
+    case snapshot::CellState::Missing:
+        return noValue();
+    case snapshot::CellState::NotChosen:
         break;
     }
     return {};
 }
 
-QString comparisonText(const record::SnapshotComparison& comparison,
+QString comparisonText(const snapshot::SnapshotComparison& comparison,
                        const std::deque<Column>& columns, bool all)
 {
-    QStringList header{QString(), translate("cli", "Addr"), translate("cli", "Key")};
+    QStringList header{QString(), translate("cli", "Address"), translate("cli", "Key")};
     QSet<int> right{1};
     for (const Column& column : columns) {
         right.insert(int(header.size()));
@@ -157,14 +159,14 @@ QString comparisonText(const record::SnapshotComparison& comparison,
     }
     Table table(header);
     table.alignRight(right);
-    for (const record::CompareRow& row : comparison.rows) {
-        const bool interesting = row.verdict == record::RowVerdict::Different ||
-                                 row.verdict == record::RowVerdict::Missing;
+    for (const snapshot::CompareRow& row : comparison.rows) {
+        const bool interesting = row.verdict == snapshot::RowVerdict::Different ||
+                                 row.verdict == snapshot::RowVerdict::Missing;
         if (!all && !interesting)
             continue;
-        QStringList cells{text::compareVerdictSymbol(record::verdictName(row.verdict)),
+        QStringList cells{text::compareVerdictSymbol(snapshot::verdictName(row.verdict)),
                           QString::number(row.address), row.key};
-        for (const record::CompareCell& cell : row.cells)
+        for (const snapshot::CompareCell& cell : row.cells)
             cells << cellText(cell);
         table.add(cells);
     }
@@ -182,14 +184,14 @@ base::Result<Exit> runDiff(Run& run, const Values& values)
 {
     const QStringList words = values.arguments("WHAT");
     if (words.size() < 2)
-        return badArgument(translate("cli", "give at least two of: a file, an ID, default"));
+        return badArgument(translate("cli", "specify at least two of: a file, an ID, default"));
     const auto columns = readColumns(run, words);
     if (!columns)
         return tl::unexpected(columns.error());
-    std::vector<const record::Snapshot*> tables;
+    std::vector<const snapshot::Snapshot*> tables;
     for (const Column& column : *columns)
         tables.push_back(&column.table);
-    const record::SnapshotComparison comparison = record::compareSnapshots(tables);
+    const snapshot::SnapshotComparison comparison = snapshot::compareSnapshots(tables);
     run.finish(jsonComparison(comparison, *columns),
                comparisonText(comparison, *columns, values.has("--all")));
     return Exit::Success;
@@ -198,14 +200,17 @@ base::Result<Exit> runDiff(Run& run, const Values& values)
 
 Command snapshotDiffCommand()
 {
-    return {"snapshot diff",
-            QT_TRANSLATE_NOOP("cli", "compare tables side by side: files, servos, factory default"),
-            {{"WHAT",
-              QT_TRANSLATE_NOOP("cli", "two or more: a file, an ID (the servo is read), or "
-                                       "default; ./5 is a file called 5"),
-              1, many}},
-            {{"--all", QT_TRANSLATE_NOOP("cli", "also rows that are identical, unknown or "
-                                                "read-only")}},
-            runDiff};
+    return {
+        "snapshot diff",
+        QT_TRANSLATE_NOOP("cli", "compare memory tables side by side: files, servos, "
+                                 "factory default"),
+        {{"WHAT",
+          QT_TRANSLATE_NOOP(
+              "cli",
+              "two or more sources: file, ID (reads the servo) or default; ./5 is a file named 5"),
+          1, many}},
+        {{"--all", QT_TRANSLATE_NOOP("cli", "also show rows that are identical, unknown or "
+                                            "read-only")}},
+        runDiff};
 }
 } // namespace cli

@@ -37,10 +37,10 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
     if (const auto file = values.option("--result")) {
         const auto result =
             jobs::toRestoreResult(*outcome, servo, values.argument("FILE"), session::programName());
-        if (const auto saved = record::saveRestoreResults({result}, *file); !saved)
+        if (const auto saved = snapshot::saveRestoreResults({result}, *file); !saved)
             return tl::unexpected(saved.error());
         document.add("result", *file);
-        text += translate("cli", "The result is in %1").arg(*file) + QLatin1Char('\n');
+        text += translate("cli", "Result saved to %1").arg(*file) + QLatin1Char('\n');
     }
     run.finish(std::move(document), text);
     return exitCode(*outcome, plan);
@@ -49,11 +49,9 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
 base::Result<Exit> runRestore(Run& run, const Values& values)
 {
     const QString file = values.argument("FILE");
-    const auto snapshot = record::loadSnapshot(file);
+    const auto snapshot = loadToRestore(values, file);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
-    if (const auto known = checkOnly(values, *snapshot); !known)
-        return tl::unexpected(known.error());
     auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
@@ -77,12 +75,13 @@ base::Result<Exit> runRestore(Run& run, const Values& values)
 Command snapshotRestoreCommand()
 {
     return {"snapshot restore",
-            QT_TRANSLATE_NOOP("cli", "write a saved file back to a servo: only what differs, "
-                                     "torque off first, each row read back"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "a snapshot or template, also of another servo")}},
-            restoreOptions({{"--identity", QT_TRANSLATE_NOOP("cli", "also ID and baud rate, at the "
-                                                                    "very end")}}),
+            QT_TRANSLATE_NOOP("cli", "write a saved file back to a servo: turn torque off, write "
+                                     "only the differences, read each row back"),
+            {servoIdArgument,
+             {"FILE", QT_TRANSLATE_NOOP("cli", "snapshot or template; may be from another servo")}},
+            restoreOptions(
+                {{"--identity",
+                  QT_TRANSLATE_NOOP("cli", "also write ID and baud rate, as the last step")}}),
             runRestore};
 }
 } // namespace cli

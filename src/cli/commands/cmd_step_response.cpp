@@ -5,18 +5,14 @@
 #include "cli/input/register_input.h"
 #include "cli/input/sweep_input.h"
 #include "cli/output/progress.h"
-#include "cli/output/table.h"
+#include "cli/output/step_output.h"
 #include "cli/run.h"
 #include "cli/sweep_history.h"
 #include "cli/translate.h"
 #include "jobs/step/step_advice.h"
 #include "jobs/step/step_response.h"
-#include "report/step_html.h"
-#include "report/step_text.h"
-#include "report/sweep_text.h"
 #include "results/step_json.h"
 #include "session/snapshot/safety_snapshot.h"
-#include "text/language.h"
 
 #include <QFileInfo>
 
@@ -25,64 +21,6 @@ namespace {
 constexpr int maxRepeats = 50;
 constexpr int maxHold = 10'000; ///< ms
 constexpr int minHold = 50;
-
-QString in(const catalog::Text& words)
-{
-    return words.in(text::isUiChinese());
-}
-
-enum class FileKind : std::uint8_t { None, Json, Csv, Html };
-
-base::Result<FileKind> kindOf(const std::optional<QString>& path)
-{
-    if (!path)
-        return FileKind::None;
-    const QString end = QFileInfo(*path).suffix().toLower();
-    if (end == QLatin1String("json"))
-        return FileKind::Json;
-    if (end == QLatin1String("csv"))
-        return FileKind::Csv;
-    if (end == QLatin1String("html"))
-        return FileKind::Html;
-    return badArgument(translate("cli", "a report ends with .html, .json or .csv"));
-}
-
-QString gainsText(const record::StepRun& run)
-{
-    QStringList gains;
-    for (const record::StepGain& gain : run.gains)
-        gains << QStringLiteral("%1=%2").arg(gain.key).arg(gain.raw);
-    return gains.join(QLatin1Char(' '));
-}
-
-QString runText(const record::StepRun& run)
-{
-    Table table({translate("cli", "Figure"), translate("cli", "Value"), translate("cli", "Unit")});
-    table.alignRight({1});
-    for (const record::StepFigure& figure : record::stepFigures) {
-        const auto& value = run.mean.*figure.member;
-        if (value)
-            table.add({in(report::stepFigureText(QString::fromLatin1(figure.key))),
-                       report::stepValue(value), report::stepUnit(figure, text::isUiChinese())});
-    }
-    return table.text();
-}
-
-QString comparisonText(const record::StepRun& before, const record::StepRun& after)
-{
-    Table table({translate("cli", "Figure"), translate("cli", "Before"), translate("cli", "After"),
-                 translate("cli", "Difference"), translate("cli", "Unit"),
-                 translate("cli", "Change")});
-    table.alignRight({1, 2, 3});
-    for (const record::StepDifference& row : record::compareSteps(before, after)) {
-        table.add({in(report::stepFigureText(QString::fromLatin1(row.figure.key))),
-                   report::stepValue(row.before), report::stepValue(row.after),
-                   report::stepValue(row.difference),
-                   report::stepUnit(row.figure, text::isUiChinese()),
-                   in(report::stepChangeText(row.change))});
-    }
-    return table.text();
-}
 
 /// One run with the servo's own gains, and with --try one with the trial after it.
 class StepCommand {
@@ -98,7 +36,7 @@ private:
     base::Result<void> collect();
     base::Result<void> takeNumbers();
     base::Result<void> takeTrial();
-    base::Result<void> perform(const std::vector<record::StepGain>& trial);
+    base::Result<void> perform(const std::vector<results::StepGain>& trial);
     base::Result<void> save() const;
     QString keep();
     void show(const QString& kept);
@@ -107,10 +45,10 @@ private:
     const Values& m_values;
     std::optional<device::Servo> m_servo;
     jobs::StepRequest m_order;
-    std::vector<record::StepGain> m_trial;
-    FileKind m_kind = FileKind::None;
-    std::vector<record::StepRun> m_runs;
-    std::vector<record::StepAdvice> m_advice;
+    std::vector<results::StepGain> m_trial;
+    std::optional<StepFileFormat> m_format; ///< of the report; none: no report
+    std::vector<results::StepRun> m_runs;
+    std::vector<results::StepAdvice> m_advice;
     bool m_unreleasedTorque = false;
 };
 
@@ -118,7 +56,7 @@ base::Result<void> StepCommand::takeNumbers()
 {
     const auto size = m_values.option("--size");
     if (!size)
-        return badArgument(translate("cli", "--size is needed"));
+        return badArgument(translate("cli", "--size is required"));
     m_order.spec.size = *size;
     m_order.spec.from = m_values.option("--from").value_or(QString());
     const auto speed = nonNegativeOption(m_values, "--speed");
@@ -158,7 +96,8 @@ base::Result<void> StepCommand::takeTrial()
             QStringList keys;
             for (const catalog::Register* reg : known)
                 keys << reg->key;
-            return badArgument(translate("cli", "%1 cannot be tried; this servo has %2")
+            return badArgument(translate("cli", "%1 cannot be used in a trial; available on "
+                                                "this servo: %2")
                                    .arg(item.key, keys.join(QStringLiteral(", "))));
         }
         m_trial.push_back({item.key, item.raw});
@@ -170,10 +109,12 @@ base::Result<void> StepCommand::collect()
 {
     if (const auto numbers = takeNumbers(); !numbers)
         return numbers;
-    const auto kind = kindOf(m_values.option("--report"));
-    if (!kind)
-        return tl::unexpected(kind.error());
-    m_kind = *kind;
+    if (const auto path = m_values.option("--report")) {
+        const auto format = stepFileFormat(*path);
+        if (!format)
+            return tl::unexpected(format.error());
+        m_format = *format;
+    }
     auto servo = m_run.servoWithSettings(m_values);
     if (!servo)
         return tl::unexpected(servo.error());
@@ -187,7 +128,7 @@ base::Result<void> StepCommand::collect()
     return {};
 }
 
-base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& trial)
+base::Result<void> StepCommand::perform(const std::vector<results::StepGain>& trial)
 {
     const auto context = m_run.context();
     if (!context)
@@ -219,28 +160,18 @@ base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& tri
 
 base::Result<void> StepCommand::save() const
 {
-    const QString path = m_values.option("--report").value_or(QString());
-    switch (m_kind) {
-    case FileKind::Json:
-        return record::saveStepRuns(m_runs, m_advice, path);
-    case FileKind::Csv:
-        return record::saveStepSamples(m_runs, path);
-    case FileKind::Html:
-        return report::saveStepHtml(m_runs, m_advice, text::isUiChinese(), path);
-    case FileKind::None:
-        break;
-    }
-    return {};
+    return m_format ? saveStepReport(m_runs, m_advice, *m_format, *m_values.option("--report"))
+                    : base::Result<void>();
 }
 
-/// Every run is kept, also the one with the values the servo had.
+/// Saves every run, also the one with the present values.
 QString StepCommand::keep()
 {
     QStringList files;
-    if (m_kind != FileKind::None)
+    if (m_format)
         files.append(QFileInfo(m_values.option("--report").value_or(QString())).absoluteFilePath());
     QStringList kept;
-    for (const record::StepRun& run : m_runs) {
+    for (const results::StepRun& run : m_runs) {
         const QString line = saveStep(m_run.console(), run, files);
         if (!line.isEmpty())
             kept.append(line);
@@ -251,32 +182,20 @@ QString StepCommand::keep()
 void StepCommand::show(const QString& kept)
 {
     if (m_run.console().isJson()) {
-        m_run.console().write(record::encodeStepRuns(m_runs, m_advice));
+        m_run.console().write(results::encodeStepRuns(m_runs, m_advice));
         if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
             m_run.console().printMessage(notices.trimmed());
         return;
     }
-    const record::StepRun& first = m_runs.front();
-    QString text =
-        QStringLiteral("%1 · %2, %3 → %4\n")
-            .arg(first.parameters.servo.model, QString::number(first.parameters.servo.id),
-                 report::stepValue(first.axis.from), report::stepValue(first.axis.to));
-    for (const record::StepRun& run : m_runs) {
-        if (!run.gains.empty())
-            text += gainsText(run) + QLatin1Char('\n');
-        if (run.end != record::SweepEnd::Finished)
-            text += in(report::endText(run.end)) + QLatin1Char('\n');
-    }
-    text += m_runs.size() > 1 ? comparisonText(m_runs.front(), m_runs.back()) : runText(first);
-    text += report::stepAdviceText(m_advice, text::isUiChinese());
+    QString text = stepRunsText(m_runs, m_advice);
     const bool tried = m_runs.size() > 1;
     if (!m_trial.empty() && !tried)
         text += translate("cli", "The trial was not run.") + QLatin1Char('\n');
-    if (tried && m_runs.back().isReverted) // else a notice names what is left
-        text += translate("cli", "The trial is over: the servo has its own values again, unless a "
-                                 "note says otherwise. \"write\" keeps what proved good.") +
+    if (tried && m_runs.back().isReverted) // else a notice names the register
+        text += translate("cli", "The trial has ended. The servo has its old values again, unless "
+                                 "a note says otherwise. To keep good values, use \"write\".") +
                 QLatin1Char('\n');
-    if (m_kind != FileKind::None)
+    if (m_format)
         text +=
             translate("cli", "Report: %1").arg(m_values.option("--report").value_or(QString())) +
             QLatin1Char('\n');
@@ -292,7 +211,7 @@ base::Result<Exit> StepCommand::run()
     if (const auto before = perform({}); !before)
         return tl::unexpected(before.error());
     base::Result<void> after;
-    if (!m_trial.empty() && m_runs.front().end == record::SweepEnd::Finished)
+    if (!m_trial.empty() && m_runs.front().end == results::SweepEnd::Finished)
         after = perform(m_trial);
     const auto saved = save();
     show(keep());
@@ -300,15 +219,15 @@ base::Result<Exit> StepCommand::run()
         return tl::unexpected(after.error());
     if (!saved)
         return tl::unexpected(saved.error());
-    const record::StepRun& last = m_runs.back();
-    if (last.end == record::SweepEnd::LinkLost)
+    const results::StepRun& last = m_runs.back();
+    if (last.end == results::SweepEnd::LinkLost)
         return Exit::Port;
-    return last.end == record::SweepEnd::Finished && last.isReverted && !m_unreleasedTorque
+    return last.end == results::SweepEnd::Finished && last.isReverted && !m_unreleasedTorque
                ? Exit::Success
                : Exit::Failed;
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runStepResponse(Run& run, const Values& values)
 {
     return StepCommand(run, values).run();
 }
@@ -318,26 +237,35 @@ Command stepResponseCommand()
 {
     return {
         "step-response",
-        QT_TRANSLATE_NOOP("cli", "measure how a servo answers a step, before and after a change of "
-                                 "its gains"),
-        {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")}},
-        {{"--size", QT_TRANSLATE_NOOP("cli", "how far: raw, or with its unit (30deg)"), "N"},
-         {"--from", QT_TRANSLATE_NOOP("cli", "start (usual: where it stands, if there is room)"),
+        QT_TRANSLATE_NOOP(
+            "cli", "measure the step response of a servo, before and after changing its gains"),
+        {servoIdArgument},
+        {{"--size",
+          QT_TRANSLATE_NOOP("cli", "step size: raw value, or value with its unit (30deg)"), "N"},
+         {"--from",
+          QT_TRANSLATE_NOOP("cli", "start position (default: present position, if "
+                                   "there is enough room)"),
           "POS"},
-         {"--repeats", QT_TRANSLATE_NOOP("cli", "there and back so many times (usual: 3)"), "N"},
-         {"--hold", QT_TRANSLATE_NOOP("cli", "from one goal to the next (usual: as it needs)"),
+         {"--repeats", QT_TRANSLATE_NOOP("cli", "number of back-and-forth movements (default: 3)"),
+          "N"},
+         {"--hold", QT_TRANSLATE_NOOP("cli", "time from one goal to the next (default: automatic)"),
           "MS"},
-         {"--speed", QT_TRANSLATE_NOOP("cli", "raw or with its unit (usual: as fast as it can)"),
+         {"--speed",
+          QT_TRANSLATE_NOOP("cli",
+                            "raw value, or value with its unit (default: as fast as possible)"),
           "V"},
          {"--acceleration",
-          QT_TRANSLATE_NOOP("cli", "raw or with its unit (usual: as fast as it can)"), "A"},
+          QT_TRANSLATE_NOOP("cli",
+                            "raw value, or value with its unit (default: as fast as possible)"),
+          "A"},
          {"--try",
-          QT_TRANSLATE_NOOP("cli", "a second run with these values, which are put back "
-                                   "afterwards: position_p=40,position_d=20"),
+          QT_TRANSLATE_NOOP("cli", "values for a second run: position_p=40,position_d=20; the old "
+                                   "values are restored afterwards"),
           "KEY=VALUE,…"},
-         {"--switch-mode", QT_TRANSLATE_NOOP("cli", "a servo in another mode is in position mode "
-                                                    "while the test lasts, and back afterwards")},
+         {"--switch-mode",
+          QT_TRANSLATE_NOOP(
+              "cli", "switch servos in other modes to position mode for the test, then back")},
          {"--report", QT_TRANSLATE_NOOP("cli", "write the runs to a file"), "FILE.html|json|csv"}},
-        run};
+        runStepResponse};
 }
 } // namespace cli

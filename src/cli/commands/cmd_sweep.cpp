@@ -24,66 +24,63 @@
 
 namespace cli {
 namespace {
-QString in(const catalog::Text& words)
-{
-    return words.in(text::isUiChinese());
-}
-
 QString number(std::optional<double> value)
 {
-    return value ? QString::number(*value, 'g', 6) : QStringLiteral("–");
+    return value ? QString::number(*value, 'g', 6) : noValue();
 }
 
-/// "≤ 8" as the verdict reads it.
-QString bound(const record::SweepLimit& limit, std::optional<double> value)
+/// "≤ 8"
+QString bound(const results::SweepLimit& limit, std::optional<double> value)
 {
     if (!value)
-        return QStringLiteral("–");
+        return noValue();
     return (limit.atLeast ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + number(value);
 }
 
-QString verdictText(const record::SweepRun& run, const record::SweepServo& servo)
+QString verdictText(const results::SweepRun& run, const results::SweepServo& servo)
 {
-    const record::SnapshotServo& identity = servo.parameters.servo;
-    QString text = QStringLiteral("%1 %2 · %3: %4\n")
-                       .arg(report::gradeSign(servo.verdict), identity.model,
-                            QString::number(identity.id), in(report::gradeLabel(servo.verdict)));
-    Table table({translate("cli", "Figure"), translate("cli", "Value"), translate("cli", "Unit"),
+    const snapshot::SnapshotServo& identity = servo.parameters.servo;
+    QString text =
+        QStringLiteral("%1 %2 · %3: %4\n")
+            .arg(report::gradeSign(servo.verdict), identity.model, QString::number(identity.id),
+                 text::localized(report::gradeLabel(servo.verdict)));
+    Table table({translate("cli", "Metric"), translate("cli", "Value"), translate("cli", "Unit"),
                  translate("cli", "Warn"), translate("cli", "Fail"), translate("cli", "Grade")});
     table.alignRight({1, 3, 4});
-    for (const record::SweepMetric& metric : servo.metrics) {
+    for (const results::SweepMetric& metric : servo.metrics) {
         const auto line = std::find_if(
             servo.lines.begin(), servo.lines.end(),
-            [&](const record::VerdictLine& one) { return one.limit.metric == metric.key; });
+            [&](const results::VerdictLine& one) { return one.limit.metric == metric.key; });
         const bool judged = line != servo.lines.end();
         if (!metric.value && !judged)
             continue;
-        table.add({in(report::metricLabel(metric.key)), number(metric.value),
-                   in(report::unitText(metric.unit)),
+        table.add({text::localized(report::metricLabel(metric.key)), number(metric.value),
+                   text::localized(report::unitText(metric.unit)),
                    judged ? bound(line->limit, line->limit.warn) : QString(),
                    judged ? bound(line->limit, line->limit.fail) : QString(),
-                   judged ? in(report::lineGradeLabel(line->grade)) : QString()});
+                   judged ? text::localized(report::lineGradeLabel(line->grade)) : QString()});
     }
     text += table.text();
-    // How the run ended is said once, for all of them.
-    const record::NoVerdictReason reason = record::sweepVerdict(run, servo).reason;
-    if (reason != record::NoVerdictReason::None && reason != record::NoVerdictReason::Ended)
-        text += in(report::noVerdictReasonText(reason)) + QLatin1Char('\n');
+    // The end of the run is printed once for all servos.
+    const results::NoVerdictReason reason = results::sweepVerdict(run, servo).reason;
+    if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended)
+        text += text::localized(report::noVerdictReasonText(reason)) + QLatin1Char('\n');
     return text;
 }
 
-/// Since the first goal, in seconds; empty: there was none.
-QString gapsText(const record::SweepRun& run)
+/// Seconds since the first goal; empty: there was none.
+QString gapsText(const results::SweepRun& run)
 {
     const auto seconds = [](base::Duration at) {
         return QString::number(std::chrono::duration<double>(at).count(), 'f', 1);
     };
     QStringList gaps;
-    for (const record::SweepGap& gap : run.gaps)
+    for (const results::SweepGap& gap : run.gaps)
         gaps << QStringLiteral("%1–%2 s").arg(seconds(gap.at), seconds(gap.at + gap.span));
     if (gaps.isEmpty())
         return {};
-    return translate("cli", "Without readings: %1. Legs with such a gap have no times and speeds.")
+    return translate("cli", "Gaps without readings: %1. Legs with such a gap have no times or "
+                            "speeds.")
                .arg(gaps.join(QStringLiteral(", "))) +
            QLatin1Char('\n');
 }
@@ -110,16 +107,16 @@ private:
     base::Result<void> collect();
     void warnAboutSpeed(const device::Context& context);
     jobs::SweepCallbacks watch();
-    base::Result<void> save(const record::SweepRun& run);
+    base::Result<void> save(const results::SweepRun& run);
     QStringList files() const;
-    void show(const record::SweepRun& run, const QString& kept);
+    void show(const results::SweepRun& run, const QString& kept);
 
     Run& m_run;
     const Values& m_values;
     std::unique_ptr<ProgressLine> m_line;
     std::vector<device::Servo> m_servos;
     jobs::SweepRequest m_order;
-    std::optional<session::SweepFormat> m_format{}; ///< none: no report is wanted
+    std::optional<session::SweepFormat> m_format{}; ///< none: no report
     QString m_path;
     std::unique_ptr<jobs::SweepRecording> m_readings;
     std::vector<jobs::UnreleasedTorque> m_left;
@@ -140,14 +137,15 @@ base::Result<void> SweepCommand::collect()
     m_path = m_values.option("--report").value_or(QString());
     m_format = session::sweepFormatOf(m_path);
     if (!m_path.isEmpty() && !m_format)
-        return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
+        return badArgument(translate("cli", "the report file must end with .html, .pdf, .json "
+                                            "or .csv"));
     for (const int id : *ids) {
         auto servo = m_run.servoWithSettings(id);
         if (!servo)
             return tl::unexpected(servo.error());
         m_order.limits.push_back(*limits ? **limits
-                                         : record::builtInSweepLimits(servo->profile->modelName,
-                                                                      servo->profile->series));
+                                         : results::builtInSweepLimits(servo->profile->modelName,
+                                                                       servo->profile->series));
         const auto writable = device::requireWritable(*servo, QStringLiteral("sweep"));
         if (!writable)
             return writable;
@@ -160,8 +158,8 @@ base::Result<void> SweepCommand::collect()
     return {};
 }
 
-/// The classic mistake, told before it condemns a good servo. What keeps the test from running is
-/// the job's to say.
+/// Warns before the test of mistakes that would fail a good servo. The job reports what prevents
+/// the test.
 void SweepCommand::warnAboutSpeed(const device::Context& context)
 {
     for (std::size_t i = 0; i < m_servos.size(); ++i) {
@@ -171,20 +169,21 @@ void SweepCommand::warnAboutSpeed(const device::Context& context)
             continue;
         if (estimate->minMove > 0)
             m_run.console().printMessage(
-                translate("cli", "Servo %1: most moves are too short for a verdict: targets count "
-                                 "as reached within %2 steps, so moves need at least %3 steps.")
+                translate("cli", "Servo %1: most legs are too short for a verdict. A goal counts "
+                                 "as reached within %2 steps, so each leg needs at least %3 steps.")
                     .arg(QString::number(m_servos[i].id), number(estimate->axis.tolerance),
                          QString::number(std::ceil(estimate->minMove))));
         if (!estimate->tooShort)
             continue;
         const QString enough =
             QString::number(estimate->proposedDelay / std::chrono::milliseconds(1));
-        const bool sine = m_order.spec.shape == record::SweepShape::Sine;
+        const bool sine = m_order.spec.shape == results::SweepShape::Sine;
         m_run.console().printMessage(
-            (sine ? translate("cli", "Servo %1: the sine is faster than it can turn; its period "
-                                     "needs %2 ms.")
-                  : translate("cli", "Servo %1: the delay is shorter than the longest way takes, "
-                                     "so it turns round before it arrives; %2 ms are enough."))
+            (sine ? translate("cli", "Servo %1: the sine is faster than the servo can move. Use a "
+                                     "period of at least %2 ms.")
+                  : translate("cli",
+                              "Servo %1: the delay is too short for the longest leg, so the servo "
+                              "reverses before it arrives. A delay of %2 ms is enough."))
                 .arg(m_servos[i].id)
                 .arg(enough));
     }
@@ -193,7 +192,7 @@ void SweepCommand::warnAboutSpeed(const device::Context& context)
 jobs::SweepCallbacks SweepCommand::watch()
 {
     jobs::SweepCallbacks watch;
-    watch.onBegin = [this](const record::SweepRun& run) {
+    watch.onBegin = [this](const results::SweepRun& run) {
         auto made = jobs::SweepRecording::start(run, m_format ? session::sweepReadingsPath(m_path)
                                                               : QString());
         if (made)
@@ -210,7 +209,7 @@ jobs::SweepCallbacks SweepCommand::watch()
     };
     watch.onProgress = [this](const jobs::SweepProgress& progress) {
         m_line->show(progress.warmingUp
-                         ? translate("cli", "on the way to the start, or warming up")
+                         ? translate("cli", "moving to the start position or warming up")
                          : translate("cli", "cycle %1, %2 %, about %3 s left")
                                .arg(progress.cycle)
                                .arg(int(progress.fraction * 100))
@@ -219,7 +218,7 @@ jobs::SweepCallbacks SweepCommand::watch()
     return watch;
 }
 
-base::Result<void> SweepCommand::save(const record::SweepRun& run)
+base::Result<void> SweepCommand::save(const results::SweepRun& run)
 {
     m_readings->finish();
     if (const auto trouble = m_readings->failure())
@@ -229,7 +228,7 @@ base::Result<void> SweepCommand::save(const record::SweepRun& run)
     return session::saveSweepReport(run, *m_readings, *m_format, text::isUiChinese(), m_path);
 }
 
-/// As the history names them, wherever it is looked at from.
+/// With an absolute path, as saved in the history.
 QStringList SweepCommand::files() const
 {
     if (!m_format)
@@ -238,26 +237,27 @@ QStringList SweepCommand::files() const
             QFileInfo(session::sweepReadingsPath(m_path)).absoluteFilePath()};
 }
 
-void SweepCommand::show(const record::SweepRun& run, const QString& kept)
+void SweepCommand::show(const results::SweepRun& run, const QString& kept)
 {
     if (m_run.console().isJson()) {
-        m_run.console().write(record::encodeSweepRun(run));
-        // The document is the report, which others read as it is.
+        m_run.console().write(results::encodeSweepRun(run));
+        // The document is the report itself.
         if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
             m_run.console().printMessage(notices.trimmed());
         return;
     }
     QString text;
-    for (const record::SweepServo& servo : run.servos)
+    for (const results::SweepServo& servo : run.servos)
         text += verdictText(run, servo) + QLatin1Char('\n');
     text += gapsText(run);
-    if (run.end != record::SweepEnd::Finished) {
-        text += in(report::endText(run.end)) +
+    if (run.end != results::SweepEnd::Finished) {
+        text += text::localized(report::endText(run.end)) +
                 (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy) : QString()) +
                 QLatin1Char('\n');
     }
-    text += translate("cli", "Verdict: %1").arg(in(report::gradeLabel(run.verdict()))) +
-            QLatin1Char('\n');
+    text +=
+        translate("cli", "Verdict: %1").arg(text::localized(report::gradeLabel(run.verdict()))) +
+        QLatin1Char('\n');
     if (m_format)
         text += translate("cli", "Report: %1, readings: %2")
                     .arg(m_path, session::sweepReadingsPath(m_path)) +
@@ -293,20 +293,20 @@ base::Result<Exit> SweepCommand::run()
         m_run.console().printMessage(unreleasedTorqueText(left));
     if (!saved)
         return tl::unexpected(saved.error());
-    if (done->end == record::SweepEnd::LinkLost)
+    if (done->end == results::SweepEnd::LinkLost)
         return Exit::Port;
     if (!back || !m_left.empty())
         return Exit::Failed;
     switch (done->verdict()) {
-    case record::Grade::Pass:
-    case record::Grade::Warn:
+    case results::Grade::Pass:
+    case results::Grade::Warn:
         return Exit::Success;
     default:
         return Exit::Failed;
     }
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runSweep(Run& run, const Values& values)
 {
     return SweepCommand(run, values).run();
 }
@@ -315,9 +315,9 @@ base::Result<Exit> run(Run& run, const Values& values)
 Command sweepCommand()
 {
     return {"sweep",
-            QT_TRANSLATE_NOOP("cli", "move servos to and fro, measure and judge them"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
+            QT_TRANSLATE_NOOP("cli", "run a sweep test and evaluate the result"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1 2 3, 1-6 or 1,3"), 1, many}},
             sweepOptions(),
-            run};
+            runSweep};
 }
 } // namespace cli

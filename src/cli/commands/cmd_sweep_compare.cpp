@@ -15,29 +15,24 @@
 
 namespace cli {
 namespace {
-QString in(const catalog::Text& words)
+QString figureText(const std::optional<double>& value)
 {
-    return words.in(text::isUiChinese());
+    return value ? report::figure(*value) : noValue();
 }
 
-QString number(const std::optional<double>& value)
+QString gradeText(const std::optional<results::Grade>& grade)
 {
-    return value ? report::figure(*value) : QStringLiteral("–");
+    return grade ? text::localized(report::lineGradeLabel(*grade)) : QString();
 }
 
-QString gradeText(const std::optional<record::Grade>& grade)
+std::optional<QString> gradeJson(const std::optional<results::Grade>& grade)
 {
-    return grade ? in(report::lineGradeLabel(*grade)) : QString();
+    return grade ? std::optional(results::gradeName(*grade)) : std::nullopt;
 }
 
-std::optional<QString> gradeJson(const std::optional<record::Grade>& grade)
+Json sideJson(const results::SweepSide& side)
 {
-    return grade ? std::optional(record::gradeName(*grade)) : std::nullopt;
-}
-
-Json sideJson(const record::SweepSide& side)
-{
-    const record::SnapshotServo& identity = side.servo.parameters.servo;
+    const snapshot::SnapshotServo& identity = side.servo.parameters.servo;
     return Json::object()
         .add("run", side.name)
         .add("id", identity.id)
@@ -45,16 +40,16 @@ Json sideJson(const record::SweepSide& side)
         .add("firmware", identity.firmware)
         .add("label", side.servo.parameters.label)
         .add("time", side.run.at.toString(Qt::ISODateWithMs))
-        .add("verdict", record::gradeName(side.servo.verdict));
+        .add("verdict", results::gradeName(side.servo.verdict));
 }
 
-Json figuresJson(const record::SweepComparison& found)
+Json figuresJson(const results::SweepComparison& found)
 {
     Json::Array rows;
-    for (const record::FigureDifference& one : found.figures) {
+    for (const results::FigureDifference& one : found.figures) {
         std::optional<QString> better;
-        if (one.better != record::Better::Neither)
-            better = one.better == record::Better::A ? QStringLiteral("a") : QStringLiteral("b");
+        if (one.better != results::Better::Neither)
+            better = one.better == results::Better::A ? QStringLiteral("a") : QStringLiteral("b");
         rows.push_back(Json::object()
                            .add("metric", one.key)
                            .add("unit", one.unit)
@@ -68,22 +63,22 @@ Json figuresJson(const record::SweepComparison& found)
     return rows;
 }
 
-Json testsJson(const record::SweepComparison& found)
+Json testsJson(const results::SweepComparison& found)
 {
     Json::Array rows;
-    for (const record::TestDifference& one : found.tests)
+    for (const results::TestDifference& one : found.tests)
         rows.push_back(Json::object()
-                           .add("part", record::testItemName(one.item))
-                           .add("concerns", record::weightName(one.weight))
+                           .add("part", results::testItemName(one.item))
+                           .add("concerns", results::weightName(one.weight))
                            .add("a", one.a)
                            .add("b", one.b));
     return rows;
 }
 
-Json settingsJson(const record::SweepComparison& found)
+Json settingsJson(const results::SweepComparison& found)
 {
     Json::Array rows;
-    for (const record::SettingDifference& one : found.settings)
+    for (const results::SettingDifference& one : found.settings)
         rows.push_back(Json::object()
                            .add("key", one.key)
                            .add("a", one.a)
@@ -94,64 +89,67 @@ Json settingsJson(const record::SweepComparison& found)
     return rows;
 }
 
-QString sideText(const char* letter, const record::SweepSide& side)
+QString sideText(const char* letter, const results::SweepSide& side)
 {
-    const record::SnapshotServo& identity = side.servo.parameters.servo;
+    const snapshot::SnapshotServo& identity = side.servo.parameters.servo;
     return QStringLiteral("%1: %2 · %3 · ID %4 · %5 · %6 %7\n")
         .arg(QString::fromLatin1(letter), side.name, identity.model, QString::number(identity.id),
-             side.run.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-             report::gradeSign(side.servo.verdict), in(report::gradeLabel(side.servo.verdict)));
+             localTime(side.run.at), report::gradeSign(side.servo.verdict),
+             text::localized(report::gradeLabel(side.servo.verdict)));
 }
 
-QString testsText(const record::SweepComparison& found)
+QString testsText(const results::SweepComparison& found)
 {
     const report::CompareTexts& words = report::compareTexts();
     if (found.tests.empty())
-        return in(words.sameTest) + QLatin1Char('\n');
+        return text::localized(words.sameTest) + QLatin1Char('\n');
     QString text;
     if (!found.comparable())
-        text += QStringLiteral("⚠ ") + in(words.notComparable) + QLatin1Char('\n');
-    Table table({in(words.warnings), QStringLiteral("A"), QStringLiteral("B")});
-    for (const record::TestDifference& one : found.tests)
-        table.add({in(report::testItemText(one.item)), in(report::testValueText(one.item, one.a)),
-                   in(report::testValueText(one.item, one.b))});
+        text += QStringLiteral("⚠ ") + text::localized(words.notComparable) + QLatin1Char('\n');
+    Table table({text::localized(words.warnings), QStringLiteral("A"), QStringLiteral("B")});
+    for (const results::TestDifference& one : found.tests)
+        table.add({text::localized(report::testItemText(one.item)),
+                   text::localized(report::testValueText(one.item, one.a)),
+                   text::localized(report::testValueText(one.item, one.b))});
     return text + table.text();
 }
 
-QString figuresText(const record::SweepComparison& found)
+QString figuresText(const results::SweepComparison& found)
 {
     const report::CompareTexts& words = report::compareTexts();
-    Table table({translate("cli", "Figure"), QStringLiteral("A"), QStringLiteral("B"),
-                 in(words.difference), translate("cli", "Unit"), in(words.better), in(words.gradeA),
-                 in(words.gradeB)});
+    Table table({translate("cli", "Metric"), QStringLiteral("A"), QStringLiteral("B"),
+                 text::localized(words.difference), translate("cli", "Unit"),
+                 text::localized(words.better), text::localized(words.gradeA),
+                 text::localized(words.gradeB)});
     table.alignRight({1, 2, 3});
-    for (const record::FigureDifference& one : found.figures) {
+    for (const results::FigureDifference& one : found.figures) {
         if (!one.a && !one.b)
             continue;
-        table.add({in(report::metricLabel(one.key)), number(one.a), number(one.b),
-                   report::differenceText(one), in(report::unitText(one.unit)),
-                   report::betterSign(one), gradeText(one.gradeA), gradeText(one.gradeB)});
+        table.add({text::localized(report::metricLabel(one.key)), figureText(one.a),
+                   figureText(one.b), report::differenceText(one),
+                   text::localized(report::unitText(one.unit)), report::betterSign(one),
+                   gradeText(one.gradeA), gradeText(one.gradeB)});
     }
     return table.text();
 }
 
-QString settingsText(const record::SweepComparison& found)
+QString settingsText(const results::SweepComparison& found)
 {
     const report::CompareTexts& words = report::compareTexts();
     if (found.settings.empty())
-        return in(words.noSettings) + QLatin1Char('\n');
-    Table table(
-        {in(words.settings), QStringLiteral("A"), QStringLiteral("B"), translate("cli", "Unit")});
+        return text::localized(words.noSettings) + QLatin1Char('\n');
+    Table table({text::localized(words.settings), QStringLiteral("A"), QStringLiteral("B"),
+                 translate("cli", "Unit")});
     table.alignRight({1, 2});
-    for (const record::SettingDifference& one : found.settings)
-        table.add({one.key, number(one.a), number(one.b), one.unit});
+    for (const results::SettingDifference& one : found.settings)
+        table.add({one.key, figureText(one.a), figureText(one.b), one.unit});
     return table.text();
 }
 
 struct Chosen {
     RunSelector word;
-    record::SweepRun run;
-    const record::SweepServo* servo = nullptr; ///< in `run`
+    results::SweepRun run;
+    const results::SweepServo* servo = nullptr; ///< in `run`
 };
 
 base::Result<void> choose(const Values& values, const char* which, Chosen& into)
@@ -165,7 +163,7 @@ base::Result<void> choose(const Values& values, const char* which, Chosen& into)
         return tl::unexpected(run.error());
     into.run = std::move(*run);
     const auto id = values.option("--servo");
-    // A run of one servo is clear without a word about it.
+    // The servo is not named if the run has only one.
     if (id && !into.word.servo && into.run.servos.size() > 1) {
         const auto parsed = parseId(*id);
         if (!parsed)
@@ -179,25 +177,25 @@ base::Result<void> choose(const Values& values, const char* which, Chosen& into)
     return {};
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runSweepCompare(Run& run, const Values& values)
 {
     const auto path = values.option("--report");
     if (path && QFileInfo(*path).suffix().toLower() != QLatin1String("html"))
-        return badArgument(translate("cli", "the report of a comparison ends with .html"));
+        return badArgument(translate("cli", "the report of a comparison must end with .html"));
     Chosen one;
     Chosen two;
     if (const auto chosen = choose(values, "A", one); !chosen)
         return tl::unexpected(chosen.error());
     if (const auto chosen = choose(values, "B", two); !chosen)
         return tl::unexpected(chosen.error());
-    const record::SweepSide a{one.word.name, one.run, *one.servo};
-    const record::SweepSide b{two.word.name, two.run, *two.servo};
+    const results::SweepSide a{one.word.name, one.run, *one.servo};
+    const results::SweepSide b{two.word.name, two.run, *two.servo};
     if (path) {
         if (const auto saved = report::saveSweepCompareHtml(a, b, text::isUiChinese(), *path);
             !saved)
             return tl::unexpected(saved.error());
     }
-    const record::SweepComparison found = record::compareSweeps(a, b);
+    const results::SweepComparison found = results::compareSweeps(a, b);
     run.finish(
         Json::object()
             .add("a", sideJson(a))
@@ -217,12 +215,14 @@ Command sweepCompareCommand()
 {
     return {
         "sweep-compare",
-        QT_TRANSLATE_NOOP("cli", "hold one sweep test against another; needs no port"),
-        {{"A", QT_TRANSLATE_NOOP("cli", "a test run: 12 of the history, 12:3 for servo 3 of "
-                                        "it, or a report that ends with .json")},
-         {"B", QT_TRANSLATE_NOOP("cli", "the one that is held against it")}},
-        {{"--servo", QT_TRANSLATE_NOOP("cli", "which servo, where a run has several"), "ID"},
-         {"--report", QT_TRANSLATE_NOOP("cli", "save the comparison as a page (.html)"), "FILE"}},
-        run};
+        QT_TRANSLATE_NOOP("cli", "compare two sweep tests; needs no port"),
+        {{"A",
+          QT_TRANSLATE_NOOP(
+              "cli", "test run in the history (12, or 12:3 for its ID 3), or a .json report file")},
+         {"B", QT_TRANSLATE_NOOP("cli", "test run to compare with the first one")}},
+        {{"--servo", QT_TRANSLATE_NOOP("cli", "servo to compare, if a run has several"), "ID"},
+         {"--report", QT_TRANSLATE_NOOP("cli", "save the comparison as a web page (.html)"),
+          "FILE"}},
+        runSweepCompare};
 }
 } // namespace cli

@@ -13,8 +13,8 @@
 
 namespace cli {
 namespace {
-/// The readings are not in the history, so there are no curves of position.
-base::Result<void> save(const record::SweepRun& run, session::SweepFormat format,
+/// Without position charts, because the history does not contain the readings.
+base::Result<void> save(const results::SweepRun& run, session::SweepFormat format,
                         const QString& path)
 {
     switch (format) {
@@ -23,19 +23,20 @@ base::Result<void> save(const record::SweepRun& run, session::SweepFormat format
     case session::SweepFormat::Pdf:
         return report::saveSweepPdf(run, {}, text::isUiChinese(), path);
     case session::SweepFormat::Csv:
-        return record::saveSweepLegs(run, path);
+        return results::saveSweepLegs(run, path);
     case session::SweepFormat::Json:
         break;
     }
-    return record::saveSweepRun(run, path);
+    return results::saveSweepRun(run, path);
 }
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runSweepReport(Run& run, const Values& values)
 {
     const QString path = values.argument("FILE");
     const auto format = session::sweepFormatOf(path);
     if (!format)
-        return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
+        return badArgument(translate("cli", "the report file must end with .html, .pdf, .json "
+                                            "or .csv"));
     const auto word = parseRunSelector(values.argument("RUN"));
     if (!word)
         return tl::unexpected(word.error());
@@ -53,11 +54,12 @@ base::Result<Exit> run(Run& run, const Values& values)
 Command sweepReportCommand()
 {
     return {"sweep-report",
-            QT_TRANSLATE_NOOP("cli", "make a report of an earlier sweep test; needs no port"),
-            {{"RUN", QT_TRANSLATE_NOOP("cli", "number in the history, or a report that ends with "
-                                              ".json")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "by its ending: .html, .pdf, .json or .csv")}},
+            QT_TRANSLATE_NOOP("cli", "create a report of an earlier sweep test; needs no port"),
+            {{"RUN",
+              QT_TRANSLATE_NOOP("cli", "test run number in the history, or a .json report file")},
+             {"FILE", QT_TRANSLATE_NOOP("cli", "report file; its extension sets the format: "
+                                               ".html, .pdf, .json or .csv")}},
             {},
-            run};
+            runSweepReport};
 }
 } // namespace cli

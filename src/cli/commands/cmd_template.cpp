@@ -11,13 +11,13 @@
 
 namespace cli {
 namespace {
-/// A file, or a servo that is read.
-base::Result<record::Snapshot> sourceOf(Run& run, const QString& word)
+/// Loads a file or reads a servo.
+base::Result<snapshot::Snapshot> sourceOf(Run& run, const QString& word)
 {
     bool number = false;
     word.toInt(&number);
     if (!number)
-        return record::loadSnapshot(word);
+        return snapshot::loadSnapshot(word);
     const auto id = parseId(word);
     if (!id)
         return tl::unexpected(id.error());
@@ -28,26 +28,29 @@ base::Result<record::Snapshot> sourceOf(Run& run, const QString& word)
     return jobs::takeSnapshot(*context, *servo, session::programName());
 }
 
-tl::unexpected<base::Error> whyNot(const base::Error& error, const record::Snapshot& from)
+tl::unexpected<base::Error> whyNot(const base::Error& error, const snapshot::Snapshot& from)
 {
     const QString& key = error.registerKey;
     if (error.code == base::ErrorCode::UnknownRegister) {
         QStringList known;
-        for (const record::SnapshotRegister& reg : from.registers)
+        for (const snapshot::SnapshotRegister& reg : from.registers)
             known << reg.key;
         base::Error named = error;
         named.detail = nearest(key, known).join(QStringLiteral(", "));
         return tl::unexpected(named);
     }
-    if (error.detail == QLatin1String("identity"))
-        return badArgument(translate("cli", "%1 makes a servo this servo; a template has it only "
-                                            "with --identity")
+    switch (error.reason) {
+    case base::Reason::IdentityRegister:
+        return badArgument(translate("cli", "%1 identifies the servo; a template contains it "
+                                            "only with --identity")
                                .arg(key));
-    if (error.detail == QLatin1String("read-only"))
-        return badArgument(translate("cli", "%1 can only be read").arg(key));
-    if (error.detail == QLatin1String("no-value"))
-        return badArgument(translate("cli", "%1 has no value there").arg(key));
-    return tl::unexpected(error);
+    case base::Reason::ReadOnlyRegister:
+        return badArgument(translate("cli", "%1 is read-only").arg(key));
+    case base::Reason::NoValue:
+        return badArgument(translate("cli", "%1 has no value in the source").arg(key));
+    default:
+        return tl::unexpected(error);
+    }
 }
 
 base::Result<Exit> runMake(Run& run, const Values& values)
@@ -55,7 +58,7 @@ base::Result<Exit> runMake(Run& run, const Values& values)
     const auto from = sourceOf(run, values.argument("FROM"));
     if (!from)
         return tl::unexpected(from.error());
-    auto chosen = record::makeTemplate(*from, values.arguments("KEY"), values.has("--identity"));
+    auto chosen = snapshot::makeTemplate(*from, values.arguments("KEY"), values.has("--identity"));
     if (!chosen)
         return whyNot(chosen.error(), *from);
     chosen->program = session::programName();
@@ -64,11 +67,11 @@ base::Result<Exit> runMake(Run& run, const Values& values)
     if (const auto note = values.option("--note"))
         chosen->note = *note;
     const QString file = values.argument("FILE");
-    if (const auto saved = record::saveSnapshot(*chosen, file); !saved)
+    if (const auto saved = snapshot::saveSnapshot(*chosen, file); !saved)
         return tl::unexpected(saved.error());
     const auto count = static_cast<int>(chosen->registers.size());
     run.finish(Json::object().add("file", file).add("registers", count),
-               translate("cli", "Registers saved to %1: %2").arg(file).arg(count) +
+               translate("cli", "%n register(s) saved to %1", nullptr, count).arg(file) +
                    QLatin1Char('\n'));
     return Exit::Success;
 }
@@ -76,11 +79,9 @@ base::Result<Exit> runMake(Run& run, const Values& values)
 base::Result<Exit> runApply(Run& run, const Values& values)
 {
     const QString file = values.argument("FILE");
-    const auto snapshot = record::loadSnapshot(file);
+    const auto snapshot = loadToRestore(values, file);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
-    if (const auto known = checkOnly(values, *snapshot); !known)
-        return tl::unexpected(known.error());
     const auto ids = parseIds(values.arguments("ID"));
     if (!ids)
         return tl::unexpected(ids.error());
@@ -100,23 +101,23 @@ base::Result<Exit> runApply(Run& run, const Values& values)
 Command templateMakeCommand()
 {
     return {"template make",
-            QT_TRANSLATE_NOOP("cli", "save chosen registers for giving them to other servos"),
-            {{"FROM", QT_TRANSLATE_NOOP("cli", "a snapshot file, or an ID (the servo is read)")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")},
-             {"KEY", QT_TRANSLATE_NOOP("cli", "the registers"), 1, many}},
-            {{"--identity", QT_TRANSLATE_NOOP("cli", "ID and baud rate may be among them")},
-             {"--label", QT_TRANSLATE_NOOP("cli", "a name for it"), "TEXT"},
-             {"--note", QT_TRANSLATE_NOOP("cli", "a remark"), "TEXT"}},
+            QT_TRANSLATE_NOOP("cli", "save selected registers for writing to other servos"),
+            {{"FROM", QT_TRANSLATE_NOOP("cli", "snapshot file, or ID (reads the servo)")},
+             outputFileArgument,
+             {"KEY", QT_TRANSLATE_NOOP("cli", "register names"), 1, many}},
+            {{"--identity", QT_TRANSLATE_NOOP("cli", "allow ID and baud rate in the template")},
+             {"--label", QT_TRANSLATE_NOOP("cli", "label saved in the file"), "TEXT"},
+             {"--note", QT_TRANSLATE_NOOP("cli", "note saved in the file"), "TEXT"}},
             runMake};
 }
 
 Command templateApplyCommand()
 {
     return {"template apply",
-            QT_TRANSLATE_NOOP("cli", "write a template or snapshot to several servos, one verdict "
-                                     "each; never ID or baud rate"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "a template or snapshot")},
-             {"ID", QT_TRANSLATE_NOOP("cli", "the servos: 1, 1-6 or 1,3,5"), 1, many}},
+            QT_TRANSLATE_NOOP("cli", "write a template or snapshot to several servos, with a "
+                                     "result for each; never writes ID or baud rate"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "template or snapshot")},
+             {"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1, 1-6 or 1,3,5"), 1, many}},
             restoreOptions(),
             runApply};
 }

@@ -37,22 +37,22 @@ base::Result<State> parseState(const QString& word)
         if (word == QLatin1String(state.word))
             return state;
     }
-    return badArgument(translate("cli", "the last word must be on, off or damp"));
+    return badArgument(translate("cli", "the last argument must be on, off or damp"));
 }
 
-/// The rest of what is done to a servo, when all have had their turn; empty: it is done.
+/// Confirms the task of one servo after all have been commanded; empty: already done.
 using Confirm = std::function<base::Result<void>()>;
 
-/// What is done to each of several servos, and how it is told.
+/// A task for several servos, and its texts.
 struct Task {
-    const char* name; ///< operation, and the member of the JSON document
+    const char* name; ///< of the operation and of the member in the JSON document
     Json result;
     QString shown;
     std::function<base::Result<Confirm>(const device::Context&, device::Servo)> act;
-    /// Torque off goes out even if the servo cannot be identified.
+    /// Torque off is sent even if the servo cannot be identified.
     bool releases = false;
-    bool sent = false;        ///< torque off went to all of them before
-    QString confirmingText{}; ///< said when all have been commanded; %1: their IDs
+    bool sent = false;        ///< torque off has been sent to all servos
+    QString confirmingText{}; ///< shown after all have been commanded; %1: their IDs
 };
 
 QString formatIds(const std::vector<int>& ids)
@@ -63,7 +63,7 @@ QString formatIds(const std::vector<int>& ids)
     return words.join(QStringLiteral(", "));
 }
 
-/// All servos get their turn, whatever becomes of the others.
+/// Commands all servos, also if some of them fail.
 class Round {
 public:
     Round(Run& run, const Task& task)
@@ -71,10 +71,10 @@ public:
         , m_task(task)
     {}
 
-    /// Commands all of them, to be confirmed afterwards. After Ctrl-C the rest stay as they are.
+    /// Commands all servos, to be confirmed afterwards. After Ctrl-C the others stay unchanged.
     void command(const std::vector<int>& ids)
     {
-        ProgressLine line(m_run.console(), translate("cli", "Asking"));
+        ProgressLine line(m_run.console(), translate("cli", "Querying"));
         for (const int id : ids) {
             line.show(translate("cli", "ID %1").arg(id));
             if (m_run.stop().isRequested()) {
@@ -87,7 +87,7 @@ public:
     }
     void confirm()
     {
-        ProgressLine line(m_run.console(), translate("cli", "Asking"));
+        ProgressLine line(m_run.console(), translate("cli", "Querying"));
         reportCommanded();
         for (auto& [id, rest] : m_begun) {
             line.show(translate("cli", "ID %1").arg(id));
@@ -138,15 +138,15 @@ private:
     QString endedText(int id, const base::Error& error) const
     {
         if (m_task.sent || device::isMarkedUnverified(error))
-            return translate("cli", "Ended by you before it was confirmed (ID %1): torque off was "
-                                    "sent, but nothing proves that it took effect.");
+            return translate("cli", "Canceled before confirmation (ID %1): torque off was sent, "
+                                    "but may not have taken effect.");
         if (m_task.releases)
-            return translate("cli", "Ended by you before it was confirmed (ID %1): these servos "
-                                    "may still have torque and move.");
+            return translate("cli", "Canceled before confirmation (ID %1): torque may still be on, "
+                                    "and these servos may still be moving.");
         return m_notReached.count(id) > 0
-                   ? translate("cli", "Ended by you before anything was sent (ID %1).")
-                   : translate("cli", "Ended by you before it was confirmed (ID %1): the torque of "
-                                      "these servos may have been switched.");
+                   ? translate("cli", "Canceled before anything was sent (ID %1).")
+                   : translate("cli", "Canceled before confirmation (ID %1): the torque state of "
+                                      "these servos may have changed.");
     }
     void reportCommanded() const
     {
@@ -178,7 +178,7 @@ private:
     Run& m_run;
     const Task& m_task;
     HaltState m_begun{};
-    std::set<int> m_notReached{}; ///< when Ctrl-C came
+    std::set<int> m_notReached{}; ///< because of Ctrl-C
     std::map<int, base::Result<void>> m_done{};
 };
 
@@ -190,8 +190,8 @@ base::Result<Exit> runOnAll(Run& run, const std::vector<int>& ids, const Task& t
     return round.show(ids);
 }
 
-/// Before anything is read. Where the rate is still to be found, at each that it can be. True: it
-/// went out.
+/// Sends torque off before anything is read; with --baud auto at every possible baud rate. True: it
+/// was sent.
 base::Result<bool> disableTorqueAtOnce(Run& run, const std::vector<int>& ids)
 {
     const auto connection = run.connect();
@@ -223,13 +223,13 @@ base::Result<Confirm> startHalt(const device::Context& context, device::Servo se
     });
 }
 
-/// Those that answer are commanded and confirmed before the silent ones get the tries that take
-/// long. A reply may be lost, and the servo be one that turns: each is asked twice.
+/// Servos that reply are commanded and confirmed before the slow retries of the silent ones. Each
+/// is asked twice, because a lost reply may be that of a turning servo.
 void runAnsweringFirst(Run& run, const device::Context& context, std::vector<int> ids,
                        const std::vector<base::Protocol>& protocols, Round& round)
 {
     bool answered = false;
-    for (int asked = 0; asked < 2 && !ids.empty(); ++asked) {
+    for (int attempt = 0; attempt < 2 && !ids.empty(); ++attempt) {
         const auto answering = device::findResponding(context, ids, protocols);
         answered = answered || !answering.empty();
         round.command(answering);
@@ -239,14 +239,14 @@ void runAnsweringFirst(Run& run, const device::Context& context, std::vector<int
     }
     if (answered && !ids.empty() && !run.stop().isRequested() && !context.bus.lost())
         run.console().printNote(
-            translate("cli", "No answer yet (ID %1): tried again after the others.")
+            translate("cli", "No reply yet (ID %1): trying again after the other servos.")
                 .arg(formatIds(ids)));
     round.confirm();
     round.command(ids);
     round.confirm();
 }
 
-/// A single one delays no other, and before the rate is found no servo can be heard.
+/// Not for a single servo, nor before the baud rate is known.
 base::Result<Exit> answeringServosFirst(Run& run, const std::vector<int>& ids, const Task& task)
 {
     const auto connection = run.connect();
@@ -316,7 +316,7 @@ base::Result<Exit> runMode(Run& run, const Values& values)
         for (const catalog::Mode& mode : servo->profile->modes)
             known << mode.key;
         return base::fail(base::ErrorCode::NotSupported, QStringLiteral("mode"),
-                          translate("cli", "no mode \"%1\"; it has %2")
+                          translate("cli", "unknown mode \"%1\"; available modes: %2")
                               .arg(modeKey, known.join(QStringLiteral(", "))),
                           servo->id);
     }
@@ -336,11 +336,10 @@ base::Result<Exit> runMode(Run& run, const Values& values)
 Command torqueCommand()
 {
     return {"torque",
-            QT_TRANSLATE_NOOP("cli",
-                              "switch torque; on holds where the servo is, off is sent whatever "
-                              "speaks against writing"),
+            QT_TRANSLATE_NOOP("cli", "switch torque: on holds the present position; off is sent "
+                                     "even when other writes are refused"),
             {{"ID… on|off|damp",
-              QT_TRANSLATE_NOOP("cli", "servos (1 2 3, 1-6, 1,3), then what to do"), 2, many}},
+              QT_TRANSLATE_NOOP("cli", "servo IDs (1 2 3, 1-6 or 1,3), then the action"), 2, many}},
             {},
             runTorque};
 }
@@ -348,9 +347,9 @@ Command torqueCommand()
 Command stopCommand()
 {
     return {"stop",
-            QT_TRANSLATE_NOOP("cli", "end the motion; torque stays as it is, and goes off where "
-                                     "holding cannot be proven"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
+            QT_TRANSLATE_NOOP("cli", "stop the motion; torque stays as it is, but is turned off "
+                                     "if holding cannot be confirmed"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1 2 3, 1-6 or 1,3"), 1, many}},
             {},
             runStop};
 }
@@ -359,10 +358,9 @@ Command modeCommand()
 {
     return {"mode",
             QT_TRANSLATE_NOOP("cli", "switch the operating mode; torque stays off afterwards"),
-            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
-             {"MODE",
-              QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step, current or motor, "
-                                       "as the family has them")}},
+            {servoIdArgument,
+             {"MODE", QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step, current or "
+                                               "motor, depending on the servo family")}},
             {},
             runMode};
 }

@@ -6,12 +6,12 @@
 
 namespace cli {
 namespace {
-base::Result<Exit> run(Run& run, const Values&)
+base::Result<Exit> runTour(Run& run, const Values&)
 {
     run.setDefaultPort(QStringLiteral("sim:demo"));
     if (!run.globals().port.startsWith(QLatin1String("sim:"))) {
-        return badArgument(translate("cli", "the tour writes and moves, so it only runs on a "
-                                            "simulated bus: --port sim:demo"));
+        return badArgument(translate("cli", "the tour writes to servos and moves them, so it "
+                                            "only runs on a simulated bus: --port sim:demo"));
     }
     return Tour(run).run();
 }
@@ -20,9 +20,9 @@ base::Result<Exit> run(Run& run, const Values&)
 Command tourCommand()
 {
     return {"tour",
-            QT_TRANSLATE_NOOP("cli", "a guided tour on a simulated bus; no servo is needed"),
+            QT_TRANSLATE_NOOP("cli", "run a guided tour on a simulated bus; no servo is needed"),
             {},
             {},
-            run};
+            runTour};
 }
 } // namespace cli

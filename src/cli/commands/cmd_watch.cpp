@@ -82,22 +82,22 @@ base::Result<jobs::WatchSpec> timesOf(const Values& values)
     return spec;
 }
 
-base::Result<std::unique_ptr<record::CsvWriter>> openCsv(const Values& values,
-                                                         const jobs::WatchSpec& spec)
+base::Result<std::unique_ptr<recording::CsvWriter>> openCsv(const Values& values,
+                                                            const jobs::WatchSpec& spec)
 {
     const auto file = values.option("--csv");
     if (!file)
-        return std::unique_ptr<record::CsvWriter>();
-    std::vector<record::CsvColumn> columns;
+        return std::unique_ptr<recording::CsvWriter>();
+    std::vector<recording::CsvColumn> columns;
     for (const jobs::WatchColumn& column : jobs::watchColumns(spec))
         columns.push_back({column.key, column.unit});
-    return record::CsvWriter::create(*file, columns);
+    return recording::CsvWriter::create(*file, columns);
 }
 
 /// Hands each reading to whoever wants it.
 class Sink {
 public:
-    Sink(Run& run, const jobs::WatchSpec& spec, std::unique_ptr<record::CsvWriter> csv,
+    Sink(Run& run, const jobs::WatchSpec& spec, std::unique_ptr<recording::CsvWriter> csv,
          const QString& port)
         : m_console(run.console())
         , m_csv(std::move(csv))
@@ -134,11 +134,11 @@ public:
             .add("elapsed_ms", std::int64_t(report.elapsed.count() / 1000));
         m_json.finish("summary", json);
         const double seconds = std::chrono::duration<double>(report.elapsed).count();
-        m_console.print(translate("cli", "Readings: %1 in %2 s; missed: %3")
-                            .arg(report.rows)
-                            .arg(seconds, 0, 'f', 2)
-                            .arg(report.missed) +
-                        QLatin1Char('\n') + run.takeNotices());
+        m_console.print(
+            translate("cli", "%n reading(s) in %1 s, %2 missed", nullptr, int(report.rows))
+                .arg(seconds, 0, 'f', 2)
+                .arg(report.missed) +
+            QLatin1Char('\n') + run.takeNotices());
     }
 
     /// The document has begun, so the error becomes a part of it.
@@ -152,14 +152,14 @@ public:
 
 private:
     Console& m_console;
-    std::unique_ptr<record::CsvWriter> m_csv;
+    std::unique_ptr<recording::CsvWriter> m_csv;
     WatchView m_view;
     JsonStream m_json;
     AlarmLog m_alarms;
     std::map<int, catalog::ProfilePtr> m_profiles;
 };
 
-base::Result<Exit> run(Run& run, const Values& values)
+base::Result<Exit> runWatch(Run& run, const Values& values)
 {
     const auto ids = parseIds(values.arguments("ID"));
     if (!ids)
@@ -194,11 +194,13 @@ Command watchCommand()
 {
     return {
         "watch",
-        QT_TRANSLATE_NOOP("cli", "read the feedback of servos again and again"),
-        {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
-        {{"--rate", QT_TRANSLATE_NOOP("cli", "readings a second and servo (usual: 20)"), "HZ|max"},
-         {"--for", QT_TRANSLATE_NOOP("cli", "end after so many seconds (else with Ctrl-C)"), "S"},
+        QT_TRANSLATE_NOOP("cli", "read the feedback of servos continuously"),
+        {{"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1 2 3, 1-6 or 1,3"), 1, many}},
+        {{"--rate", QT_TRANSLATE_NOOP("cli", "readings per second for each servo (default: 20)"),
+          "HZ|max"},
+         {"--for",
+          QT_TRANSLATE_NOOP("cli", "end after this many seconds (default: run until Ctrl-C)"), "S"},
          {"--csv", QT_TRANSLATE_NOOP("cli", "write the readings to a file"), "FILE"}},
-        run};
+        runWatch};
 }
 } // namespace cli

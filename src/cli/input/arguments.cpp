@@ -40,18 +40,19 @@ int distance(const QString& a, const QString& b)
 }
 } // namespace
 
-/// What was not understood is repeated, and may be a connection string.
+/// For messages that repeat an invalid argument: it may be a connection string.
 tl::unexpected<base::Error> badArgument(const QString& detail)
 {
     return base::fail(ErrorCode::BadArgument, QStringLiteral("arguments"),
-                      record::ServerAddress::masked(detail));
+                      history::ServerAddress::masked(detail));
 }
 
 base::Result<int> parseId(const QString& argument)
 {
     const auto id = intFrom(argument);
     if (!id || *id < 0 || *id > protocol::maxId)
-        return badArgument(translate("cli", "\"%1\" is no ID; IDs are 0 to 253").arg(argument));
+        return badArgument(
+            translate("cli", "\"%1\" is not a valid ID; IDs must be 0 to 253").arg(argument));
     return *id;
 }
 
@@ -62,7 +63,7 @@ base::Result<IdRange> parseIdRange(const QString& argument)
     const auto last = parseId(dash < 0 ? argument : argument.mid(dash + 1));
     if (!first || !last || *first > *last)
         return badArgument(
-            translate("cli", "\"%1\" is no range of IDs; write for example 1-20").arg(argument));
+            translate("cli", "\"%1\" is not an ID range; example: 1-20").arg(argument));
     return IdRange{*first, *last};
 }
 
@@ -85,7 +86,7 @@ base::Result<int> parseInt(const QString& argument, int min, int max)
 {
     const auto number = intFrom(argument);
     if (!number || *number < min || *number > max)
-        return badArgument(translate("cli", "\"%1\" is no whole number from %2 to %3")
+        return badArgument(translate("cli", "\"%1\" is not a whole number from %2 to %3")
                                .arg(argument, QString::number(min), QString::number(max)));
     return *number;
 }
@@ -95,7 +96,7 @@ base::Result<double> parsePositive(const QString& argument)
     bool good = false;
     const double number = argument.toDouble(&good);
     if (!good || !std::isfinite(number) || number <= 0 || number > 1e6)
-        return badArgument(translate("cli", "\"%1\" is no number above 0").arg(argument));
+        return badArgument(translate("cli", "\"%1\" is not a number above 0").arg(argument));
     return number;
 }
 
@@ -111,7 +112,7 @@ base::Result<std::vector<int>> parseBauds(const QString& argument)
             QStringList names;
             for (const int rate : known)
                 names << QString::number(rate);
-            return badArgument(translate("cli", "\"%1\" is no baud rate of these servos (%2)")
+            return badArgument(translate("cli", "unsupported baud rate \"%1\" (%2)")
                                    .arg(part, names.join(QStringLiteral(", "))));
         }
         bauds.push_back(*baud);
@@ -126,7 +127,7 @@ base::Result<std::optional<base::Protocol>> parseProtocol(const QString& argumen
     if (const auto protocol = base::protocolFromName(argument))
         return protocol;
     return badArgument(
-        translate("cli", "\"%1\" is no protocol (auto, feetech, modbus, lx)").arg(argument));
+        translate("cli", "unknown protocol \"%1\" (auto, feetech, modbus, lx)").arg(argument));
 }
 
 base::Result<std::pair<QString, QString>> parseAssignment(const QString& argument)
@@ -134,7 +135,7 @@ base::Result<std::pair<QString, QString>> parseAssignment(const QString& argumen
     const qsizetype sign = argument.indexOf(QLatin1Char('='));
     if (sign < 1 || sign == argument.size() - 1)
         return badArgument(
-            translate("cli", "\"%1\" must have the form KEY=VALUE, without blanks").arg(argument));
+            translate("cli", "\"%1\" must have the form KEY=VALUE, without spaces").arg(argument));
     return std::pair(argument.left(sign), argument.mid(sign + 1));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of the command line into values. Errors are BadArgument with a translated detail that says
-// what was expected. Pure; any thread.
+// Parses arguments of the command line. Errors are BadArgument; the translated detail says what was
+// expected. Pure; any thread.
 #pragma once
 
 #include "base/clock.h"
@@ -27,10 +27,10 @@ base::Result<IdRange> parseIdRange(const QString& argument);
 
 base::Result<int> parseInt(const QString& argument, int min, int max);
 base::Result<double> parsePositive(const QString& argument);
-/// "all" or "N,N…".
 /// "feetech", "modbus", "lx"; nullopt: "auto".
 base::Result<std::optional<base::Protocol>> parseProtocol(const QString& argument);
 
+/// "all" or "N,N…".
 base::Result<std::vector<int>> parseBauds(const QString& argument);
 
 /// "KEY=VALUE"
@@ -40,6 +40,6 @@ base::Result<std::pair<QString, QString>> parseAssignment(const QString& argumen
 base::Result<const catalog::Register*> findRegister(const catalog::Profile& profile,
                                                     const QString& key, int id);
 
-/// Up to three of `known` that are a slip of the finger away from `word`, nearest first.
+/// Up to three of `known` that differ from `argument` only by a typing error, nearest first.
 QStringList nearest(const QString& argument, const QStringList& known);
 } // namespace cli

@@ -29,22 +29,40 @@ std::optional<QDateTime> ago(const QString& word, const QDateTime& now)
     return now.addSecs(-match.captured(1).toLongLong() * seconds);
 }
 
-base::Result<void> takeTimes(record::HistoryFilter& filter, const Values& values)
+/// Sets `into` if the option was given.
+template <typename Parse, typename Value>
+base::Result<void> takeOption(const Values& values, const char* flag, const Parse& parse,
+                              Value& into)
 {
-    const QDateTime now = QDateTime::currentDateTimeUtc();
-    if (const auto word = values.option("--since")) {
-        const auto at = parseDateTime(*word, now);
-        if (!at)
-            return tl::unexpected(at.error());
-        filter.from = *at;
-    }
-    if (const auto word = values.option("--until")) {
-        const auto at = parseDateTime(*word, now);
-        if (!at)
-            return tl::unexpected(at.error());
-        filter.until = *at;
-    }
+    const auto word = values.option(flag);
+    if (!word)
+        return {};
+    const auto parsed = parse(*word);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    into = *parsed;
     return {};
+}
+
+base::Result<void> takeFilter(const history::History* history, const Values& values,
+                              history::HistoryFilter& filter)
+{
+    const auto time = [now = QDateTime::currentDateTimeUtc()](const QString& word) {
+        return parseDateTime(word, now);
+    };
+    const auto limit = [](const QString& word) { return parseInt(word, 1, maxRows); };
+    if (const auto id = takeOption(values, "--id", parseId, filter.id); !id)
+        return id;
+    if (const auto rows = takeOption(values, "--most", limit, filter.limit); !rows)
+        return rows;
+    if (const auto from = takeOption(values, "--since", time, filter.from); !from)
+        return from;
+    if (const auto until = takeOption(values, "--until", time, filter.until); !until)
+        return until;
+    if (history == nullptr)
+        return {};
+    const auto servo = [&](const QString& word) { return parseServo(*history, word); };
+    return takeOption(values, "--servo", servo, filter.servo);
 }
 } // namespace
 
@@ -52,61 +70,45 @@ std::vector<Option> historyOptions()
 {
     return {
         {"--servo",
-         QT_TRANSLATE_NOOP("cli", "only this one: its number in \"history --kind servos\", or its "
-                                  "label"),
+         QT_TRANSLATE_NOOP(
+             "cli",
+             "only this servo: its label, or its number as listed by \"history --kind servos\""),
          "SERVO"},
         {"--id", QT_TRANSLATE_NOOP("cli", "only with this ID"), "ID"},
         {"--model", QT_TRANSLATE_NOOP("cli", "only servos of this model"), "MODEL"},
-        {"--label", QT_TRANSLATE_NOOP("cli", "only with this label"), "LABEL"},
+        {"--label", QT_TRANSLATE_NOOP("cli", "only servos with this label"), "LABEL"},
         {"--since",
-         QT_TRANSLATE_NOOP("cli", "only from then on: 2026-11-22, 2026-11-22T10:30, 10:30, or 90m, "
-                                  "2h, 3d, 1w ago"),
+         QT_TRANSLATE_NOOP("cli", "only entries since this time: 2026-11-22, 2026-11-22T10:30, "
+                                  "10:30, or an age such as 90m, 2h, 3d, 1w"),
          "TIME"},
-        {"--until", QT_TRANSLATE_NOOP("cli", "only before then"), "TIME"},
+        {"--until", QT_TRANSLATE_NOOP("cli", "only entries before this time"), "TIME"},
         {"--register", QT_TRANSLATE_NOOP("cli", "only writes to this register"), "KEY"},
         {"--trouble",
-         QT_TRANSLATE_NOOP("cli", "only writes that did not end well, alarms that have not gone")},
-        {"--most", QT_TRANSLATE_NOOP("cli", "so many rows, the newest (usual: 200)"), "N"},
+         QT_TRANSLATE_NOOP("cli", "only writes that failed and alarms that are still active")},
+        {"--most", QT_TRANSLATE_NOOP("cli", "maximum number of rows, newest first (default: 200)"),
+         "N"},
     };
 }
 
-base::Result<std::unique_ptr<record::History>> openHistory()
+base::Result<std::unique_ptr<history::History>> openHistory()
 {
     const QString path = session::historyFile();
-    if (!QFile::exists(path) && !QFile::exists(record::legacyJournalPath(path)))
+    if (!QFile::exists(path) && !QFile::exists(history::legacyJournalPath(path)))
         return nullptr;
-    return record::History::open(path);
+    return history::History::open(path);
 }
 
-base::Result<record::HistoryFilter> historyFilter(const record::History* history,
-                                                  const Values& values)
+base::Result<history::HistoryFilter> historyFilter(const history::History* history,
+                                                   const Values& values)
 {
-    record::HistoryFilter filter;
+    history::HistoryFilter filter;
     filter.model = values.option("--model").value_or(QString());
     filter.label = values.option("--label").value_or(QString());
     filter.key = values.option("--register").value_or(QString());
     filter.onlyProblems = values.has("--trouble");
     filter.limit = defaultRows;
-    if (const auto word = values.option("--id")) {
-        const auto id = parseId(*word);
-        if (!id)
-            return tl::unexpected(id.error());
-        filter.id = *id;
-    }
-    if (const auto word = values.option("--most")) {
-        const auto limit = parseInt(*word, 1, maxRows);
-        if (!limit)
-            return tl::unexpected(limit.error());
-        filter.limit = *limit;
-    }
-    if (const auto times = takeTimes(filter, values); !times)
-        return tl::unexpected(times.error());
-    if (const auto word = values.option("--servo"); word && history != nullptr) {
-        const auto servo = parseServo(*history, *word);
-        if (!servo)
-            return tl::unexpected(servo.error());
-        filter.servo = *servo;
-    }
+    if (const auto taken = takeFilter(history, values, filter); !taken)
+        return tl::unexpected(taken.error());
     return filter;
 }
 
@@ -123,17 +125,19 @@ base::Result<QDateTime> parseDateTime(const QString& word, const QDateTime& now)
     const QDateTime at = QDateTime::fromString(
         QString(word).replace(QLatin1Char(' '), QLatin1Char('T')), Qt::ISODateWithMs);
     if (!at.isValid())
-        return badArgument(translate("cli", "\"%1\" is no time: 2026-11-22, 2026-11-22T10:30, "
-                                            "10:30, or 90m, 2h, 3d, 1w ago")
-                               .arg(word));
+        return badArgument(
+            translate("cli", "\"%1\" is not a valid time; examples: 2026-11-22, 2026-11-22T10:30, "
+                             "10:30, or an age such as 90m, 2h, 3d, 1w")
+                .arg(word));
     return at.toUTC();
 }
 
-base::Result<std::int64_t> parseServo(const record::History& history, const QString& word)
+base::Result<std::int64_t> parseServo(const history::History& history, const QString& word)
 {
-    record::HistoryFilter filter;
+    history::HistoryFilter filter;
     bool isNumber = false;
-    const qint64 number = word.toLongLong(&isNumber);
+    const bool hasSign = word.startsWith(QLatin1Char('#')); // "#3", as in the output
+    const qint64 number = word.mid(hasSign ? 1 : 0).toLongLong(&isNumber);
     if (isNumber)
         filter.servo = number;
     else
@@ -144,17 +148,17 @@ base::Result<std::int64_t> parseServo(const record::History& history, const QStr
     if (found->size() == 1)
         return found->front().number;
     if (found->empty())
-        return badArgument(translate("cli", "the history knows no servo \"%1\"; \"history --kind "
-                                            "servos\" lists them")
+        return badArgument(translate("cli", "no servo \"%1\" in the history; \"history --kind "
+                                            "servos\" lists all servos")
                                .arg(word));
-    return badArgument(translate("cli", "several servos have the label \"%1\"; give the number of "
-                                        "one: \"history --kind servos\" lists them")
+    return badArgument(translate("cli", "several servos have the label \"%1\"; specify a number "
+                                        "instead, as listed by \"history --kind servos\"")
                            .arg(word));
 }
 
-base::Result<void> loadProfiles(const record::History& history, record::HistoryProfiles& profiles)
+base::Result<void> loadProfiles(const history::History& history, history::HistoryProfiles& profiles)
 {
-    record::HistoryFilter all;
+    history::HistoryFilter all;
     all.limit = maxRows;
     const auto servos = history.log().servos(all);
     if (!servos)

@@ -34,7 +34,8 @@ base::Result<std::int64_t> parseRegisterValue(const device::Servo& servo,
     base::Error error = raw.error();
     error.id = servo.id;
     error.registerKey = reg.key;
-    error.detail = translate("cli", "\"%1\"; expected is %2").arg(text, expectation(reg, meaning));
+    error.detail =
+        translate("cli", "\"%1\" is not valid; expected: %2").arg(text, expectation(reg, meaning));
     return tl::unexpected(error);
 }
 

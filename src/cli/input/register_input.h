@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// KEY=VALUE words into what is to be written, with our own words for what is wrong. Pure; main
-// thread.
+// Parses KEY=VALUE arguments into writes, with translated messages. Pure; main thread.
 #pragma once
 
 #include "device/writer.h"
@@ -8,11 +7,12 @@
 #include <QStringList>
 
 namespace cli {
-/// Raw, physical with its unit, or a name. BadArgument says what this register takes.
+/// A raw value, a physical value with its unit, or a name. BadArgument says what the register
+/// accepts.
 base::Result<std::int64_t> parseRegisterValue(const device::Servo& servo,
                                               const catalog::Register& reg, const QString& text);
 
-/// Needs the servo's settings read. UnknownRegister, BadArgument.
+/// The settings of the servo must have been read. UnknownRegister, BadArgument.
 base::Result<std::vector<device::WriteItem>> parseWriteItems(const device::Servo& servo,
                                                              const QStringList& words);
 } // namespace cli

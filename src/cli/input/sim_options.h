@@ -9,7 +9,7 @@
 
 namespace cli {
 struct SimCommandLine {
-    std::optional<session::SimOptions> options; ///< empty: print `message` and leave
+    std::optional<session::SimOptions> options; ///< empty: print `message` and exit
     std::string message;
     int exitCode = 0; ///< 0 for --help and --version, 2 for a usage error
 };

@@ -8,14 +8,14 @@
 #include <cmath>
 
 namespace cli {
-using record::SweepPace;
-using record::SweepShape;
-using record::SweepSpec;
+using results::SweepPace;
+using results::SweepShape;
+using results::SweepSpec;
 
 namespace {
 constexpr int maxCycles = 1'000'000;
 constexpr int maxPause = 3'600'000; ///< ms
-constexpr int maxTime = 65'535;     ///< ms, as registers have it
+constexpr int maxTime = 65'535;     ///< ms, the maximum of the registers
 constexpr double usPerSecond = 1e6;
 constexpr double minPeriod = 0.1; ///< s
 constexpr double maxPeriod = 3600;
@@ -41,14 +41,14 @@ base::Result<void> takeStep(const Values& values, SweepSpec& spec)
 {
     spec.step = values.option("--step").value_or(QString());
     if (belowZero(spec.step))
-        return badArgument(translate("cli", "--step \"%1\": give a step above 0, raw (100) or with "
-                                            "its unit (10deg); for the other direction swap "
-                                            "--from and --to")
-                               .arg(spec.step));
+        return badArgument(
+            translate("cli", "--step \"%1\": specify a step greater than 0, raw (100) or with its "
+                             "unit (10deg); to reverse the direction, swap --from and --to")
+                .arg(spec.step));
     return {};
 }
 
-/// What makes the path; at most one of them.
+/// The options that determine the path; at most one of them may be given.
 base::Result<void> takeShape(const Values& values, SweepSpec& spec)
 {
     const std::pair<bool, SweepShape> shapes[]{
@@ -57,14 +57,14 @@ base::Result<void> takeShape(const Values& values, SweepSpec& spec)
         {values.option("--random").has_value(), SweepShape::Random},
         {values.option("--sine").has_value(), SweepShape::Sine},
         {values.option("--points").has_value(), SweepShape::Points}};
-    int asked = 0;
+    int count = 0;
     for (const auto& [given, shape] : shapes) {
-        asked += given ? 1 : 0;
+        count += given ? 1 : 0;
         spec.shape = given ? shape : spec.shape;
     }
-    if (asked > 1)
+    if (count > 1)
         return badArgument(translate(
-            "cli", "--step, --both-sides, --random, --sine and --points exclude each other"));
+            "cli", "use only one of --step, --both-sides, --random, --sine and --points"));
     if (const auto step = takeStep(values, spec); !step)
         return step;
     const auto seed = intOption(values, "--random", 0, std::numeric_limits<int>::max());
@@ -72,7 +72,7 @@ base::Result<void> takeShape(const Values& values, SweepSpec& spec)
         return tl::unexpected(seed.error());
     spec.seed = static_cast<std::uint32_t>(seed->value_or(int(spec.seed)));
     if (const auto file = values.option("--points")) {
-        auto points = record::loadSweepPoints(*file);
+        auto points = results::loadSweepPoints(*file);
         if (!points)
             return tl::unexpected(points.error());
         spec.points = std::move(*points);
@@ -86,11 +86,11 @@ base::Result<void> takeRange(const Values& values, SweepSpec& spec)
     const auto to = values.option("--to");
     if (spec.shape == SweepShape::Points) {
         if (from || to)
-            return badArgument(translate("cli", "with --points there is no --from and no --to"));
+            return badArgument(translate("cli", "--points cannot be combined with --from or --to"));
         return {};
     }
     if (!from || !to)
-        return badArgument(translate("cli", "--from and --to are needed"));
+        return badArgument(translate("cli", "--from and --to are required"));
     spec.range = {*from, *to};
     return {};
 }
@@ -101,9 +101,9 @@ base::Result<void> takePace(const Values& values, SweepSpec& spec)
     const bool dwell = values.option("--dwell").has_value();
     const bool needed = spec.shape != SweepShape::Sine;
     if (delay && dwell)
-        return badArgument(translate("cli", "--delay and --dwell exclude each other"));
+        return badArgument(translate("cli", "use either --delay or --dwell, not both"));
     if (needed && !delay && !dwell)
-        return badArgument(translate("cli", "--delay or --dwell is needed"));
+        return badArgument(translate("cli", "--delay or --dwell is required"));
     spec.pace = dwell ? SweepPace::Dwell : SweepPace::Delay;
     const auto pause = intOption(values, dwell ? "--dwell" : "--delay", 1, maxPause);
     if (!pause)
@@ -116,7 +116,7 @@ base::Result<void> takeEnd(const Values& values, SweepSpec& spec)
 {
     if (const auto taken = takeSpan(values, "--for", minSpan, maxSpan, spec.length); !taken)
         return taken;
-    // A length alone is the length.
+    // With a duration, the number of cycles is unlimited unless it is given too.
     spec.cycles = spec.length > base::Duration::zero() ? 0 : 10;
     const auto cycles = intOption(values, "--cycles", 1, maxCycles);
     if (!cycles)
@@ -153,7 +153,7 @@ base::Result<std::optional<int>> intOption(const Values& values, const char* fla
     const auto number = parseInt(*word, min, max);
     if (!number)
         return badArgument(
-            translate("cli", "%1 \"%2\": give a whole number from %3 to %4")
+            translate("cli", "%1 \"%2\": specify a whole number from %3 to %4")
                 .arg(QString::fromLatin1(flag), *word, QString::number(min), QString::number(max)));
     return std::optional(*number);
 }
@@ -167,7 +167,7 @@ base::Result<std::optional<base::Duration>> secondsOption(const Values& values, 
     bool isNumber = false;
     const double number = word->toDouble(&isNumber);
     if (!isNumber || !(number >= min && number <= max))
-        return badArgument(translate("cli", "%1 \"%2\": give a number of seconds from %3 to %4")
+        return badArgument(translate("cli", "%1 \"%2\": specify a number of seconds from %3 to %4")
                                .arg(QString::fromLatin1(flag), *word, QString::number(min),
                                     QString::number(max, 'f', 0)));
     return std::optional(base::Duration(std::llround(number * usPerSecond)));
@@ -177,8 +177,8 @@ base::Result<QString> nonNegativeOption(const Values& values, const char* flag)
 {
     QString word = values.option(flag).value_or(QString());
     if (belowZero(word))
-        return badArgument(translate("cli", "%1 \"%2\": give 0 or more, raw or with its unit; "
-                                            "the direction follows from the goals")
+        return badArgument(translate("cli", "%1 \"%2\": specify a value of 0 or more, raw or with "
+                                            "its unit; the goals determine the direction")
                                .arg(QString::fromLatin1(flag), word));
     return word;
 }
@@ -186,34 +186,46 @@ base::Result<QString> nonNegativeOption(const Values& values, const char* flag)
 std::vector<Option> sweepOptions()
 {
     return {
-        {"--from", QT_TRANSLATE_NOOP("cli", "start: raw, or with its unit (90deg)"), "POS"},
-        {"--to", QT_TRANSLATE_NOOP("cli", "end: raw, or with its unit"), "POS"},
-        {"--delay", QT_TRANSLATE_NOOP("cli", "from one goal to the next, arrived or not"), "MS"},
-        {"--dwell", QT_TRANSLATE_NOOP("cli", "rest after arrival instead"), "MS"},
-        {"--cycles", QT_TRANSLATE_NOOP("cli", "there and back so many times (usual: 10)"), "N"},
-        {"--for", QT_TRANSLATE_NOOP("cli", "end after so many seconds"), "S"},
-        {"--step", QT_TRANSLATE_NOOP("cli", "go in steps of this size, up and down"), "N"},
-        {"--both-sides", QT_TRANSLATE_NOOP("cli", "come to the middle from both sides too")},
-        {"--random", QT_TRANSLATE_NOOP("cli", "random targets, the same for the same number"),
+        {"--from",
+         QT_TRANSLATE_NOOP("cli",
+                           "start position: raw value (1024), or value with its unit (90deg)"),
+         "POS"},
+        {"--to", QT_TRANSLATE_NOOP("cli", "end position: raw or with its unit"), "POS"},
+        {"--delay",
+         QT_TRANSLATE_NOOP("cli", "time from one goal to the next, whether reached "
+                                  "or not"),
+         "MS"},
+        {"--dwell",
+         QT_TRANSLATE_NOOP("cli", "pause after each goal is reached, instead of "
+                                  "--delay"),
+         "MS"},
+        {"--cycles", QT_TRANSLATE_NOOP("cli", "number of cycles (default: 10)"), "N"},
+        {"--for", QT_TRANSLATE_NOOP("cli", "end after this many seconds"), "S"},
+        {"--step", QT_TRANSLATE_NOOP("cli", "move in steps of this size, up and down"), "N"},
+        {"--both-sides", QT_TRANSLATE_NOOP("cli", "approach the midpoint from both sides as well")},
+        {"--random",
+         QT_TRANSLATE_NOOP("cli", "move to random goals; the same seed gives the same goals"),
          "SEED"},
-        {"--sine", QT_TRANSLATE_NOOP("cli", "follow a sine with this period"), "S"},
-        {"--points", QT_TRANSLATE_NOOP("cli", "targets from a CSV file: target,pause in ms"),
+        {"--sine", QT_TRANSLATE_NOOP("cli", "follow a sine wave with this period"), "S"},
+        {"--points", QT_TRANSLATE_NOOP("cli", "read goals from a CSV file: goal,pause in ms"),
          "FILE"},
-        {"--speed", QT_TRANSLATE_NOOP("cli", "raw or with its unit"), "V"},
-        {"--acceleration", QT_TRANSLATE_NOOP("cli", "raw or with its unit"), "A"},
+        {"--speed", QT_TRANSLATE_NOOP("cli", "raw value, or value with its unit"), "V"},
+        {"--acceleration", QT_TRANSLATE_NOOP("cli", "raw value, or value with its unit"), "A"},
         {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS, LX)"), "MS"},
-        {"--warm-up", QT_TRANSLATE_NOOP("cli", "move for so many seconds before measuring"), "S"},
-        {"--switch-mode", QT_TRANSLATE_NOOP("cli", "a servo in another mode is in position mode "
-                                                   "while the test lasts, and back afterwards")},
-        {"--release", QT_TRANSLATE_NOOP("cli", "torque off at the end (usual: hold)")},
-        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "end with the first limit that is failed")},
-        {"--limits", QT_TRANSLATE_NOOP("cli", "limits to judge by (usual: the built-in ones)"),
+        {"--warm-up", QT_TRANSLATE_NOOP("cli", "warm-up time in seconds before measuring"), "S"},
+        {"--switch-mode",
+         QT_TRANSLATE_NOOP(
+             "cli", "switch servos in other modes to position mode for the test, then back")},
+        {"--release", QT_TRANSLATE_NOOP("cli", "turn torque off at the end (default: hold)")},
+        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "end at the first failed limit")},
+        {"--limits", QT_TRANSLATE_NOOP("cli", "limits for the verdict (default: built-in limits)"),
          "FILE"},
         {"--report",
-         QT_TRANSLATE_NOOP("cli", "write the report; the readings go to a CSV beside it"),
+         QT_TRANSLATE_NOOP("cli", "write the report to this file, and the readings to a CSV "
+                                  "file next to it"),
          "FILE.html|pdf|json|csv"},
-        {"--operator", QT_TRANSLATE_NOOP("cli", "who tests, for the report"), "NAME"},
-        {"--note", QT_TRANSLATE_NOOP("cli", "a remark for the report"), "TEXT"},
+        {"--operator", QT_TRANSLATE_NOOP("cli", "operator name for the report"), "NAME"},
+        {"--note", QT_TRANSLATE_NOOP("cli", "note for the report"), "TEXT"},
     };
 }
 
@@ -231,12 +243,12 @@ base::Result<SweepSpec> sweepSpec(const Values& values)
     return spec;
 }
 
-base::Result<std::optional<record::SweepLimits>> sweepLimits(const Values& values)
+base::Result<std::optional<results::SweepLimits>> sweepLimits(const Values& values)
 {
     const auto file = values.option("--limits");
     if (!file)
-        return std::optional<record::SweepLimits>();
-    auto limits = record::loadSweepLimits(*file);
+        return std::optional<results::SweepLimits>();
+    auto limits = results::loadSweepLimits(*file);
     if (!limits)
         return tl::unexpected(limits.error());
     return std::optional(std::move(*limits));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options of the command "sweep" as a test. Pure but for the files they name; main thread.
-// BadArgument says what an option takes; files fail as record/sweep_points.h and sweep_limits.h
-// say.
+// The options of the command "sweep". Main thread. BadArgument says what an option accepts; the
+// files that they name fail as in results/sweep_points.h and sweep_limits.h.
 #pragma once
 
 #include "cli/command.h"
@@ -10,16 +9,16 @@
 
 namespace cli {
 std::vector<Option> sweepOptions();
-base::Result<record::SweepSpec> sweepSpec(const Values& values);
-/// The user's file; none: the built-in ones are meant.
-base::Result<std::optional<record::SweepLimits>> sweepLimits(const Values& values);
+base::Result<results::SweepSpec> sweepSpec(const Values& values);
+/// The limits in the file of --limits; none: the built-in limits.
+base::Result<std::optional<results::SweepLimits>> sweepLimits(const Values& values);
 
-// Numbers of the tests' options; errors name the option and what it takes. nullopt: not given.
+// Options that are numbers. Errors name the option and what it accepts. nullopt: not given.
 base::Result<std::optional<int>> intOption(const Values& values, const char* flag, int min,
                                            int max);
 base::Result<std::optional<base::Duration>> secondsOption(const Values& values, const char* flag,
                                                           double min, double max);
-/// A speed or the like as it was typed, empty where it was not: the servo's register says how much
-/// is possible, but below 0 is nonsense of any.
+/// A speed or acceleration as typed; empty: not given. Its maximum depends on the servo, but
+/// negative values are never valid.
 base::Result<QString> nonNegativeOption(const Values& values, const char* flag);
 } // namespace cli

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the program writes: results to stdout, everything else to stderr. UTF-8 whatever the
-// locale. What people read passes terminalSafe(), so that no file or device commands the terminal.
-// Owned by main; main thread. A failure to write is remembered, not thrown: the command goes on and
-// the exit code tells.
+// The output of the program: results on stdout, everything else on stderr, in UTF-8 with every
+// locale. Text passes through terminalSafe(), so that no file or device can send commands to the
+// terminal. Owned by main; main thread. A failed write ends nothing; writeError() reports it for
+// the exit code.
 #pragma once
 
 #include "cli/output/json.h"
@@ -18,23 +18,23 @@ public:
 
     bool isJson() const { return m_json; }
 
-    /// Human result on stdout; nothing in JSON mode.
+    /// A text on stdout; nothing in JSON mode.
     void print(const QString& text);
-    /// A document on stdout: its bytes as they are, but not on a terminal.
+    /// A document on stdout: unchanged bytes, but made safe on a terminal.
     void write(const QByteArray& bytes);
-    /// Lines in place of those above them, on a terminal.
+    /// Replaces the lines above, on a terminal.
     void rewrite(int linesAbove, const QStringList& lines);
     /// A line on stderr.
     void printMessage(const QString& line);
-    /// The same, but nothing in JSON mode, where the document says it.
+    /// The same, but nothing in JSON mode, where the document contains it.
     void printNote(const QString& line);
 
-    /// The line that shows how far a task is, in place of the one before; on a terminal.
+    /// Replaces the line that shows the progress of a task, on a terminal.
     void showStatus(const QString& line);
 
-    bool isStdoutTerminal() const; ///< stdout is a terminal
-    bool isStderrTerminal() const; ///< stderr is a terminal
-    int terminalWidth() const;     ///< of stdout's terminal; 0 if not known
+    bool isStdoutTerminal() const;
+    bool isStderrTerminal() const;
+    int terminalWidth() const; ///< of the terminal of stdout; 0 if unknown
 
     /// errno of the first failure to write on stdout.
     std::optional<int> writeError() const { return m_failure; }

@@ -7,7 +7,7 @@
 
 namespace cli {
 namespace {
-/// Levels of nesting whose parts stand on lines of their own.
+/// Levels of nesting whose elements are on separate lines.
 constexpr int openLevels = 2;
 
 QByteArray quoted(const QString& text)
@@ -25,8 +25,8 @@ QByteArray quoted(const QString& text)
     return (out + QLatin1Char('"')).toUtf8();
 }
 
-/// The shortest text that reads back as this number; scales like 0.1 leave dust behind the ninth
-/// decimal that nobody measured.
+/// The shortest text for this number, without the rounding errors of scales like 0.1 after the
+/// ninth decimal.
 QByteArray numbered(double value)
 {
     if (!std::isfinite(value))

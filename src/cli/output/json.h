@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON that keeps the order in which its members were given, as people read it. A value; any
-// thread; never fails. Top-level members and the elements of their lists stand on lines of their
-// own.
+// JSON that keeps the order in which members were added. A value; any thread; never fails.
+// Top-level members and the elements of their lists are on separate lines.
 #pragma once
 
 #include <QByteArray>
@@ -33,7 +32,7 @@ public:
         : Json(value ? Json(*value) : Json())
     {}
 
-    // Out of line, as the compiler warns about moving a variant where it inlines it.
+    // Not inline, because the compiler then warns about moving a variant.
     Json(const Json& other);
     Json(Json&& other) noexcept;
     Json& operator=(const Json& other);
@@ -45,8 +44,8 @@ public:
     /// Appends a member to an object.
     Json& add(const char* name, Json value);
 
-    QByteArray text() const;    ///< several lines, with a line feed at the end
-    QByteArray compact() const; ///< one line, none at the end
+    QByteArray text() const;    ///< several lines with a final line feed
+    QByteArray compact() const; ///< one line without a line feed
 
 private:
     void write(QByteArray& out, int depth) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a long task is, on stderr: nothing for the first second; then one line that is rewritten
-// on a terminal, or a plain line now and then where there is none. Main thread.
+// The progress of a long task, on stderr: nothing in the first second, then one line that is
+// updated on a terminal, or an occasional line elsewhere. Main thread.
 #pragma once
 
 #include "cli/output/console.h"
@@ -12,7 +12,7 @@ namespace cli {
 class ProgressLine {
 public:
     ProgressLine(Console& console, QString task);
-    ~ProgressLine(); ///< takes the line away
+    ~ProgressLine(); ///< removes the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 

@@ -10,32 +10,19 @@
 
 namespace cli {
 namespace {
-constexpr int uuidDigits = 8; ///< enough to tell a handful of changes apart
+constexpr int uuidDigits = 8; ///< enough to distinguish a few changes
 
 QString kindName(const base::Intent& intent)
 {
     switch (intent.kind) {
-    case base::IntentKind::Write:
-        return QStringLiteral("write");
-    case base::IntentKind::SetId:
-        return QStringLiteral("set-id");
-    case base::IntentKind::SetBaud:
-        return QStringLiteral("set-baud");
-    case base::IntentKind::Mode:
-        return QStringLiteral("mode");
     case base::IntentKind::Calibrate:
         return QStringLiteral("center");
     case base::IntentKind::Restore:
         return jobs::restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
                                               : QStringLiteral("restore-defaults");
-    case base::IntentKind::Identify:
-        return QStringLiteral("identify");
-    case base::IntentKind::Trial:
-        return QStringLiteral("trial");
-    case base::IntentKind::Undo:
-        return QStringLiteral("undo");
+    default:
+        return base::intentKindName(intent.kind);
     }
-    return {};
 }
 
 struct FindingText {
@@ -51,17 +38,17 @@ FindingText findingText(jobs::Finding finding)
     case jobs::Finding::AllNew:
         return {"all-new", QT_TRANSLATE_NOOP("cli", "the new values")};
     case jobs::Finding::Mixed:
-        return {"mixed", QT_TRANSLATE_NOOP("cli", "some new, some old values")};
+        return {"mixed", QT_TRANSLATE_NOOP("cli", "some old and some new values")};
     case jobs::Finding::OtherServo:
-        return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
+        return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo replies: not changed")};
     case jobs::Finding::NoReply:
-        return {"no-answer", QT_TRANSLATE_NOOP("cli", "it does not answer")};
+        return {"no-answer", QT_TRANSLATE_NOOP("cli", "no reply")};
     case jobs::Finding::Unreadable:
-        return {"unreadable", QT_TRANSLATE_NOOP("cli", "something answers, but nothing readable")};
+        return {"unreadable", QT_TRANSLATE_NOOP("cli", "replies cannot be decoded")};
     case jobs::Finding::UnderWay:
-        return {"under-way", QT_TRANSLATE_NOOP("cli", "still under way in another program")};
+        return {"under-way", QT_TRANSLATE_NOOP("cli", "still in progress in another program")};
     case jobs::Finding::Replaced:
-        return {"replaced", QT_TRANSLATE_NOOP("cli", "other values since, which stay")};
+        return {"replaced", QT_TRANSLATE_NOOP("cli", "value has since changed: left unchanged")};
     }
     return {"", ""};
 }
@@ -121,15 +108,15 @@ QStringList changesOf(const base::Intent& intent)
     return changes;
 }
 
-/// In one cell of a table: many rows as their number, those whose new value is not known
-/// beforehand (calibration, restored defaults) by their names.
+/// For one cell of a table: the number of registers if there are many; the names if the new values
+/// are not known beforehand (calibration, factory defaults).
 QString changesCell(const base::Intent& intent)
 {
     constexpr int maxItemsInLine = 3;
     const QStringList changes = changesOf(intent);
     const int count = static_cast<int>(intent.items.size());
     if (count > maxItemsInLine)
-        return translate("cli", "%1 registers").arg(count);
+        return translate("cli", "%n register(s)", nullptr, count);
     if (!changes.isEmpty())
         return changes.join(QStringLiteral(", "));
     QStringList keys;
@@ -140,14 +127,13 @@ QString changesCell(const base::Intent& intent)
 
 } // namespace
 
-/// What the cell only counts, one a line.
 QString changesBelow(const base::Intent& intent)
 {
     const QStringList changes = changesOf(intent);
     if (changesCell(intent) == changes.join(QStringLiteral(", ")) || changes.isEmpty())
         return {};
-    QString lines =
-        translate("cli", "Change %1:").arg(intent.uuid.left(uuidDigits)) + QLatin1Char('\n');
+    QString lines = translate("cli", "Unfinished change %1:").arg(intent.uuid.left(uuidDigits)) +
+                    QLatin1Char('\n');
     for (const QString& change : changes)
         lines += QStringLiteral("  %1\n").arg(change);
     return lines;
@@ -156,23 +142,21 @@ QString changesBelow(const base::Intent& intent)
 QString discardedText(const base::Intent& intent)
 {
     const QStringList changes = changesOf(intent);
-    QString lines =
-        translate("cli", "Given up: change %1, servo %2 (%3, %4)")
-            .arg(intent.uuid.left(uuidDigits))
-            .arg(intent.servo.id)
-            .arg(kindName(intent),
-                 intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+    QString lines = translate("cli", "Abandoned: change %1, servo %2 (%3, %4)")
+                        .arg(intent.uuid.left(uuidDigits))
+                        .arg(intent.servo.id)
+                        .arg(kindName(intent), localTime(intent.at));
     lines += QLatin1Char('\n');
     for (const QString& change : changes.isEmpty() ? QStringList{changesCell(intent)} : changes)
         lines += QStringLiteral("  %1\n").arg(change);
-    lines +=
-        QStringLiteral("  ") +
-        translate("cli", "Nothing was read: each register may hold its old or its new value.") +
-        QLatin1Char('\n');
+    lines += QStringLiteral("  ") +
+             translate("cli",
+                       "The servo was not read: each register may hold its old or its new value.") +
+             QLatin1Char('\n');
     if (intent.lockOpened)
         lines += QStringLiteral("  ") +
-                 translate("cli", "The EPROM lock may be open. \"info %1\" shows it; switching the "
-                                  "servo off closes it.")
+                 translate("cli", "The EPROM may be unlocked. To check, use \"info %1\". To lock "
+                                  "the EPROM, turn the servo off and on.")
                      .arg(intent.servo.id) +
                  QLatin1Char('\n');
     return lines;
@@ -191,26 +175,25 @@ QString formatLock(const std::optional<bool>& open)
                                    : QStringLiteral("closed"));
 }
 
-/// A restore whose way back had begun is undone even if finishing was asked for.
+/// A restore whose rollback had begun is undone even if it should be finished.
 QString recoveryText(const jobs::RecoveryResult& one, jobs::RecoveryAction asked)
 {
     if (!one.done)
         return translate("cli", "no");
     if (one.isAllSkipped)
-        return translate("cli", "left as it is");
+        return translate("cli", "not changed");
     const bool undone = asked == jobs::RecoveryAction::Finish && one.action != asked;
     return undone ? translate("cli", "undone") : translate("cli", "yes");
 }
 
 } // namespace
 
-/// What was not written although it reads another value than was asked for.
 QString notWrittenLine(const jobs::RecoveryResult& one)
 {
     if (one.skippedKeys.isEmpty())
         return {};
-    return translate("cli", "Change %1, left as they are, because they have another value since or "
-                            "would move the servo: %2")
+    return translate("cli", "Change %1: registers left unchanged because their values have since "
+                            "changed, or because writing them would move the servo: %2")
                .arg(one.before.intent.uuid.left(uuidDigits),
                     one.skippedKeys.join(QStringLiteral(", "))) +
            QLatin1Char('\n');
@@ -219,13 +202,12 @@ QString notWrittenLine(const jobs::RecoveryResult& one)
 Table recoveredTable(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action)
 {
     Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
-                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Found"),
-                 translate("cli", "Lock"), translate("cli", "Settled")});
+                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "State"),
+                 translate("cli", "EPROM lock"), translate("cli", "Result")});
     table.alignRight({2});
     for (const jobs::RecoveryResult& one : all) {
         const base::Intent& intent = one.before.intent;
-        table.add({intent.uuid.left(uuidDigits),
-                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+        table.add({intent.uuid.left(uuidDigits), localTime(intent.at),
                    QString::number(intent.servo.id), kindName(intent), changesCell(intent),
                    translate("cli", findingText(one.before.finding).shown),
                    formatLock(one.before.lockOpen), recoveryText(one, action)});
@@ -249,7 +231,7 @@ QString commandOn(const QString& port)
 
 } // namespace
 
-/// Of one that may be here first.
+/// Preferably of a change whose servo may be on this port.
 QString UncheckedChanges::command() const
 {
     QString there;
@@ -301,24 +283,25 @@ QString UncheckedChanges::advice() const
     }
     QStringList lines;
     if (!running.empty())
-        lines << translate("cli", "Still under way in another program and left to it: %1")
+        lines << translate("cli", "Still in progress in another program, which will finish it: %1")
                      .arg(namesOf(running));
     for (const auto& [there, its] : present) {
         if (there == port)
             continue;
-        lines << translate("cli", "Port %1 still exists. To see its changes (%2): %3")
+        lines << translate("cli", "Port %1 still exists. To list its changes (%2): %3")
                      .arg(there, namesOf(its), commandOn(there));
         if (hasRealPort())
-            lines << translate("cli",
-                               "Only if you know that the same servo is connected to %1 now: "
-                               "%2. Another servo of this model and ID cannot be told "
-                               "apart from it.")
+            lines << translate("cli", "ServoDesk cannot distinguish the servo from another one "
+                                      "with the same model and ID. Only if you are sure that the "
+                                      "same servo is now connected to %1, run: %2")
                          .arg(port, commandForThisPort() + QStringLiteral(" --change ") +
                                         its.front().uuid.left(uuidDigits));
     }
     if (gone)
-        lines << translate("cli", "An adapter that is plugged in again may have another name. "
-                                  "Where the servo is connected now, look at them with: %1")
+        lines << translate(
+                     "cli",
+                     "An adapter may get a different port name when it is plugged in again. To "
+                     "list the changes, use the port to which the servo is now connected: %1")
                      .arg(commandForThisPort());
     return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
@@ -331,8 +314,7 @@ QString UncheckedChanges::text(const QString& title) const
                  translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Port")});
     table.alignRight({2});
     for (const base::Intent& intent : intents) {
-        table.add({intent.uuid.left(uuidDigits),
-                   intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+        table.add({intent.uuid.left(uuidDigits), localTime(intent.at),
                    QString::number(intent.servo.id), kindName(intent), changesCell(intent),
                    intent.servo.port});
     }
@@ -341,17 +323,16 @@ QString UncheckedChanges::text(const QString& title) const
 
 QString otherPortsTitle()
 {
-    return translate("cli", "Changes that were begun on other ports are open:");
+    return translate("cli", "Unfinished changes from other ports:");
 }
 
-/// One that was named although its own port is there: nothing proves that it is the same servo.
 QString userConfirmedText(const jobs::RecoveryResult& one, const QString& port)
 {
     const base::Intent& intent = one.before.intent;
     if (intent.servo.port == port || !jobs::isPortPresent(intent))
         return {};
-    return translate("cli", "Change %1 was begun on %2, which still exists. "
-                            "ServoDesk relies on your word that the servo on %3 is the same one.")
+    return translate("cli", "Change %1 was started on %2, which still exists. You have confirmed "
+                            "that the servo on %3 is the same servo.")
                .arg(intent.uuid.left(uuidDigits), intent.servo.port, port) +
            QLatin1Char('\n');
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interrupted changes as the command line shows them: those that were compared with a servo, and
-// those that were not, with what to type. Pure, but for a look whether a port is there;
-// any thread.
+// The texts and JSON of interrupted changes: those that were compared with a servo, and those that
+// were not, with the command for them. Pure except for checking whether a port exists; any thread.
 #pragma once
 
 #include "cli/output/json.h"
@@ -11,27 +10,28 @@
 namespace cli {
 Json jsonRecovered(const jobs::RecoveryResult& one);
 Table recoveredTable(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action);
-/// What the table only counts, one a line.
+/// The changes that the table only counts, one per line.
 QString changesBelow(const base::Intent& intent);
-/// A change that was given up unread: what it concerned, and that the lock may be open.
+/// A change that was discarded without reading: its registers, and whether the lock may be open.
 QString discardedText(const base::Intent& intent);
 Json jsonDiscarded(const base::Intent& intent);
-/// What was not written although it reads another value than was asked for.
+/// The registers that were not written although their values differ; empty: none.
 QString notWrittenLine(const jobs::RecoveryResult& one);
-/// One that was named although its own port is there: nothing proves that it is the same servo.
+/// For a change that the user named although its own port exists: nothing proves that it is the
+/// same servo.
 QString userConfirmedText(const jobs::RecoveryResult& one, const QString& port);
 
-/// Changes that were not compared with a servo, and how to get at each.
+/// Changes that were not compared with a servo, and the commands for them.
 struct UncheckedChanges {
     std::vector<base::Intent> intents{};
-    QString port{};     ///< of this run; empty where none was named
-    bool isOpen = true; ///< that port
+    QString port{};     ///< of this run; empty: none was given
+    bool isOpen = true; ///< whether this port is open
 
     bool hasRealPort() const
     {
         return isOpen && !port.isEmpty() && !port.startsWith(QLatin1String("sim:"));
     }
-    /// On this port: the adapter may only have another name now.
+    /// For this port, because the adapter may only have got another name.
     QString commandForThisPort() const
     {
         return QStringLiteral("servodesk-cli recover --any-port --port %1")
@@ -39,11 +39,11 @@ struct UncheckedChanges {
     }
     QString command() const;
     Json json() const;
-    void addTo(Json& document, const char* name) const; ///< the changes only, if there are any
+    void addTo(Json& document, const char* name) const; ///< nothing if there are no changes
     QString advice() const;
     QString text(const QString& title) const;
 };
-/// What to type, of the first of them that has something.
+/// Adds the command of `first`, or of `second` if `first` has none.
 void addRecoverCommand(Json& document, const UncheckedChanges& first,
                        const UncheckedChanges& second = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output/report_text.h"
 
+#include "cli/output/table.h"
 #include "cli/translate.h"
 #include "text/error_text.h"
 #include "text/language.h"
@@ -8,28 +9,28 @@
 
 namespace cli {
 namespace {
-/// The option that is the user's consent.
+/// The option that gives the consent of the user.
 QString consentOption(const base::Error& error)
 {
     return error.operation == QLatin1String("clear-alarm") ? QStringLiteral("--move")
                                                            : QStringLiteral("--dangerous");
 }
 
-/// The text layer asks for consent without knowing how it is given here.
+/// Adds the option, because the text layer does not know how consent is given here.
 QString remedyFor(const base::Error& error, const QString& remedy)
 {
     if (error.code != base::ErrorCode::NeedsConsent)
         return remedy;
     return remedy + QLatin1Char(' ') +
-           translate("cli", "On the command line the option %1 is your consent.")
+           translate("cli", "On the command line, use the option %1 to confirm.")
                .arg(consentOption(error));
 }
 
-/// What to type next, where the words of the text layer cannot know about commands.
+/// The next command, which the text layer does not know.
 QString commandHint(const base::Error& error)
 {
     if (error.operation == QLatin1String("history-server"))
-        return {}; // no servo is concerned
+        return {}; // not about a servo
     switch (error.code) {
     case base::ErrorCode::NoReply:
     case base::ErrorCode::Garbled:
@@ -74,14 +75,14 @@ Json bitKeys(std::int64_t raw, const catalog::Register& reg)
 
 QString numberOrDash(const std::optional<std::int64_t>& number)
 {
-    return number ? QString::number(*number) : QStringLiteral("–");
+    return number ? QString::number(*number) : noValue();
 }
 } // namespace
 
 QString servoTitle(const device::Servo& servo)
 {
     const catalog::Profile& profile = *servo.profile;
-    if (profile.identity.firmwareMajor < 0) // it says nothing of itself
+    if (profile.identity.firmwareMajor < 0) // it does not report its model
         return profile.modelName;
     if (profile.modelName.contains(profile.identity.modelId())) // a model without a name
         return translate("cli", "%1, firmware %2")
@@ -94,7 +95,7 @@ QString formatValueText(const device::Servo& servo, const catalog::Register& reg
 {
     const auto raw = servo.raw(reg);
     return raw ? catalog::formatValue(*raw, reg, servo.meaning(reg), text::isUiChinese())
-               : QStringLiteral("–");
+               : noValue();
 }
 
 QString formatUnit(const device::Servo& servo, const catalog::Register& reg)
@@ -140,13 +141,13 @@ Json jsonRegister(const device::Servo& servo, const catalog::Register& reg)
 Table registerTable(const device::Servo& servo,
                     const std::vector<const catalog::Register*>& registers)
 {
-    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Name"),
+    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Area"),
                  translate("cli", "Value"), translate("cli", "Raw"), translate("cli", "Area"),
                  translate("cli", "Access")});
     table.alignRight({0, 4});
     for (const catalog::Register* reg : registers) {
         table.add({QString::number(reg->address), reg->key,
-                   servo.meaning(*reg).name.in(text::isUiChinese()), formatValueText(servo, *reg),
+                   text::localized(servo.meaning(*reg).name), formatValueText(servo, *reg),
                    numberOrDash(servo.raw(*reg)), text::areaLabel(reg->area),
                    text::accessLabel(reg->access)});
     }
@@ -176,7 +177,7 @@ Json jsonWrites(const device::WriteReport& report)
 
 QString writeText(const device::Servo& servo, const device::WriteReport& report)
 {
-    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Old"),
+    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
                  translate("cli", "Outcome")});
     table.alignRight({0, 2, 3, 4});
@@ -221,14 +222,14 @@ QString errorText(const base::Error& error)
 {
     const text::Description words = text::describe(error);
     QStringList lines{words.message};
-    // A slip of the keyboard has no cause to look for.
+    // A typing error needs no cause.
     if (error.operation != QLatin1String("arguments")) {
         lines << translate("cli", "  Likely cause: %1").arg(words.cause)
               << translate("cli", "  Remedy: %1").arg(remedyFor(error, words.remedy));
     }
     const QString hint = commandHint(error);
     if (!hint.isEmpty())
-        lines << translate("cli", "  Try: %1").arg(hint);
+        lines << translate("cli", "  Example: %1").arg(hint);
     return lines.join(QLatin1Char('\n'));
 }
 } // namespace cli

@@ -4,6 +4,7 @@
 #include "catalog/units.h"
 #include "cli/input/arguments.h"
 #include "cli/output/report_text.h"
+#include "cli/output/table.h"
 #include "cli/translate.h"
 #include "text/error_text.h"
 #include "text/language.h"
@@ -14,20 +15,18 @@
 
 namespace cli {
 namespace {
-const QString dash = QStringLiteral("–");
-
 QString shown(const device::Servo& servo, const QString& key, std::optional<std::int64_t> raw)
 {
     const catalog::Register* reg = servo.profile->find(key);
     if (!raw || reg == nullptr)
-        return raw ? QString::number(*raw) : dash;
+        return raw ? QString::number(*raw) : noValue();
     const catalog::ValueFormat meaning = servo.meaning(*reg);
     const QString value = catalog::formatValue(*raw, *reg, meaning, text::isUiChinese());
     const QString number = QString::number(*raw);
     return value == number ? number : number + QStringLiteral(" · ") + value;
 }
 
-/// Differs, or might, and is not written: jobs::omittedRows(), and what nobody expects to be.
+/// The rows that are not selected, have no counterpart, or are omitted (jobs::omittedRows()).
 std::vector<const jobs::RestoreRow*> notWritten(const jobs::RestorePlan& plan)
 {
     std::vector<const jobs::RestoreRow*> rows;
@@ -89,8 +88,8 @@ QString notWrittenTable(const jobs::RestorePlan& plan)
     const auto left = notWritten(plan);
     if (left.empty())
         return {};
-    Table table({translate("cli", "Left out"), translate("cli", "Now"), translate("cli", "File"),
-                 translate("cli", "Why")});
+    Table table({translate("cli", "Skipped"), translate("cli", "Present"), translate("cli", "File"),
+                 translate("cli", "Reason")});
     table.alignRight({1, 2});
     for (const jobs::RestoreRow* row : left) {
         table.add({row->key, shown(plan.servo, row->key, row->now),
@@ -118,18 +117,18 @@ QString originText(const jobs::RestorePlan& plan)
 {
     if (plan.otherModel) {
         QString text =
-            translate("cli", "The file is of another model: rows are matched by their key.") +
+            translate("cli", "The file is from another model: registers are matched by name.") +
             QLatin1Char('\n');
         if (plan.count(jobs::RestoreReason::OtherModelLimit) > 0)
-            text += translate("cli", "Limits of voltage, temperature, current and torque are left "
-                                     "out; to write one of them, name it: --only KEY "
-                                     "--dangerous.") +
-                    QLatin1Char('\n');
+            text +=
+                translate("cli", "Voltage, temperature, current and torque limits are not restored "
+                                 "by default; to write one, specify --only KEY --dangerous.") +
+                QLatin1Char('\n');
         return text;
     }
     if (plan.otherFirmware)
-        return translate("cli", "The file is of another firmware: rows are matched by their "
-                                "key.") +
+        return translate("cli", "The file is from another firmware version: registers are "
+                                "matched by name.") +
                QLatin1Char('\n');
     return {};
 }
@@ -153,10 +152,10 @@ Json jsonRow(const jobs::RestoreRowResult& row)
 QString rowState(const jobs::RestoreRowResult& row)
 {
     const QString word = text::outcomeLabel(device::outcomeName(row.write.outcome));
-    return row.rolledBack ? translate("cli", "%1, put back").arg(word) : word;
+    return row.rolledBack ? translate("cli", "%1, restored to the old value").arg(word) : word;
 }
 
-/// The writes and the lock as one report, whose exit code everybody knows.
+/// Writes and lock as one report, for its exit code.
 device::WriteReport reportOf(const jobs::RestoreOutcome& outcome)
 {
     device::WriteReport report;
@@ -172,7 +171,7 @@ QString formatNumber(std::optional<std::int64_t> raw, std::optional<double> valu
                      const QString& unit)
 {
     if (!raw)
-        return dash;
+        return noValue();
     const QString number = QString::number(*raw);
     if (!value || unit.isEmpty())
         return number;
@@ -182,19 +181,20 @@ QString formatNumber(std::optional<std::int64_t> raw, std::optional<double> valu
 
 std::vector<Option> restoreOptions(std::vector<Option> more)
 {
-    more.insert(more.end(),
-                {{"--only", QT_TRANSLATE_NOOP("cli", "these registers only: KEY,KEY"), "KEYS"},
-                 {"--live", QT_TRANSLATE_NOOP("cli", "also what is lost at power-off "
-                                                     "(acceleration, torque limit)")},
-                 {"--dangerous", QT_TRANSLATE_NOOP("cli", "yes, also registers that can make the "
-                                                          "servo unreachable or turn it")},
-                 {"--roll-back", QT_TRANSLATE_NOOP("cli", "at the first failure put everything "
-                                                          "back; otherwise it stops there")},
-                 {"--dry-run", QT_TRANSLATE_NOOP("cli", "show the writes to come, write nothing")},
-                 {"--result",
-                  QT_TRANSLATE_NOOP("cli", "save what became of each row (.csv or "
-                                           ".json)"),
-                  "FILE"}});
+    more.insert(
+        more.end(),
+        {{"--only", QT_TRANSLATE_NOOP("cli", "only these registers: KEY,KEY"), "KEYS"},
+         {"--live", QT_TRANSLATE_NOOP("cli", "include values that are lost at power-off "
+                                             "(acceleration, torque limit)")},
+         {"--dangerous",
+          QT_TRANSLATE_NOOP(
+              "cli", "allow writing registers that can move the servo or make it unreachable")},
+         {"--roll-back", QT_TRANSLATE_NOOP("cli", "at the first failure, undo all "
+                                                  "writes (default: stop there)")},
+         {"--dry-run", QT_TRANSLATE_NOOP("cli", "show what would be written, without "
+                                                "writing")},
+         {"--result", QT_TRANSLATE_NOOP("cli", "save the result of each row (.csv or .json)"),
+          "FILE"}});
     return more;
 }
 
@@ -204,9 +204,9 @@ jobs::RestoreChoice choiceOf(const Values& values)
     if (const auto only = values.option("--only"))
         choice.only = only->split(QLatin1Char(','), Qt::SkipEmptyParts);
     choice.identity = values.has("--identity");
-    choice.dangerous = values.has("--dangerous");
+    choice.consent = device::Consent::byOption(values.has("--dangerous"));
     choice.live = values.has("--live");
-    if (choice.dangerous)
+    if (choice.consent)
         choice.otherModelLimits = choice.only;
     return choice;
 }
@@ -214,30 +214,33 @@ jobs::RestoreChoice choiceOf(const Values& values)
 jobs::RestoreOptions restoreOptionsOf(const Values& values)
 {
     jobs::RestoreOptions options;
-    options.dangerous = values.has("--dangerous");
+    options.consent = device::Consent::byOption(values.has("--dangerous"));
     options.onFailure =
         values.has("--roll-back") ? jobs::OnFailure::RollBack : jobs::OnFailure::Stop;
     return options;
 }
 
-base::Result<void> checkOnly(const Values& values, const record::Snapshot& snapshot)
+base::Result<snapshot::Snapshot> loadToRestore(const Values& values, const QString& file)
 {
+    auto loaded = snapshot::loadSnapshot(file);
+    if (!loaded)
+        return loaded;
     const auto only = values.option("--only");
     const QStringList keys = choiceOf(values).only;
     if (only && keys.isEmpty())
-        return badArgument(translate("cli", "--only names no register"));
+        return badArgument(translate("cli", "--only requires at least one register"));
     for (const QString& key : keys) {
-        if (snapshot.find(key) != nullptr)
+        if (loaded->find(key) != nullptr)
             continue;
         QStringList known;
-        for (const record::SnapshotRegister& reg : snapshot.registers)
+        for (const snapshot::SnapshotRegister& reg : loaded->registers)
             known << reg.key;
         base::Error error{base::ErrorCode::UnknownRegister, QStringLiteral("restore"),
                           nearest(key, known).join(QStringLiteral(", "))};
         error.registerKey = key;
         return tl::unexpected(error);
     }
-    return {};
+    return loaded;
 }
 
 void addPlan(Json& json, const jobs::RestorePlan& plan)
@@ -274,8 +277,8 @@ QString planText(const jobs::RestorePlan& plan)
     if (writes.empty())
         return text + translate("cli", "Nothing to write.") + QLatin1Char('\n') +
                notWrittenTable(plan) + alarmsText(plan);
-    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Now"),
-                 translate("cli", "Will be")});
+    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Present"),
+                 translate("cli", "New value")});
     table.alignRight({0, 2, 3});
     for (const jobs::RestoreWrite& write : writes)
         table.add({QString::number(write.address), write.key,
@@ -294,10 +297,8 @@ QString leftOutText(const jobs::RestorePlan& plan)
     if (rows.isEmpty())
         return {};
     const QString all = rows.join(QStringLiteral(", "));
-    const QString line =
-        rows.size() == 1 ? translate("cli", "1 row was left out: %1").arg(all)
-                         : translate("cli", "%1 rows were left out: %2").arg(rows.size()).arg(all);
-    return line + QLatin1Char('\n');
+    return translate("cli", "%n row(s) skipped: %1", nullptr, int(rows.size())).arg(all) +
+           QLatin1Char('\n');
 }
 
 QString stepsText(const jobs::RestorePlan& plan)
@@ -339,10 +340,10 @@ QString notPutBackText(const jobs::RestoreOutcome& outcome)
     const QString keys = outcome.notReverted.join(QStringLiteral(", "));
     const QString next =
         outcome.isChangeOpen
-            ? translate("cli", "The change stays open; look at it with: servodesk-cli recover")
-            : translate("cli", "The values in the table stand in the servo. The snapshot that was "
-                               "taken before the first write has the earlier ones.");
-    return translate("cli", "Could not be put back: %1.").arg(keys) + QLatin1Char(' ') + next +
+            ? translate("cli", "The change is still unfinished. To see it: servodesk-cli recover")
+            : translate("cli", "The table shows the values now in the servo. The snapshot taken "
+                               "before the first write contains the old values.");
+    return translate("cli", "Could not be restored: %1.").arg(keys) + QLatin1Char(' ') + next +
            QLatin1Char('\n');
 }
 } // namespace
@@ -351,7 +352,7 @@ QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& se
 {
     if (outcome.verdict == jobs::RestoreVerdict::AlreadySet)
         return translate("cli", "Nothing had to be written.") + QLatin1Char('\n');
-    Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Old"),
+    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
                  translate("cli", "Outcome")});
     table.alignRight({0, 2, 3, 4});

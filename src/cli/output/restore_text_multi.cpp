@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What became of several servos: one line each, then what did not go well and what was left out.
+// The results of several servos: one line each, then the rows that failed or were not written.
 #include "cli/output/report_text.h"
 #include "cli/output/restore_text.h"
+#include "cli/output/table.h"
 #include "cli/translate.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "text/error_text.h"
@@ -10,10 +11,6 @@
 #include <algorithm>
 
 namespace cli {
-namespace {
-const QString dash = QStringLiteral("–");
-} // namespace
-
 Json jsonApplied(const jobs::ApplyResult& applied)
 {
     Json json = Json::object();
@@ -35,20 +32,20 @@ Json jsonApplied(const jobs::ApplyResult& applied)
 QString appliedText(const std::vector<jobs::ApplyResult>& all)
 {
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Rows"),
-                 translate("cli", "Result"), translate("cli", "Remark")});
+                 translate("cli", "Result"), translate("cli", "Note")});
     table.alignRight({0, 2});
     for (const jobs::ApplyResult& one : all) {
         QString remark = one.error ? text::describe(*one.error).message : QString();
         if (remark.isEmpty() && one.plan.servo.profile) {
             const auto left = jobs::omittedRows(one.plan);
             if (!left.empty())
-                remark = translate("cli", "rows left out: %1").arg(left.size());
+                remark = translate("cli", "%n row(s) skipped", nullptr, int(left.size()));
         }
         const bool known = one.servo && one.servo->profile;
-        table.add(
-            {QString::number(one.id), known ? one.servo->profile->modelName : dash,
-             one.plan.servo.profile ? QString::number(jobs::plannedWrites(one.plan).size()) : dash,
-             text::restoreVerdictText(jobs::verdictName(one.verdict)), remark});
+        table.add({QString::number(one.id), known ? one.servo->profile->modelName : noValue(),
+                   one.plan.servo.profile ? QString::number(jobs::plannedWrites(one.plan).size())
+                                          : noValue(),
+                   text::restoreVerdictText(jobs::verdictName(one.verdict)), remark});
     }
     QString text = table.text();
     for (const jobs::ApplyResult& one : all) {
@@ -72,8 +69,7 @@ Exit exitCode(const std::vector<jobs::ApplyResult>& all)
                    one.verdict == ApplyVerdict::Planned;
         })) {
         const bool misses = std::any_of(all.begin(), all.end(), [](const jobs::ApplyResult& one) {
-            return one.outcome &&
-                   hasUnwrittenRequest(one.plan); // a dry run has done what it should
+            return one.outcome && hasUnwrittenRequest(one.plan); // a dry run is complete
         });
         return misses ? Exit::Failed : Exit::Success;
     }
@@ -87,12 +83,12 @@ Exit exitCode(const std::vector<jobs::ApplyResult>& all)
     return Exit::Failed;
 }
 
-std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::ApplyResult>& all,
-                                             const QString& source)
+std::vector<snapshot::RestoreResult> resultsOf(const std::vector<jobs::ApplyResult>& all,
+                                               const QString& source)
 {
-    std::vector<record::RestoreResult> results;
+    std::vector<snapshot::RestoreResult> results;
     for (const jobs::ApplyResult& one : all) {
-        record::RestoreResult result;
+        snapshot::RestoreResult result;
         if (one.outcome && one.servo)
             result =
                 jobs::toRestoreResult(*one.outcome, *one.servo, source, session::programName());

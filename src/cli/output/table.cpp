@@ -12,7 +12,7 @@ struct Span {
     char32_t first, last;
 };
 
-// East Asian wide and full-width blocks, as far as names and help texts use them.
+// The East Asian wide and full-width blocks that names and help texts use.
 constexpr std::array wide{Span{0x1100, 0x115f},   Span{0x2e80, 0x303e},  Span{0x3041, 0x33ff},
                           Span{0x3400, 0x4dbf},   Span{0x4e00, 0x9fff},  Span{0xa000, 0xa4cf},
                           Span{0xac00, 0xd7a3},   Span{0xf900, 0xfaff},  Span{0xfe30, 0xfe4f},
@@ -36,6 +36,11 @@ QString withoutTrailingBlanks(QString line)
     return line;
 }
 } // namespace
+
+QString localTime(const QDateTime& at)
+{
+    return at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+}
 
 int displayWidth(const QString& text)
 {
@@ -61,7 +66,7 @@ QString Table::text() const
 {
     std::vector<QStringList> lines{m_header};
     lines.insert(lines.end(), m_rows.begin(), m_rows.end());
-    // A cell that ended its line would pass for a row of its own.
+    // A line feed in a cell would start a new row.
     for (QStringList& line : lines) {
         for (QString& cell : line)
             cell = terminalSafe(cell).replace(QLatin1Char('\n'), QLatin1Char(' '));

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Aligned columns for a terminal. Chinese characters take two cells there, which printf does not
-// know. A value; any thread; never fails.
+// Aligned columns for a terminal, where Chinese characters take two cells. A value; any thread;
+// never fails.
 #pragma once
 
+#include <QDateTime>
 #include <QSet>
 #include <QStringList>
 
 #include <vector>
 
 namespace cli {
-/// Cells a text takes on a terminal.
+/// For a cell without a value.
+inline QString noValue()
+{
+    return QStringLiteral("–");
+}
+
+/// "2026-11-22 10:30:05", in the time zone of the computer.
+QString localTime(const QDateTime& at);
+
+/// Cells that a text takes on a terminal.
 int displayWidth(const QString& text);
 
-/// Filled up with blanks to `width` cells.
+/// Padded with blanks to `width` cells.
 QString padded(const QString& text, int width, bool right = false);
 
 class Table {
@@ -21,7 +31,7 @@ public:
         : m_header(std::move(header))
     {}
 
-    /// Numbers stand to the right.
+    /// For numbers.
     Table& alignRight(const QSet<int>& columns);
     void add(QStringList row) { m_rows.push_back(std::move(row)); }
     bool empty() const { return m_rows.empty(); }

@@ -15,7 +15,7 @@ void useUtf8()
     std::setlocale(LC_ALL, "");
     if (qstricmp(nl_langinfo(CODESET), "UTF-8") == 0)
         return;
-    // LC_ALL would overrule the character set, so what it asks for moves to LANG.
+    // LC_ALL would override the character set, so its value moves to LANG.
     const QByteArray all = qgetenv("LC_ALL");
     if (!all.isEmpty()) {
         qputenv("LANG", all);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the process' character set UTF-8 where the user's locale has another or none: Qt would
-// switch over with a complaint of its own. The language the user asked for stays. Before the
-// application object and before any thread.
+// Sets the character set of the process to UTF-8 if the locale has another or none; Qt would do the
+// same with a warning. The language of the user stays. To be called before the application object
+// and before any thread.
 #pragma once
 
 namespace cli {

@@ -25,7 +25,7 @@ QString title(const jobs::WatchColumn& column)
     return unit.isEmpty() ? key : QStringLiteral("%1[%2]").arg(key, unit);
 }
 
-/// Flags and states are in the alarms, or say little in a row of numbers.
+/// Without flags and states, which are in the alarms or mean little among numbers.
 bool isNumber(const jobs::WatchSpec& spec, const jobs::WatchColumn& column)
 {
     for (const device::Servo& servo : spec.servos) {
@@ -76,9 +76,9 @@ QString WatchView::line(const jobs::WatchRow& row) const
     const double seconds = std::chrono::duration<double>(row.at - *m_start).count();
     const auto profile = m_profiles.find(row.id);
     const catalog::Profile* known = profile != m_profiles.end() ? profile->second.get() : nullptr;
-    const QString state = !row.answered ? translate("cli", "no answer")
+    const QString state = !row.answered ? translate("cli", "no reply")
                           : !text::reportsAlarms(known)
-                              ? QStringLiteral("–")
+                              ? noValue()
                               : text::statusText(row.status, known, text::isUiChinese());
     QString text = padded(QString::number(seconds, 'f', 3), timeWidth, true) +
                    padded(QString::number(row.id), idWidth, true) + QStringLiteral("  ") +
@@ -87,8 +87,7 @@ QString WatchView::line(const jobs::WatchRow& row) const
         const auto value =
             column.place < row.values.size() ? row.values[column.place] : std::nullopt;
         text += QStringLiteral("  ") +
-                padded(value ? QString::number(*value, 'f', 1) : QStringLiteral("–"), column.width,
-                       true);
+                padded(value ? QString::number(*value, 'f', 1) : noValue(), column.width, true);
     }
     return text;
 }
@@ -111,7 +110,7 @@ void WatchView::add(const jobs::WatchRow& row)
     m_console.print(line(row) + QLatin1Char('\n'));
 }
 
-/// What is read only every so often keeps its latest reading on the screen.
+/// Values that are not read in every cycle keep their latest reading.
 void WatchView::remember(const jobs::WatchRow& row)
 {
     jobs::WatchRow& shown = m_latest[row.id];

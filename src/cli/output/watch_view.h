@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Readings of a watch as people see them: one line a servo, rewritten in place on a terminal; a
-// line a reading elsewhere. Main thread. Does nothing in JSON mode.
+// The readings of "watch" as text: one line per servo, updated in place on a terminal; one line per
+// reading elsewhere. Main thread. Does nothing in JSON mode.
 #pragma once
 
 #include "cli/output/console.h"
@@ -15,7 +15,7 @@ public:
     WatchView(Console& console, const jobs::WatchSpec& spec, bool quiet);
 
     void add(const jobs::WatchRow& row);
-    /// Shows the last readings once more; the cursor is below them afterwards.
+    /// Prints the last readings once more and leaves the cursor below them.
     void finish();
 
 private:
@@ -27,9 +27,9 @@ private:
     void redraw();
 
     Console& m_console;
-    /// Measured values only: flags are in the alarms, and in the file.
+    /// Only measured values: flags are in the alarms and in the file.
     struct Column {
-        std::size_t place = 0; ///< in a row's values
+        std::size_t place = 0; ///< in the values of a row
         QString title;
         int width = 0;
     };
@@ -38,9 +38,9 @@ private:
     std::map<int, jobs::WatchRow> m_latest;
     std::optional<base::Duration> m_start;
     Clock::time_point m_next;
-    int m_drawn = 0; ///< lines on the screen that the next redraw replaces
+    int m_drawn = 0; ///< number of lines that the next redraw replaces
     bool m_inPlace = false;
-    bool m_quiet = false; ///< no terminal to draw on, and the readings go to a file
+    bool m_quiet = false; ///< the readings go to a file, and there is no terminal
     bool m_headerShown = false;
 };
 } // namespace cli

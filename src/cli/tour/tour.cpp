@@ -10,13 +10,13 @@
 
 namespace cli {
 namespace {
-/// Time to read what stands on the terminal.
+/// Time to read the output.
 constexpr auto readingTime = std::chrono::milliseconds(1200);
 constexpr int chapters = 8;
 constexpr int hexCells = 26;
 constexpr int meaningCells = 40;
 
-QString shortened(const QString& text, int cells)
+QString elided(const QString& text, int cells)
 {
     return text.size() <= cells ? text : text.left(cells - 1) + QStringLiteral("…");
 }
@@ -37,7 +37,7 @@ void Tour::chapter(const QString& title)
     print(QStringLiteral("\n== %1/%2 %3").arg(m_chapter).arg(chapters).arg(title));
 }
 
-/// The frames since the last call, as they crossed the wire.
+/// The frames on the bus since the last call.
 void Tour::showWire()
 {
     const auto ready = context();
@@ -45,11 +45,11 @@ void Tour::showWire()
         const bool sent = entry.kind == bus::TraceKind::Sent;
         if (!sent && entry.kind != bus::TraceKind::Received)
             continue;
-        const QString bytes = shortened(base::toHex(entry.bytes), hexCells);
+        const QString bytes = elided(base::toHex(entry.bytes), hexCells);
         const QString meaning = protocol::codecFor(entry.protocol).explain(entry.bytes, sent);
         print(QStringLiteral("  %1 %2  %3")
                   .arg(sent ? QStringLiteral("→") : QStringLiteral("←"), padded(bytes, hexCells),
-                       shortened(meaning, meaningCells)));
+                       elided(meaning, meaningCells)));
     }
 }
 
@@ -78,21 +78,20 @@ base::Result<void> Tour::summarize()
         found.push_back(one.servo.id);
     const bus::Statistics statistics = ready->bus.statistics();
     const bus::Counters& total = statistics.total;
-    print(translate("cli", "\nIn all: servos found: %1; requests: %2, answered: %3, repeated: %4; "
-                           "half of the answers took less than %5 ms.")
+    print(translate("cli", "\nTotal: servos found: %1; requests: %2, answered: %3, retries: %4; "
+                           "half of the replies took less than %5 ms.")
               .arg(m_found.found.size())
               .arg(total.sent)
               .arg(total.ok)
               .arg(total.retried)
               .arg(double(total.roundTripP50.count()) / 1000, 0, 'f', 2));
     print(m_differing.isEmpty()
-              ? translate("cli", "Servo %1 has the settings it had before.").arg(m_servo.id)
-              : translate("cli", "Servo %1 differs from before in: %2")
+              ? translate("cli", "Servo %1 has the same settings as before.").arg(m_servo.id)
+              : translate("cli", "Servo %1 differs from its previous state in: %2")
                     .arg(m_servo.id)
                     .arg(m_differing.join(QStringLiteral(", "))));
-    print(translate("cli",
-                    "Next: \"servodesk-cli ports\" lists your adapters, \"servodesk-cli --port "
-                    "PORT scan\" finds your servos."));
+    print(translate("cli", "Next: run \"servodesk-cli ports\" to list your adapters and "
+                           "\"servodesk-cli --port PORT scan\" to find your servos."));
     m_run.finish(Json::object()
                      .add("port", m_found.port)
                      .add("found", std::move(found))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guided tour: what the program does, shown once on a simulated bus with the same jobs the
-// other commands use. Nothing printed is made up; every value came over the (simulated) wire. Main
-// thread. Each chapter is one function; an error ends the tour.
+// The guided tour: shows the functions of the program on a simulated bus, with the jobs of the
+// other commands. Every printed value was read over the simulated bus. Main thread. Each chapter is
+// one function; an error ends the tour.
 #pragma once
 
 #include "cli/run.h"
@@ -42,13 +42,13 @@ private:
     int m_chapter = 0;
     jobs::ScanReport m_found;
     device::Servo m_servo;
-    record::Snapshot m_before;
+    snapshot::Snapshot m_before;
     QString m_snapshotFile;
-    std::int64_t m_persistentValue = 0; ///< raw, written to be kept
-    std::int64_t m_temporaryValue = 0;  ///< raw, written to be lost
+    std::int64_t m_persistentValue = 0; ///< raw, written permanently
+    std::int64_t m_temporaryValue = 0;  ///< raw, written temporarily
     bool m_persistentSurvived = false;
     bool m_temporaryReset = false;
-    QStringList m_differing; ///< EPROM keys that differ from before at the end
+    QStringList m_differing; ///< EPROM keys whose values have changed at the end
     Json::Array m_moves;
 };
 } // namespace cli

@@ -9,7 +9,7 @@ namespace cli {
 using catalog::Role;
 
 namespace {
-/// Servos start again within a second; none needs longer than this.
+/// Servos reboot within a second; none needs longer than this.
 constexpr int maxRestartTries = 40;
 
 const catalog::Register& persistentRegister(const device::Servo& servo)
@@ -43,7 +43,7 @@ base::Result<void> Tour::writeAndShow(const QString& key, std::int64_t raw, bool
 
 base::Result<void> Tour::changeSafely()
 {
-    chapter(translate("cli", "Change two values: one to be kept, one for this power-on only"));
+    chapter(translate("cli", "Change two values: one kept after power-off, one lost at power-off"));
     const catalog::Register& kept = persistentRegister(m_servo);
     const catalog::Register& temporary = temporaryRegister(m_servo);
     constexpr std::int64_t cooler = 5;
@@ -51,8 +51,8 @@ base::Result<void> Tour::changeSafely()
     m_temporaryValue = m_servo.raw(temporary).value_or(0) ^ 1; // the voltage bit
     if (const auto done = writeAndShow(kept.key, m_persistentValue, false); !done)
         return done;
-    print(translate("cli", "What that was on the wire: settings read, lock opened, written, read "
-                           "back, lock closed and proven."));
+    print(translate("cli", "On the bus: settings read, EPROM unlocked, value written and read "
+                           "back, EPROM locked and checked."));
     showWire();
     return writeAndShow(temporary.key, m_temporaryValue, true);
 }
@@ -70,14 +70,14 @@ base::Result<void> Tour::awaitServo()
 
 base::Result<void> Tour::powerCycleServos()
 {
-    chapter(translate("cli", "Switch all servos off and on again"));
+    chapter(translate("cli", "Turn the power to all servos off and on again"));
     const auto connection = m_run.connect();
     if (!(*connection)->powerCycle())
         return base::fail(base::ErrorCode::NotSupported, QStringLiteral("tour"));
     if (const auto back = awaitServo(); !back)
         return back;
     Table table({translate("cli", "Key"), translate("cli", "Written"),
-                 translate("cli", "After power-off"), translate("cli", "So it was")});
+                 translate("cli", "After power-off"), translate("cli", "Result")});
     const auto row = [&](const catalog::Register& reg, std::int64_t written, bool survived) {
         table.add({reg.key,
                    catalog::formatValue(written, reg, m_servo.meaning(reg), text::isUiChinese()),
@@ -97,11 +97,11 @@ base::Result<void> Tour::powerCycleServos()
 
 base::Result<void> Tour::restoreValues()
 {
-    chapter(translate("cli", "Put the old value back"));
+    chapter(translate("cli", "Restore the old value"));
     const catalog::Register& kept = persistentRegister(m_servo);
     constexpr std::int64_t none = -1;
     std::int64_t before = none;
-    for (const record::SnapshotRegister& row : m_before.registers) {
+    for (const snapshot::SnapshotRegister& row : m_before.registers) {
         if (row.key == kept.key)
             before = row.raw.value_or(none);
     }
@@ -109,7 +109,7 @@ base::Result<void> Tour::restoreValues()
         return done;
     if (const auto read = device::readAll(*context(), m_servo); !read)
         return read;
-    for (const record::SnapshotRegister& row : m_before.registers) {
+    for (const snapshot::SnapshotRegister& row : m_before.registers) {
         if (row.area == catalog::Area::Eprom && row.raw != m_servo.raw(row.key))
             m_differing << row.key;
     }

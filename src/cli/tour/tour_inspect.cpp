@@ -13,7 +13,7 @@ using catalog::Role;
 
 base::Result<void> Tour::search()
 {
-    chapter(translate("cli", "Search the bus: a PING to each of 254 IDs; nothing is written"));
+    chapter(translate("cli", "Search the bus: send a PING to all 254 IDs; nothing is written"));
     auto report = jobs::scan(*context(), {});
     if (!report)
         return tl::unexpected(report.error());
@@ -21,7 +21,7 @@ base::Result<void> Tour::search()
         return base::fail(base::ErrorCode::Stopped, QStringLiteral("tour"));
     m_found = std::move(*report);
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Firmware"),
-                 translate("cli", "Map"), translate("cli", "Alarms")});
+                 translate("cli", "Register map"), translate("cli", "Alarms")});
     table.alignRight({0});
     for (const jobs::FoundServo& found : m_found.found) {
         const catalog::Profile* profile = found.servo.profile.get();
@@ -32,13 +32,12 @@ base::Result<void> Tour::search()
                    text::statusText(found.servo.status, profile, text::isUiChinese())});
     }
     m_run.console().print(table.text());
-    print(translate("cli", "Found: %1, in %2 s")
-              .arg(m_found.found.size())
+    print(translate("cli", "%n servo(s) found in %1 s", nullptr, int(m_found.found.size()))
               .arg(std::chrono::duration<double>(m_found.elapsed).count(), 0, 'f', 2));
     return chooseServo();
 }
 
-/// The first healthy servo in position mode that has what the tour changes.
+/// The first servo without alarms in position mode that has the registers of the tour.
 base::Result<void> Tour::chooseServo()
 {
     for (const jobs::FoundServo& found : m_found.found) {
@@ -57,13 +56,14 @@ base::Result<void> Tour::chooseServo()
         m_servo = std::move(servo);
         return {};
     }
-    return base::fail(base::ErrorCode::NotSupported, QStringLiteral("tour"),
-                      translate("cli", "no healthy servo in position mode on this bus"));
+    return base::fail(
+        base::ErrorCode::NotSupported, QStringLiteral("tour"),
+        translate("cli", "no servo on this bus is in position mode and free of alarms"));
 }
 
 base::Result<void> Tour::showMemory()
 {
-    chapter(translate("cli", "The memory table of servo %1, %2 (some of its rows)")
+    chapter(translate("cli", "Memory table of servo %1, %2 (excerpt)")
                 .arg(m_servo.id)
                 .arg(servoTitle(m_servo)));
     if (const auto read = device::readAll(*context(), m_servo); !read)
@@ -77,13 +77,14 @@ base::Result<void> Tour::showMemory()
             rows.push_back(reg);
     }
     m_run.console().print(registerTable(m_servo, rows).text());
-    print(translate("cli", "Registers in the table: %1").arg(m_servo.profile->registers.size()));
+    print(translate("cli", "%n register(s) in the table", nullptr,
+                    int(m_servo.profile->registers.size())));
     return {};
 }
 
 base::Result<void> Tour::saveSnapshot()
 {
-    chapter(translate("cli", "A snapshot before anything is changed"));
+    chapter(translate("cli", "A snapshot before any change"));
     const auto context = m_run.context();
     if (!context)
         return tl::unexpected(context.error());
@@ -91,19 +92,18 @@ base::Result<void> Tour::saveSnapshot()
     if (!file)
         return tl::unexpected(file.error());
     m_snapshotFile = *file;
-    auto saved = record::loadSnapshot(*file);
+    auto saved = snapshot::loadSnapshot(*file);
     if (!saved)
         return tl::unexpected(saved.error());
     m_before = std::move(*saved);
-    print(translate("cli", "Registers saved: %1, in %2")
-              .arg(m_before.registers.size())
+    print(translate("cli", "%n register(s) saved to %1", nullptr, int(m_before.registers.size()))
               .arg(m_snapshotFile));
     return {};
 }
 
 base::Result<void> Tour::explainAlarms()
 {
-    chapter(translate("cli", "Alarms, and what releases them"));
+    chapter(translate("cli", "Alarms and how to clear them"));
     bool any = false;
     for (const jobs::FoundServo& found : m_found.found) {
         if (found.servo.profile == nullptr)

@@ -16,7 +16,7 @@ constexpr int valueCells = 8;
 constexpr base::Duration traceInterval = std::chrono::milliseconds(120);
 constexpr base::Duration arrivalTimeout = std::chrono::seconds(20);
 
-/// A line whose mark stands where the shaft is between its limits.
+/// A line with a mark at the position of the shaft between its limits.
 QString bar(double fraction)
 {
     const int column =
@@ -59,7 +59,7 @@ base::Result<void> Tour::moveTo(std::int64_t goal)
     if (!arrived)
         return arrived;
     const double elapsed = std::chrono::duration<double>(clock.now() - start).count();
-    print(translate("cli", "Goal %1, arrived at %2 after %3 s")
+    print(translate("cli", "Goal %1, reached %2 after %3 s")
               .arg(catalog::formatValue(goal, position, meaning, text::isUiChinese()),
                    formatValueText(m_servo, position))
               .arg(elapsed, 0, 'f', 2));

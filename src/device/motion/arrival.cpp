@@ -15,9 +15,9 @@ constexpr base::Duration readInterval = std::chrono::milliseconds(20);
 /// The moving flag of a servo that has just got its goal may not be up yet.
 constexpr base::Duration minWaitTime = std::chrono::milliseconds(100);
 constexpr int minQuietReadings = 3;
-/// The flag stays down when the goal written equals the one before, and a slow goal may run ahead
-/// of the shaft until friction gives way. Far from its goal a servo rests when it has not stirred
-/// for so long.
+/// The flag stays down when the new goal equals the old one, and a slow goal may run ahead of the
+/// shaft until friction gives way. Far from its goal a servo counts as at rest after this time
+/// without motion.
 constexpr int minStuckReadings = 50;
 /// Friction leaves 2–8 steps without I (error-diagnosis row 14) and a heavy arm sags further; more
 /// than this share of the family's stepsPerTurn (64 of 4096, 15 of 1000) means that something is in
@@ -41,7 +41,7 @@ base::Result<void> pollServo(const Context& context, Waiting& waiting,
     const bool hasFlag = servo.profile->byRole(Role::Moving) != nullptr;
     const bool flag = servo.raw(Role::Moving).value_or(0) != 0;
     const auto position = servo.raw(Role::PresentPosition);
-    // The last step of the encoder comes and goes.
+    // The last step of the encoder flickers.
     const bool moved = position && waiting.position && std::abs(*position - *waiting.position) > 1;
     if (moved || !waiting.position)
         waiting.position = position;
@@ -61,7 +61,7 @@ bool isTravelTimeLeft(const Waiting& waiting, base::Duration elapsed)
     return !hasFlag && elapsed < plan.travelTime;
 }
 
-/// Ending the wait does not end the motion, and that is said.
+/// Ending the wait does not end the motion, which is noted.
 base::Result<void> stopError(const Context& context, const std::vector<Waiting>& waiting,
                              base::Duration elapsed)
 {
@@ -81,7 +81,7 @@ base::Result<void> checkArrived(const MovePlan& plan)
                                       QString::number(*missed), plan.servo->id});
 }
 
-/// Nothing tells any more what the servos do; none of them is stopped by that.
+/// The motion of the servos is not known any more; none of them is stopped.
 base::Result<void> lostError(const Context& context, const std::vector<Waiting>& waiting,
                              base::Duration elapsed, base::Error why)
 {

@@ -18,13 +18,13 @@ namespace {
 constexpr std::int64_t torqueIsOn = 1;
 /// Enough for three steps of the slowest move (LX: 1000 steps in 30 s).
 constexpr base::Duration haltReadInterval = 100ms;
-/// A servo that brakes is slower by `slower` within this time; one that is not goes on turning.
+/// A braking servo is slower by `slower` within this time; otherwise it keeps turning.
 constexpr base::Duration brakingTimeout = 600ms;
 constexpr double slowdownFactor = 0.95;
 constexpr base::Duration maxBrakingTime = 10s;
 /// Near a position goal (1/64 turn) the shaft may still swing.
 constexpr int nearFraction = 64;
-/// Far from its goal a servo rests when it has not moved in so many readings.
+/// Far from its goal a servo counts as at rest after this number of readings without motion.
 constexpr int minHeldReadings = 10;
 
 struct MotionReading {
@@ -43,14 +43,14 @@ base::Result<MotionReading> readMotion(const Context& context, Servo& servo)
     if (!position)
         return base::fail(ErrorCode::NotSupported, QStringLiteral("torque"),
                           QStringLiteral("position"), servo.id);
-    // HLS: bit 1 only tells that the goal has not been reached.
+    // HLS: bit 1 only means that the goal has not been reached.
     constexpr std::int64_t movingBit = 1;
     const bool flag = (servo.raw(Role::Moving).value_or(0) & movingBit) != 0;
     return MotionReading{context.bus.clock().now(), *position,
                          flag || servo.raw(Role::PresentSpeed).value_or(0) != 0};
 }
 
-/// Follows a servo that was told to stand still.
+/// Follows a servo after its stop command.
 class BrakingMonitor {
 public:
     BrakingMonitor(const Servo& servo, std::optional<std::int64_t> goal, const MotionReading& first)
@@ -126,7 +126,7 @@ private:
     bool m_resting = false;
 };
 
-/// False when it goes on turning. A servo that slows down is waited for.
+/// False when it keeps turning. A servo that slows down is waited for.
 base::Result<bool> waitForRest(const Context& context, Servo& servo,
                                std::optional<std::int64_t> goal)
 {
@@ -148,7 +148,7 @@ base::Result<bool> waitForRest(const Context& context, Servo& servo,
     return true;
 }
 
-/// Nothing tells where to hold: then the servo is let go, which ends the motion for certain.
+/// No position to hold is known: torque off ends the motion for certain.
 bool cannotHold(const base::Error& error)
 {
     return error.code == ErrorCode::TurnsUnknown || error.code == ErrorCode::OutOfRange ||
@@ -167,8 +167,8 @@ base::Result<HaltCommand> holdStill(const Context& context, Servo& servo)
     return HaltCommand{HaltCommand::Kind::Holding, holding->front().reg, holding->front().raw};
 }
 
-/// Ends the move that is under way at its present place (LX). Nobody answers, so it is said more
-/// than once.
+/// Ends the present move at the present position (LX). There is no reply, so it is sent more than
+/// once.
 base::Result<HaltCommand> sendHalt(const Context& context, Servo& servo)
 {
     constexpr int sendCount = 3;
@@ -184,24 +184,24 @@ base::Result<HaltCommand> sendHalt(const Context& context, Servo& servo)
     return HaltCommand{HaltCommand::Kind::StopCommand};
 }
 
-/// Signs of a second servo, or of a line on which none could be told.
+/// Signs of a second servo, or of a line on which a second one could not be noticed.
 std::uint64_t busErrorCount(const Context& context)
 {
     const bus::Counters total = context.bus.statistics().total;
     return total.badChecksums + total.foreign + total.late + total.noiseBytes + total.retried;
 }
 
-/// Goes out before it is proven that one servo answers alone: that takes a dozen reads, and
+/// Is sent before it is proven that one servo answers alone: that takes a dozen reads, and
 /// confirm() makes up for it. A standstill in speed or PWM mode and the stop command of LX are the
-/// same order to every servo that hears them. A place to hold at is one servo's own, so there the
-/// reads that lead to it must have been in order: replies of two servos are so only where they are
-/// equal, and with them the place. `before`: the signs heard before those reads.
+/// same command for every servo that receives them. A position to hold belongs to one servo, so the
+/// reads that lead to it must have been clean: replies of two servos are clean only if they are
+/// equal, and then the position is the same. `before`: the signs before those reads.
 base::Result<HaltCommand> commandTurning(const Context& context, Servo& servo, std::uint64_t before)
 {
     Context atOnce = context;
     atOnce.emergencyStop = true;
     const catalog::Mode* mode = servo.mode();
-    // A step that is under way cannot be taken back by another one.
+    // A step under way cannot be reverted by another one.
     if (mode != nullptr && isRelative(*mode))
         return torqueOff(atOnce, servo).map([] { return HaltCommand{}; });
     const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
@@ -245,7 +245,7 @@ base::Result<HaltCommand> command(const Context& context, Servo& servo)
     return commandTurning(context, servo, before);
 }
 
-/// True when the stop command was heard: the shaft does not move between two readings.
+/// True when the stop command has acted: the shaft does not move between two readings.
 base::Result<bool> hasStopped(const Context& context, Servo& servo)
 {
     const auto first = readMotion(context, servo);
@@ -267,7 +267,7 @@ base::Result<void> confirm(const Context& context, Servo& servo, HaltCommand com
             return tl::unexpected(heard.error());
         if (*heard)
             return {};
-        // One that moves on gets its own place as the goal.
+        // A servo that still moves gets its present position as the goal.
         auto holding = holdStill(context, servo);
         if (!holding && holding.error().code == ErrorCode::Mismatch)
             holding.error().code = ErrorCode::Refused;

@@ -11,16 +11,16 @@ namespace device {
 using catalog::Role;
 
 namespace {
-/// How often it is tried.
-constexpr int maxAttempts = 4;
+/// How often the replacement is tried.
+constexpr int maxHoldAttempts = 4;
 
-/// A held write that changes nothing takes the place of a held goal. Only where the servo has
-/// acknowledged it may it be carried out, which leaves nothing that waits: an ACTION that met the
-/// goal would turn the shaft.
+/// A held write that changes nothing replaces a held goal. It is started only after the servo has
+/// acknowledged it, and then nothing waits any more: an ACTION that met the goal would turn the
+/// shaft.
 base::Result<bool> replaceHeldGoal(const Context& context, Servo& servo,
                                    const catalog::Register& flag, const RegisterValue& harmless)
 {
-    for (int attempt = 0; attempt < maxAttempts; ++attempt) {
+    for (int attempt = 0; attempt < maxHoldAttempts; ++attempt) {
         const auto held = readRegister(context, servo, flag);
         if (!held)
             return tl::unexpected(held.error());
@@ -39,11 +39,11 @@ base::Result<bool> replaceHeldGoal(const Context& context, Servo& servo,
         if (!result && !isReplyLost(result.error()))
             return tl::unexpected(result.error());
     }
-    // Told often enough that the harmless one waits now, but nothing has proved it.
+    // The harmless write was sent often enough, but nothing has proved that it replaced the goal.
     return true;
 }
 
-/// A start command shall find the place where the servo is. Some models never tell what they store.
+/// A start command must find the present position. Some models never report what they store.
 base::Result<bool> replaceStoredGoal(const Context& context, Servo& servo,
                                      const catalog::Register& goal)
 {
@@ -56,7 +56,7 @@ base::Result<bool> replaceStoredGoal(const Context& context, Servo& servo,
     if (const catalog::Register* time = servo.profile->byRole(Role::StoredTime))
         values.push_back({time, 0});
     const Patch patch = patchOf(servo, values);
-    for (int attempt = 0; attempt < maxAttempts; ++attempt) {
+    for (int attempt = 0; attempt < maxHoldAttempts; ++attempt) {
         const auto sent = writeBlock(context, servo, patch, protocol::Repeat::Safe);
         if (!sent)
             return tl::unexpected(sent.error());

@@ -151,7 +151,7 @@ Role commandBefore(const ModeChange& change)
     return change.from != nullptr ? change.from->command : Role::None;
 }
 
-/// The command that must not act in the new mode with the value it has; None: there is none.
+/// The command whose present value must not act in the new mode; None: there is none.
 Role commandToZero(const ModeChange& change)
 {
     const Role after = change.to->command;
@@ -211,7 +211,7 @@ base::Result<void> finishModeSwitch(const Context& context, Servo& servo, const 
         done = restoreSpeed(context, servo, before);
     if (!done)
         return done;
-    // Writing a command may have energised the servo.
+    // Writing a command may have turned torque on.
     return torqueOff(context, servo);
 }
 
@@ -233,7 +233,7 @@ base::Result<void> torqueOffAndZero(const Context& context, Servo& servo)
     const catalog::Mode* mode = servo.mode();
     if (mode == nullptr)
         return {};
-    // A switch back that was cut off may have left the limit at the other mode's standstill.
+    // An interrupted switch back may have left the limit at the other mode's standstill.
     if (mode->command != Role::GoalCurrent && servo.raw(Role::GoalCurrent) == 0) {
         if (const auto allowed = restoreCurrent(context, servo); !allowed)
             return allowed;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A switch of the mode as a whole: worked out once, for whoever wants to know and for whoever does
-// it.
+// A mode switch as a whole: planned once, for the preview and for the switch itself.
 #include "device/motion/mode.h"
 #include "device/motion/motion.h"
 #include "device/temporary_values.h"
@@ -13,7 +12,7 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
-/// Where the angle limits of the new mode come from.
+/// The source of the angle limits of the new mode.
 enum class Limits : std::uint8_t { Unchanged, Zero, Remembered, Factory };
 
 struct SwitchPlan {
@@ -48,8 +47,8 @@ base::Result<void> addLimits(const Context& context, const Servo& servo, SwitchP
     return {};
 }
 
-/// The servo is in the mode, but perhaps until power-off only: what makes it the mode is written
-/// once more.
+/// The servo is in the mode, but perhaps until power-off only: the registers that select the mode
+/// are written once more.
 base::Result<void> addTemporary(const Context& context, const Servo& servo, SwitchPlan& change)
 {
     const auto temporary = temporaryValues(context.journal, servo);
@@ -112,12 +111,12 @@ base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const
                                                           : NoticeCode::LimitsSetToDefault,
                      servo.id, {}, change->items[0].raw, change->items[1].raw);
     }
-    // Asking for the mode is the consent: the manoeuvre takes the danger out of register 33.
+    // The request for the mode is the consent: this procedure removes the danger of register 33.
     WriteOptions options;
-    options.dangerous = true;
+    options.consent = Consent::byTask();
     options.kind = base::IntentKind::Mode;
     auto report = write(context, servo, change->items, options);
-    // What ended without a reading of the switch has not shown it.
+    // Without a reading of the torque switch, torque off is not proven.
     const bool settled = report && std::none_of(report->writes.begin(), report->writes.end(),
                                                 [](const auto& one) { return one.error; });
     if (settled && servo.raw(Role::TorqueSwitch) == 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Goals that wait in their servos, and what starts them.
+// Goals that wait in their servos, and their start.
 #include "device/motion/held_goal.h"
 #include "device/motion/move_groups.h"
 #include "device/write_check.h"
@@ -41,8 +41,8 @@ base::Result<void> sendAsyncGoal(const Context& context, MovePlan& plan, const B
         return tl::unexpected(pending.error());
     const bool accepted = held.has_value() && acknowledged;
     plan.held = *pending;
-    // The flag tells whether it is held, so a lost answer does not matter; unless another goal has
-    // been waiting there, of which it speaks just as well.
+    // The flag shows whether it is held, so a lost reply does not matter; unless another goal was
+    // waiting there before, for which the flag is set as well.
     if (*pending && (accepted || !*before))
         return {};
     const ErrorCode code = *pending ? ErrorCode::Uncertain : ErrorCode::Refused;
@@ -54,14 +54,14 @@ base::Result<void> startAsync(const Context& context, const Plans& plans)
     if (plans.empty())
         return {};
     constexpr int sendCount = 3;
-    // One alone is told alone: others may hold a goal that somebody has forgotten.
+    // A single servo is addressed: others may still hold a goal of another program.
     const Servo& first = *plans.front()->servo;
     protocol::Request start =
         plans.size() == 1 ? protocol::Request::action(first.id) : protocol::Request::action();
     start.acknowledged = plans.size() == 1 && first.repliesToWrites();
     int waiting = -1;
     for (int sent = 0; sent < sendCount; ++sent) {
-        // The flag below tells what became of it.
+        // The flag below shows the result.
         const auto result = sendRequest(context, start);
         if (!result && !isReplyLost(result.error()))
             return result;
@@ -74,8 +74,8 @@ base::Result<void> startAsync(const Context& context, const Plans& plans)
             if (*pending && waiting < 0)
                 waiting = plan->servo->id;
         }
-        // A flag still up proves that this servo has not heard the ACTION; the others hold nothing
-        // any more, so a second one moves only it.
+        // A flag still set proves that this servo has not received the ACTION; the others hold
+        // nothing any more, so a second one moves only this servo.
         if (waiting < 0)
             return {};
     }
@@ -94,7 +94,7 @@ base::Result<void> sendAllAsync(const Context& context, const Plans& plans)
     return {};
 }
 
-/// Some models never tell what they store; those that do must show it.
+/// Some models never report what they store; the others must show it.
 base::Result<void> storeMove(const Context& context, Servo& servo, std::int64_t goal,
                              base::Duration travelTime)
 {
@@ -129,7 +129,7 @@ base::Result<void> storeAll(const Context& context, const Plans& plans)
     return {};
 }
 
-/// There is no answer, so the start is sent more than once; a servo that has started holds nothing
+/// There is no reply, so the start is sent more than once; a servo that has started holds nothing
 /// any more. Each servo is addressed, half a millisecond apart: a start for all would also move
 /// servos in which another program holds a goal.
 base::Result<void> startStored(const Context& context, const Plans& plans)
@@ -147,8 +147,8 @@ base::Result<void> startStored(const Context& context, const Plans& plans)
     return {};
 }
 
-/// A start command must not find a move that was given up. As far as the wire allows; what failed
-/// before is what counts.
+/// A start command must not find an abandoned move. As far as the link allows; the result is the
+/// earlier error.
 void clearStored(const Context& context, const Plans& plans)
 {
     for (MovePlan* plan : plans) {
@@ -168,7 +168,7 @@ base::Result<void> cancelGoal(const Context& context, Servo& servo)
                : base::Result<void>{};
 }
 
-/// What takes the goal's place is "torque off", so it must be off.
+/// The goal is replaced by "torque off", so torque must be off.
 base::Result<void> cancelAsyncGoal(const Context& context, Servo& servo)
 {
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
@@ -223,7 +223,7 @@ base::Result<void> cancelAfterFailure(const Context& context, const Plans& plans
     for (MovePlan* plan : plans) {
         const bool sent = plan->held.value_or(false);
         const auto waiting = discardHeldGoal(context, *plan->servo);
-        // An emergency stop takes out itself what waits.
+        // An emergency stop itself removes waiting goals.
         const bool unknown = !waiting && sent && waiting.error().code != ErrorCode::Preempted;
         if (!unknown && !waiting.value_or(false))
             continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frames a planned move goes out in. Internal to device; pure, except refreshBlocks, which runs
+// The frames of a planned move. Internal to device; pure, except refreshBlocks, which runs
 // on the job's thread with the errors of reading.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace device {
 using Plans = std::vector<MovePlan*>;
 
-/// Fields that share a frame go in one. Nothing between them is written.
+/// Fields that share a frame are sent in one. No register between them is written.
 struct Block {
     Patch patch;
     bool goal = false;

@@ -25,7 +25,7 @@ base::Result<void> sendSettings(const Context& context, MovePlan& plan,
 }
 
 namespace {
-/// One packet serves only servos whose byte order, place and meaning of the fields agree.
+/// One packet serves only servos with the same byte order, address and meaning of the fields.
 using Packet = std::tuple<QString, base::ByteOrder, int, std::size_t, catalog::Role>;
 
 base::Result<void> sendSyncPackets(const Context& context, const Plans& plans, bool goals)
@@ -50,7 +50,7 @@ base::Result<void> sendSyncPackets(const Context& context, const Plans& plans, b
     return {};
 }
 
-/// Nobody acknowledges a sync write: reading tells; a servo that missed it gets its own write.
+/// A sync write is not acknowledged, so it is read back; a servo that missed it gets its own write.
 base::Result<void> verifyBlocks(const Context& context, MovePlan& plan)
 {
     for (const Block& block : blocksOf(plan)) {

@@ -6,7 +6,7 @@
 #include "device/motion/move_blocks.h"
 
 namespace device {
-/// The plans by the way in which they start together with the others.
+/// The plans, grouped by the way in which they start together with the others.
 struct MoveGroups {
     Plans packets; ///< sync write
     Plans held;    ///< REG WRITE and ACTION
@@ -18,18 +18,18 @@ base::Result<MoveGroups> groupMoves(std::vector<MovePlan>& plans, MoveMethod how
 
 base::Result<void> sendSimultaneously(const Context& context, const MoveGroups& groups);
 
-/// The halves of a start together: each goal waits in its servo; all of them are started; or none
-/// is kept any more.
+/// The parts of a common start: each goal waits in its servo; all of them are started; or all are
+/// removed.
 base::Result<void> sendAsyncGoals(const Context& context, const MoveGroups& groups);
 base::Result<void> startGoals(const Context& context, const MoveGroups& groups);
 base::Result<void> cancelGoals(const Context& context, const MoveGroups& groups);
-/// After a hold or a start that failed and will not be tried again: the next ACTION must not make
-/// the move, whoever sends it, so what waits is taken out, whatever the torque. Fails with `error`,
-/// or with the servo in which a goal may still wait.
+/// After a hold or a start that failed and is not repeated: an ACTION of any program must not start
+/// the move, so waiting goals are removed, with torque on or off. Fails with `error`, or with the
+/// servo in which a goal may still wait.
 base::Result<void> cancelAfterFailure(const Context& context, const Plans& plans,
                                       base::Error error);
 
-/// One request whose answer says nothing more than that it came.
+/// One request whose reply is only an acknowledgement.
 base::Result<void> sendRequest(const Context& context, protocol::Request request);
 
 /// The blocks that come before the goal's.

@@ -3,6 +3,7 @@
 
 #include "device/motion/mode.h"
 #include "device/persistence.h"
+#include "device/write_meaning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ const catalog::Mode* modeFor(const Servo& servo)
     return servo.profile ? servo.mode() : nullptr;
 }
 
-/// What the register can hold at all, for a slider.
+/// The range of the register, for a slider.
 GoalRange rangeOf(const catalog::ValueFormat& meaning, std::int64_t otherwise)
 {
     return {meaning.min.value_or(-otherwise), meaning.max.value_or(otherwise)};
@@ -70,7 +71,7 @@ std::optional<GoalKind> goalKind(const Servo& servo)
             return GoalKind::Step;
         return mode.limitsZero ? GoalKind::Turns : GoalKind::Position;
     }
-    // Some families drive several modes by one register: its unit there tells.
+    // Some families drive several modes by one register: its unit there decides.
     if (servo.meaning(*reg).unit == QLatin1StringView("%"))
         return GoalKind::Pwm;
     return mode.command == Role::GoalCurrent ? GoalKind::Current : GoalKind::Speed;
@@ -148,7 +149,7 @@ std::optional<std::int64_t> maxGoalSpeed(const Servo& servo)
     catalog::ValueFormat into = servo.meaning(*speed);
     if (from.unit.isEmpty() || from.unit != into.unit)
         return std::nullopt;
-    // A speed between two raw ones would be none of the servo's own.
+    // A speed between two raw values does not exist in the servo.
     const double exact = catalog::toPhysical(*raw, from) / into.scale;
     return static_cast<std::int64_t>(std::floor(exact + 1e-9));
 }
@@ -183,7 +184,7 @@ PositiveDirection positiveDirection(const Servo& servo)
     case GoalKind::Speed:
         return PositiveDirection::Clockwise;
     case GoalKind::Pwm:
-        // Told for STS, SMS and SCS only.
+        // Stated for STS, SMS and SCS only.
         return servo.protocol == base::Protocol::Feetech &&
                        registerFor(servo, Role::GoalCurrent) == nullptr
                    ? PositiveDirection::CounterClockwise
@@ -200,7 +201,7 @@ TorqueLimit torqueLimit(const catalog::Profile& profile)
         return {now, false};
     const catalog::Register* start = profile.byRole(Role::MaxTorque);
     const bool possible = start != nullptr && start->writable() &&
-                          retentionOf(*start) == Retention::Lock && !start->dangerous;
+                          retentionOf(*start) == Retention::Lock && !mayNeedConsent(*start);
     return possible ? TorqueLimit{start, true} : TorqueLimit{};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to set in a move of this servo in its present mode, and how far: for sliders, input
-// fields and their hints. Pure functions on what has been read; raw values unless they say
+// The fields of a move of this servo in its present mode, and their ranges: for sliders, input
+// fields and their hints. Pure functions on the values read so far; raw values unless stated
 // otherwise. Nothing here replaces the checks of planMove.
 #pragma once
 
@@ -12,7 +12,7 @@ enum class GoalKind : std::uint8_t {
     Position, ///< inside the angle limits
     Turns,    ///< multi-turn
     Step,     ///< relative
-    Speed,    ///< signed; turns until it is told to stop
+    Speed,    ///< signed; turns until it gets a stop command
     Pwm,      ///< signed
     Current,  ///< signed
 };
@@ -31,14 +31,14 @@ struct MoveFieldSet {
 };
 MoveFieldSet moveFields(const Servo& servo);
 
-/// The reach of a goal slider: the servo's own limits, ±7.5 turns (times the resolution factor,
-/// which the raw goal counts in already), ± the model's maximum speed where it is known.
+/// The range of a goal slider: the servo's own limits, ±7.5 turns (in raw goals, which include the
+/// resolution factor), ± the model's maximum speed where it is known.
 std::optional<GoalRange> goalSliderRange(const Servo& servo);
-/// The whole scale those limits lie in: one turn, or the sensor's range. As goalSliderRange where
-/// there are no limits.
+/// The whole scale around those limits: one turn, or the sensor's range. The same as
+/// goalSliderRange where there are no limits.
 std::optional<GoalRange> goalScaleRange(const Servo& servo);
 
-/// Steps of a relative move that may still be made in this direction, when `sum` have been made.
+/// Steps that a relative move may still make in this direction, after `sum` steps.
 std::int64_t remainingSteps(std::int64_t sum, bool positive);
 
 /// The speed above which the model turns no faster, as a raw goal speed. Nullopt: not known.
@@ -48,20 +48,20 @@ std::optional<std::int64_t> maxGoalSpeed(const Servo& servo);
 enum class ZeroSpeed : std::uint8_t { Unknown, Stops, Fastest, ByTime };
 ZeroSpeed zeroSpeed(const Servo& servo);
 
-/// Which way a positive value of the goal turns the output, seen from its side, as the tutorial and
-/// the sheets say it for factory directions. Forward: the sheet names no sense of rotation.
+/// The direction in which a positive goal turns the output, seen from its side, as the tutorial and
+/// the sheets state it for factory settings. Forward: the sheet names no sense of rotation.
 enum class PositiveDirection : std::uint8_t { Clockwise, CounterClockwise, Forward };
 PositiveDirection positiveDirection(const Servo& servo);
 
-/// Where the torque limit is set: RAM, or an EPROM row that is then written temporarily. Null: the
-/// family has none.
+/// The register of the torque limit: in RAM, or in the EPROM and then written temporarily. Null:
+/// the family has none.
 struct TorqueLimit {
     const catalog::Register* reg = nullptr;
     bool temporary = false;
 };
 TorqueLimit torqueLimit(const catalog::Profile& profile);
 
-/// Whether this family can share a packet, or hold a goal for later; in its present mode.
+/// Whether this servo can share a packet, or hold a goal for later, in its present mode.
 bool supports(const Servo& servo, MoveMethod how);
 
 /// The physical value with all its digits and its unit, so that the same register parses to the

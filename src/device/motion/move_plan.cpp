@@ -94,7 +94,7 @@ base::Result<void> Planner::addSpeed()
     return added;
 }
 
-/// Milliseconds. SCS: they act while the speed is 0; LX: they go out with every goal.
+/// Milliseconds. SCS: they act while the speed is 0; LX: they are sent with every goal.
 base::Result<void> Planner::addTime()
 {
     const catalog::Register* reg = m_servo.profile->byRole(Role::GoalTime);
@@ -122,8 +122,8 @@ base::Result<void> Planner::addTime()
     return {};
 }
 
-/// Of this move. In the modes it drives it is the goal itself. 0 is no torque at all: sendMoves
-/// says so.
+/// The current of this move. In the modes it drives it is the goal itself. 0 means no torque at
+/// all: sendMoves notes it.
 base::Result<void> Planner::addCurrent()
 {
     if (!m_command.current)
@@ -143,7 +143,7 @@ base::Result<void> Planner::addGoal()
     static const QRegularExpression bareNumber(QStringLiteral("^\\s*[-+]?\\d+\\s*$"));
     const QString unit = m_servo.meaning(*m_servo.profile->byRole(m_mode->command)).unit;
     if (!drivesPosition() && !unit.isEmpty() && bareNumber.match(m_command.goal).hasMatch()) {
-        // "2048" is a position to whoever types it; as a speed it would turn for ever.
+        // A user who types "2048" means a position; as a speed it would turn forever.
         return refuse(ErrorCode::BadArgument, m_servo, m_mode->key, QStringLiteral("unit ") + unit);
     }
     const auto added = addField(m_mode->command, m_command.goal);

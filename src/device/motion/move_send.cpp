@@ -38,7 +38,7 @@ base::Result<void> sendByWrite(const Context& context, const Plans& plans)
     return {};
 }
 
-/// Holding is a step on the way to a goal here, and not worth a notice of its own.
+/// Holding is only a step on the way to a goal here, so it gets no notice.
 void removeHoldingNotices(const Context& context, std::size_t from)
 {
     auto& notices = context.notices;
@@ -48,8 +48,8 @@ void removeHoldingNotices(const Context& context, std::size_t from)
         notices.end());
 }
 
-/// Where a goal is lost on a servo without torque, it is switched on first, holding. One that
-/// stands outside its limits cannot hold there, but the goal that follows leads it back.
+/// If a servo without torque would lose the goal, torque is turned on first, holding the position.
+/// A servo outside its limits cannot hold there, but the goal that follows leads it back.
 base::Result<void> energizeFirst(const Context& context, MovePlan& plan)
 {
     Servo& servo = *plan.servo;
@@ -69,7 +69,7 @@ base::Result<void> energizeFirst(const Context& context, MovePlan& plan)
     return {};
 }
 
-/// Most servos switch torque on with the goal; whoever did not is switched on, and both are said.
+/// Most servos turn torque on with the goal; for the others it is turned on here. Both are noted.
 base::Result<void> energize(const Context& context, MovePlan& plan)
 {
     if (!plan.energizes)
@@ -107,7 +107,7 @@ base::Result<void> sendEach(const Context& context, std::vector<MovePlan>& plans
     return sendByWrite(context, all);
 }
 
-/// What there is to say of servos that have begun to move.
+/// Torque and notices of servos that have begun to move.
 base::Result<void> finishMoves(const Context& context, std::vector<MovePlan>& plans)
 {
     for (MovePlan& plan : plans) {
@@ -119,9 +119,20 @@ base::Result<void> finishMoves(const Context& context, std::vector<MovePlan>& pl
     return {};
 }
 
-/// A context that owns the servos of these plans, or why not.
-base::Result<Owned> holdServos(const Context& outer, const std::vector<MovePlan>& plans)
+/// The moves by the way they are sent, and the context that owns their servos.
+struct HeldMoves {
+    MoveGroups groups; ///< none for MoveMethod::Write
+    Owned owned;
+};
+
+/// A method that a servo does not support is refused before the first byte.
+base::Result<HeldMoves> holdMoves(const Context& outer, std::vector<MovePlan>& plans,
+                                  MoveMethod how)
 {
+    auto groups =
+        how == MoveMethod::Write ? base::Result<MoveGroups>(MoveGroups{}) : groupMoves(plans, how);
+    if (!groups)
+        return tl::unexpected(groups.error());
     std::vector<int> ids;
     ids.reserve(plans.size());
     for (const MovePlan& plan : plans)
@@ -134,10 +145,10 @@ base::Result<Owned> holdServos(const Context& outer, const std::vector<MovePlan>
         if (!may)
             return tl::unexpected(may.error());
     }
-    return owned;
+    return HeldMoves{std::move(*groups), std::move(owned)};
 }
 
-/// The goal must still mean what it meant when it was held.
+/// The goal must still mean what it meant when it was stored.
 base::Result<void> checkMode(const Context& context, MovePlan& plan)
 {
     Servo& servo = *plan.servo;
@@ -155,18 +166,14 @@ base::Result<void> checkMode(const Context& context, MovePlan& plan)
 
 base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveMethod how)
 {
-    // What cannot be sent like this is refused before anything is said.
-    const bool each = how == MoveMethod::Write;
-    const auto groups = each ? base::Result<MoveGroups>(MoveGroups{}) : groupMoves(plans, how);
-    if (!groups)
-        return tl::unexpected(groups.error());
-    const auto owned = holdServos(outer, plans);
-    if (!owned)
-        return tl::unexpected(owned.error());
-    const Context& context = owned->context;
+    const auto held = holdMoves(outer, plans, how);
+    if (!held)
+        return tl::unexpected(held.error());
+    const Context& context = held->owned.context;
     if (const auto ready = prepare(context, plans); !ready)
         return ready;
-    const auto sent = each ? sendEach(context, plans) : sendSimultaneously(context, *groups);
+    const auto sent = how == MoveMethod::Write ? sendEach(context, plans)
+                                               : sendSimultaneously(context, held->groups);
     if (!sent)
         return sent;
     return finishMoves(context, plans);
@@ -174,46 +181,35 @@ base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans,
 
 base::Result<void> sendAsyncMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto groups = groupMoves(plans, MoveMethod::Async);
-    if (!groups)
-        return tl::unexpected(groups.error());
-    const auto owned = holdServos(outer, plans);
-    if (!owned)
-        return tl::unexpected(owned.error());
-    if (const auto ready = prepare(owned->context, plans); !ready)
+    const auto held = holdMoves(outer, plans, MoveMethod::Async);
+    if (!held)
+        return tl::unexpected(held.error());
+    if (const auto ready = prepare(held->owned.context, plans); !ready)
         return ready;
-    return sendAsyncGoals(owned->context, *groups);
+    return sendAsyncGoals(held->owned.context, held->groups);
 }
 
 base::Result<void> startAsyncMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto groups = groupMoves(plans, MoveMethod::Async);
-    if (!groups)
-        return tl::unexpected(groups.error());
-    const auto owned = holdServos(outer, plans);
-    if (!owned)
-        return tl::unexpected(owned.error());
-    const Context& context = owned->context;
+    const auto held = holdMoves(outer, plans, MoveMethod::Async);
+    if (!held)
+        return tl::unexpected(held.error());
+    const Context& context = held->owned.context;
     for (MovePlan& plan : plans) {
         if (const auto same = checkMode(context, plan); !same)
             return same;
-        // A stored goal is lost on a servo that was unloaded meanwhile.
+        // A stored goal is lost on a servo whose torque was turned off meanwhile.
         if (const auto on = energizeFirst(context, plan); !on)
             return on;
     }
-    if (const auto started = startGoals(context, *groups); !started)
+    if (const auto started = startGoals(context, held->groups); !started)
         return started;
     return finishMoves(context, plans);
 }
 
 base::Result<void> cancelAsyncMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto groups = groupMoves(plans, MoveMethod::Async);
-    if (!groups)
-        return tl::unexpected(groups.error());
-    const auto owned = holdServos(outer, plans);
-    if (!owned)
-        return tl::unexpected(owned.error());
-    return cancelGoals(owned->context, *groups);
+    const auto held = holdMoves(outer, plans, MoveMethod::Async);
+    return held ? cancelGoals(held->owned.context, held->groups) : tl::unexpected(held.error());
 }
 } // namespace device

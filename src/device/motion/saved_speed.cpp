@@ -24,7 +24,7 @@ base::Result<std::optional<std::int64_t>> savedSpeed(const base::Journal& journa
 }
 
 namespace {
-/// Straight from a mode that commands the speed, any other value is of that mode as well.
+/// Directly after a mode that commands the speed, any other value belongs to that mode as well.
 bool isOfAnotherMode(std::optional<std::int64_t> present, std::int64_t remembered, Role before)
 {
     return present != remembered && (present.value_or(0) == 0 || before == Role::GoalSpeed);

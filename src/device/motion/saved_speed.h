@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The speed that position modes had before the servo was switched away from them. The journal keeps
-// it, and a switch back puts it back: a position mode left with speed 0 may not move at all (phase
-// bit 3). The job's thread. Errors: those of the journal, of reading and of writing.
+// it, and a switch back restores it: a position mode with speed 0 may not move at all (phase bit
+// 3). The job's thread. Errors: those of the journal, of reading and of writing.
 #pragma once
 
 #include "device/motion/mode.h"
 
 namespace device {
-/// Under this name the journal keeps it.
+/// The name under which the journal keeps it.
 QString savedSpeedName();
 
 /// Nullopt: none is kept, or the speed is no register of its own here.
 base::Result<std::optional<std::int64_t>> savedSpeed(const base::Journal& journal,
                                                      const Servo& servo);
 
-/// What write() puts back besides these items where they lead to a position mode. From what has
-/// been read.
+/// What write() also restores where these items select a position mode. Based on the values read so
+/// far.
 std::optional<WriteItem> restoredSpeed(const Servo& servo, const std::vector<WriteItem>& items,
                                        std::optional<std::int64_t> remembered);
 

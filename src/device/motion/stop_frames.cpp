@@ -8,7 +8,7 @@ namespace device {
 using base::Protocol;
 
 namespace {
-/// Far below what the length byte of a packet allows.
+/// Far below the limit of a packet's length byte.
 constexpr std::size_t maxTargets = 64;
 
 /// A request for which the protocol has no frame is left out.
@@ -71,7 +71,7 @@ void torqueOffImmediately(bus::Bus& bus, const std::vector<int>& ids,
 {
     bus.setStopFrames(stopFramesFor(ids, protocols));
     bus.emergency();
-    // Whatever comes next must find them sent, or it would be taken for work they interrupt.
+    // They must be sent before any later work, or that would count as work they interrupt.
     static_cast<void>(bus.listen({}));
 }
 } // namespace device

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ready-made frames that take torque off, for the bus' emergency lane: in each language one frame
-// for all servos, then one for each, because what is said to several is never acknowledged.
+// Ready-made frames that turn torque off, for the emergency lane of the bus: in each protocol one
+// frame for all servos, then one for each, because a frame for several is never acknowledged.
 #pragma once
 
 #include "bus/bus.h"
 #include "device/servo.h"
 
 namespace device {
-/// `protocols`: the languages somebody on this line may speak. A known servo is spoken to in its
-/// own, whether that is among them or not.
+/// `protocols`: those that servos on this line may use. A known servo gets a frame of its own
+/// protocol in every case.
 std::vector<bus::StopFrame> stopFrames(const std::vector<base::Protocol>& protocols,
                                        const std::vector<Servo>& known = {});
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::int64_t torqueIsOff = 0;
 constexpr std::int64_t torqueIsOn = 1;
 constexpr std::int64_t torqueDamps = 2;
-/// A servo this many steps outside its limits may be pulled back to them; further is a surprise.
+/// A servo up to this many steps outside its limits may be pulled back to them; not from further.
 constexpr std::int64_t outsideTolerance = 10;
 
 tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QString& detail)
@@ -26,7 +26,7 @@ tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QSt
     return tl::unexpected(base::Error{code, QStringLiteral("torque"), detail, servo.id});
 }
 
-/// The goal that means "stay here", or why there is none.
+/// The goal that means "stay here", or the reason why there is none.
 base::Result<std::int64_t> holdingGoal(const Servo& servo, const catalog::Mode& mode)
 {
     const auto present = servo.raw(Role::PresentPosition);
@@ -70,7 +70,7 @@ base::Result<RegisterValues> holdValues(const Servo& servo)
     const catalog::Register* command = servo.profile->byRole(mode->command);
     if (command == nullptr)
         return refuse(ErrorCode::NotSupported, servo, mode->key);
-    std::int64_t goal = 0; // step mode: a relative move of nothing; speed and PWM: standstill
+    std::int64_t goal = 0; // step mode: a relative move of 0; speed and PWM: standstill
     if (mode->command == Role::GoalPosition && !isRelative(*mode)) {
         const auto holding = holdingGoal(servo, *mode);
         if (!holding)
@@ -89,22 +89,23 @@ base::Result<void> enableTorque(const Context& context, Servo& servo)
     if (const auto commanded = writeVerified(context, servo, *holding); !commanded)
         return commanded;
     context.note(NoticeCode::HoldingAt, servo.id, holding->front().reg->key, holding->front().raw);
-    // Writing the goal may already have energised it.
+    // Writing the goal may already have turned torque on.
     const auto now = readRegister(context, servo, torque);
     if (!now)
         return tl::unexpected(now.error());
     if (*now == torqueIsOn)
         return {};
     const auto on = writeVerified(context, servo, torque, torqueIsOn);
-    // An unloaded servo may have passed over the goal it got.
+    // A servo without torque may have ignored its goal.
     if (!on || !servo.movesNeedTorque())
         return on;
     return writeVerified(context, servo, *holding);
 }
 
 namespace {
-/// Sent first of all where it is not known yet that one servo answers: finding out takes its time,
-/// and may end in a refusal. Who it is does not matter: every table has this register at one place.
+/// Sent first of all where it is not known yet that one servo answers: finding out takes time and
+/// may end in a refusal. The model does not matter: every table has this register at the same
+/// address.
 base::Result<void> switchOff(const Context& context, Servo& servo)
 {
     if (!torqueOffOf(servo))

@@ -9,10 +9,10 @@ using base::Protocol;
 using catalog::Role;
 
 namespace {
-/// The operation of an error after which torque off was sent; text has words for it.
+/// The operation of an error after which torque off was sent; the text layer describes it.
 const QString sentOperation = QStringLiteral("torque-off-sent");
 
-/// The context of what must reach the servo although writing to it is refused.
+/// The context for a write that must reach the servo although writing to it is refused.
 Context unrestricted(const Context& context)
 {
     Context stopping = context;
@@ -44,7 +44,7 @@ TorqueOffWrite torqueOffFor(Protocol protocol)
 {
     constexpr int lxUnload = 8 * 31;
     constexpr int modbusTorqueSwitch = 2 * 129;
-    constexpr int feetechTorqueSwitch = 40; // the same place in every table (protocol sheet §4)
+    constexpr int feetechTorqueSwitch = 40; // the same address in every table (protocol sheet §4)
     switch (protocol) {
     case Protocol::Lx:
         return {lxUnload, {0}};

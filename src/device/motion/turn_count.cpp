@@ -9,7 +9,7 @@ namespace device {
 using catalog::Role;
 
 namespace {
-/// Where the servo tells no speed: faster than this (two turns a second) none of them is.
+/// Where the servo reports no speed: none of them is faster than this (two turns a second).
 constexpr double maxUnknownSpeed = 720;
 constexpr double degreesPerTurn = 360;
 } // namespace
@@ -21,7 +21,7 @@ TurnBasis turnBasis(const Servo& servo)
         return basis;
     const catalog::Mode* mode = servo.mode();
     if (mode == nullptr || mode->key == QLatin1StringView("step"))
-        return basis; // there the register holds the way that is left
+        return basis; // there the register holds the remaining distance
     basis.steps = servo.profile->stepsPerTurn;
     basis.countsTurns = (servo.raw(Role::Phase).value_or(0) & fullAnglePhaseBit) != 0;
     basis.mode = mode->key;
@@ -33,7 +33,7 @@ void TurnCounter::on(const TurnBasis& basis)
 {
     if (basis == m_basis)
         return;
-    // What turns the shaft (speed, PWM, position) does not change what the encoder shows.
+    // The mode that turns the shaft (speed, PWM, position) does not change the encoder's reading.
     const bool sameReading = basis.steps == m_basis.steps && basis.offset == m_basis.offset &&
                              basis.countsTurns == m_basis.countsTurns;
     m_basis = basis;
@@ -65,7 +65,7 @@ void TurnCounter::reading(std::int64_t raw, std::optional<double> degreesPerSeco
     const std::int64_t steps = m_basis.steps;
     if (steps <= 0)
         return;
-    // One that shows more than a turn counts them, whatever its settings are thought to be.
+    // A servo that shows more than one turn counts them, even if its known settings differ.
     const bool absolute = m_basis.countsTurns || raw < 0 || raw >= steps;
     bool isCertain = true;
     if (absolute || !m_value) {

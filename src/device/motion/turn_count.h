@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts whole turns of the shaft from feedback that shows one turn only, from the first reading
-// on: what came before nobody knows. Absolute where the servo itself counts (phase bit 4). The
-// feedback is in steps of the encoder whatever the resolution factor (30) is. A value; belongs to
-// whoever feeds it; times are bus-clock instants.
+// Counts whole turns of the shaft from feedback that shows one turn only, starting with the first
+// reading; earlier turns are not known. Absolute where the servo itself counts (phase bit 4). The
+// feedback is in steps of the encoder for any resolution factor (30). A value; owned by the caller
+// that feeds it; times are bus-clock instants.
 #pragma once
 
 #include "device/servo.h"
@@ -13,15 +13,15 @@ inline constexpr std::int64_t fullAnglePhaseBit = 1 << 4;
 
 struct Turns {
     int turns = 0;         ///< whole ones, rounded down
-    double degrees = 0;    ///< in sum
+    double degrees = 0;    ///< in total
     bool absolute = false; ///< as the servo counts; else since the first reading
-    bool isCertain = true; ///< false: readings were once too far apart to tell turns for certain
+    bool isCertain = true; ///< false: readings were once too far apart to count turns reliably
     bool operator==(const Turns&) const = default;
 };
 
 /// What a position reading means; counting begins anew when it changes.
 struct TurnBasis {
-    int steps = 0; ///< of one turn; 0: the feedback cannot tell turns (step mode, potentiometers)
+    int steps = 0; ///< of one turn; 0: the feedback shows no turns (step mode, potentiometers)
     bool countsTurns = false;
     QString mode{};
     std::int64_t offset = 0; ///< of the zero, which centering moves
@@ -34,9 +34,9 @@ public:
     void on(const TurnBasis& basis);
     /// `degreesPerSecond`: as measured by the servo, if it is known.
     void reading(std::int64_t raw, std::optional<double> degreesPerSecond, base::Duration at);
-    /// After a restart, a new connection, a silence: what follows may be another turn.
+    /// After a restart, a new connection, a silence: the next reading may be another turn.
     void reset();
-    /// Nullopt: nothing read yet, or nothing that tells turns.
+    /// Nullopt: nothing has been read yet, or the feedback shows no turns.
     std::optional<Turns> value() const { return m_value; }
 
 private:

@@ -15,7 +15,7 @@
 #include <QSqlRecord>
 #include <QUuid>
 
-namespace record {
+namespace history {
 namespace {
 const QString driverName = QStringLiteral("QPSQL");
 
@@ -25,7 +25,7 @@ constexpr auto watchdogTimeout = std::chrono::seconds(30);
 constexpr int defaultConnectSeconds = 3;
 constexpr int maxConnectSeconds = 30; ///< nothing can end the wait for a connection
 
-/// What a service file names is known to libpq only.
+/// Only libpq knows the contents of a service file.
 bool mayBeRemote(ServerAddress address)
 {
     const QString host = QStringLiteral("host");
@@ -41,7 +41,7 @@ bool mayBeRemote(ServerAddress address)
 }
 
 /// The authorities that this computer trusts, where the user has named none. Only for verify-full:
-/// with any lesser check a certificate of somebody else's would do.
+/// with any weaker check the certificate of another host would be accepted.
 void setDefaultRootCertificates(ServerAddress& address)
 {
     static const QString systemRoots = QStringLiteral("/etc/ssl/certs/ca-certificates.crt");
@@ -52,7 +52,7 @@ void setDefaultRootCertificates(ServerAddress& address)
         address.setDefault(QStringLiteral("sslrootcert"), systemRoots);
 }
 
-/// Another computer has to prove who it is, unless the user says otherwise.
+/// Another computer must prove its identity, unless the user disables the check.
 void setDefaultTls(ServerAddress& address)
 {
     if (mayBeRemote(address) && !qEnvironmentVariableIsSet("PGSSLMODE"))
@@ -60,7 +60,7 @@ void setDefaultTls(ServerAddress& address)
     setDefaultRootCertificates(address);
 }
 
-/// So that a dead line is found out, and a bench that vanishes holds up no other one.
+/// Detects a dead connection, so that a bench that disappears does not block another one.
 void setDefaults(ServerAddress& address)
 {
     const std::pair<const char*, const char*> defaults[] = {
@@ -201,8 +201,8 @@ base::Result<void> HistoryServer::initializeSession() const
     return checkSchema(*this);
 }
 
-/// Without prepared statements: Qt's driver complains when it cannot give one up any more, which
-/// is so after every failure in a transaction.
+/// Without prepared statements: Qt's driver prints a warning when it cannot release one, which
+/// happens after every failure in a transaction.
 QString HistoryServer::statement(const QString& sql, const QVariantList& values) const
 {
     if (values.isEmpty())
@@ -252,7 +252,7 @@ base::Result<QueryResult> HistoryServer::run(const QString& sql, const QVariantL
 
 base::Result<void> HistoryServer::transaction(const std::function<base::Result<void>()>& work) const
 {
-    // The server would refuse as well, but what it says depends on how the work begins.
+    // The server would refuse as well, but its message depends on the first statement.
     if (m_purpose == Purpose::Browse)
         return tl::unexpected(serverError(ServerErrorKind::Permission,
                                           QStringLiteral("copies are changed at their own bench")));
@@ -333,4 +333,4 @@ base::Result<std::unique_ptr<HistoryServer>> connectHistoryServer(const QString&
         return tl::unexpected(connected.error());
     return server;
 }
-} // namespace record
+} // namespace history

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One connection to the PostgreSQL server that has copies of the histories of many benches. It is
 // asked with the very statements of the local file (tables and columns are the same, `number` is
-// the server's own), so record::History and HistoryLog read from it; what changes it is taken by
-// record/history_copy.h only. The thread that connected; abort() from any. Calls wait for the
-// server: connecting some seconds, statements until they are answered or aborted.
-// Another computer must prove by its certificate that it is the one named (sslmode=verify-full),
-// unless sslmode in the string or PGSSLMODE says otherwise.
-// Fails with operation "history-server" and a detail "KIND: the server's words": away, hung,
-// password, database, rights, tls, certificate, host-name, refused (LinkLost, Port…), driver
-// (NotSupported), newer, older, encoding (FileFormat), empty (FileMissing: nothing was ever sent
-// there), busy (PortBusy), full (DiskFull), string, secret (BadArgument), server (PortFailed).
-// text/server_words.cpp has the words.
+// the server's own), so history::History and HistoryLog read from it; only
+// history/server/history_server_writer.h changes it. The thread that connected; abort() from any.
+// Calls wait for the server: connecting some seconds, statements until they are answered or
+// aborted. Another computer must prove by its certificate that it is the one named
+// (sslmode=verify-full), unless sslmode in the string or PGSSLMODE sets another mode. Fails with
+// operation "history-server" and a detail "KIND: the server's words": away, hung, password,
+// database, rights, tls, certificate, host-name, refused (LinkLost, Port…), driver (NotSupported),
+// newer, older, encoding (FileFormat), empty (FileMissing: nothing was ever sent there), busy
+// (PortBusy), full (DiskFull), string, secret (BadArgument), server (PortFailed).
+// text/server_text.cpp has the words.
 #pragma once
 
 #include "base/stop_token.h"
@@ -21,8 +21,8 @@
 #include <atomic>
 #include <thread>
 
-namespace record {
-/// One that has sent something there.
+namespace history {
+/// A bench that has sent something.
 struct HistoryBench {
     std::int64_t number = 0; ///< the server's
     QString uuid{};
@@ -45,7 +45,7 @@ public:
     /// For a caller with nothing else to do: from now on a thread of its own aborts when `stop` is
     /// requested (Stopped then), or when one answer takes longer than `patience` (hung).
     void startWatchdog(const base::StopToken& stop, std::chrono::milliseconds timeout);
-    /// What waits for the server fails at once (hung), and whatever is asked later. Any thread.
+    /// Requests that wait for the server fail at once (hung), and so do all later ones. Any thread.
     void abort();
 
     base::Result<QueryResult> run(const QString& sql,
@@ -57,8 +57,8 @@ public:
     base::Result<std::vector<HistoryBench>> benches() const;
     /// From now on lists have only what this one has sent; nullopt: what all have.
     base::Result<void> selectBench(std::optional<std::int64_t> bench) const;
-    /// Who sent these rows of "servos", "writes", "snapshots", "alarms", "recordings" or "runs":
-    /// number → name.
+    /// The benches that sent these rows of "servos", "writes", "snapshots", "alarms", "recordings"
+    /// or "runs": number → name.
     base::Result<QMap<qint64, QString>> benchNames(const QString& table,
                                                    const std::vector<std::int64_t>& numbers) const;
 
@@ -78,9 +78,9 @@ private:
     std::thread m_watchdog;
 };
 
-/// The connection string in the user's hands → one ready to be asked. Waits like connect(). With
+/// From the connection string of the user to a connection. Waits like connect(). With
 /// `stop`: guarded by it, with a patience that ends any wait.
 base::Result<std::unique_ptr<HistoryServer>>
 connectHistoryServer(const QString& text, HistoryServer::Purpose purpose,
                      const base::StopToken* stop = nullptr);
-} // namespace record
+} // namespace history

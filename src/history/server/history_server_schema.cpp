@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names, columns and units are those of history_schema.cpp, since both are asked with the same
-// statements. Texts compare byte by byte, as in SQLite, whatever the database's language.
+// statements. Texts compare byte by byte, as in SQLite, independent of the language of the
+// database.
 #include "history/server/history_server_schema.h"
 
 #include "history/server/server_error.h"
 
-namespace record {
+namespace history {
 namespace {
-/// Any number, the same in all versions of the program: two that change the schema take turns.
+/// Any number, the same in all versions: the lock under which programs change the schema.
 constexpr const char* lockStatement = "SELECT pg_advisory_xact_lock(7310579043018)";
 
-/// `progress`: up to which revision the server has what a bench's file has. `origin` tells two
-/// files apart that one was copied from, so that neither hides what the other has to send.
+/// `progress`: the revision up to which the server has the rows of a bench's file. `origin`
+/// distinguishes a file from a copy of it, so that neither hides rows of the other.
 QStringList benches()
 {
     return {
@@ -24,7 +25,7 @@ QStringList benches()
     };
 }
 
-/// A row of `name` with what all have; `columns` each end in a comma.
+/// The table `name` with the common columns; `columns` each end in a comma.
 QString table(const char* name, const char* columns, bool ofServo)
 {
     const QString servo =
@@ -36,7 +37,7 @@ QString table(const char* name, const char* columns, bool ofServo)
         .arg(QString::fromLatin1(name), QString::fromLatin1(columns), servo);
 }
 
-/// A servo may be named before it is sent itself: until then it is a row without content.
+/// A servo may be referred to before it is sent: until then it is a row without content.
 QStringList servos()
 {
     return {
@@ -141,8 +142,8 @@ QStringList testRuns()
     };
 }
 
-/// The same lists of one bench, chosen by a setting of the connection; what is not here belongs
-/// to a row that is.
+/// The same lists of one bench, selected by a setting of the connection; tables not listed here
+/// are children of those that are.
 QStringList benchViews()
 {
     QStringList all;
@@ -154,7 +155,7 @@ QStringList benchViews()
     return all;
 }
 
-/// One element a schema version. What has been published is never changed, only added to.
+/// One element per schema version. Published ones never change.
 const std::vector<QStringList>& migrations()
 {
     static const std::vector<QStringList> all{benches() + servos() + writes() +
@@ -170,8 +171,8 @@ int newest()
 /// 0: there is no schema yet.
 base::Result<int> versionOf(const HistoryFile& server)
 {
-    // Not to_regclass(): within a transaction it may remember that there was none, although another
-    // bench has made it while this one waited for its turn.
+    // Not to_regclass(): within a transaction it may return an old result, although another bench
+    // created the schema while this one waited for the lock.
     const auto existing = server.run(QStringLiteral("SELECT 1 FROM pg_catalog.pg_tables WHERE "
                                                     "schemaname = 'servodesk' AND tablename = "
                                                     "'about'"));
@@ -199,7 +200,7 @@ base::Result<void> runAll(const HistoryFile& server, const QStringList& statemen
     return {};
 }
 
-/// Made by hand, the schemas need no right to make any.
+/// Schemas created by an administrator need no right to create schemas.
 base::Result<void> createSchemas(const HistoryFile& server)
 {
     for (const char* name : {"servodesk", "servodesk_bench"}) {
@@ -293,4 +294,4 @@ const std::vector<ServerTable>& serverTables()
     };
     return all;
 }
-} // namespace record
+} // namespace history

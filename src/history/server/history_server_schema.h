@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The schema of the copies on a server. Internal to record/history_server.h; its thread and errors.
-// Several benches may start at the same time, with programs of several versions: one brings the
-// schema up to date while the others wait.
+// The schema of the copies on a server. Internal to history/server/history_server.h; its thread and
+// errors. Several benches may start at the same time, with programs of several versions: one brings
+// the schema up to date while the others wait.
 #pragma once
 
 #include "history/history_file.h"
 
-namespace record {
-/// Makes the schema or brings it up to date; Newer if it is beyond this program.
+namespace history {
+/// Creates or updates the schema; Newer if a later program made it.
 base::Result<void> migrateSchema(const HistoryFile& server);
-/// That it is there, and the one this program reads: Empty, Older, Newer.
+/// Checks that the schema is the one this program reads: Empty, Older, Newer.
 base::Result<void> checkSchema(const HistoryFile& server);
 
-/// A table, its columns beside number, uuid, bench and what refers to others, and its children.
+/// A table, its columns except number, uuid, bench and references, and its children.
 struct ServerTable {
     const char* name;
     QStringList columns;
@@ -27,6 +27,6 @@ struct ServerTable {
     };
     std::vector<Child> children{};
 };
-/// Those others refer to first.
+/// Referenced tables come first.
 const std::vector<ServerTable>& serverTables();
-} // namespace record
+} // namespace history

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many rows a statement: a server may be some milliseconds away, and a history has a million rows.
+// Many rows per statement: a round trip takes milliseconds, and a history has a million rows.
 #include "history/server/history_server_writer.h"
 
 #include "history/server/history_server_schema.h"
@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace record {
+namespace history {
 namespace {
 constexpr std::size_t maxRowsPerStatement = 200;
 constexpr qint64 maxBytesPerStatement = qint64(4) << 20; ///< of blobs in one statement
@@ -23,10 +23,10 @@ qint64 now()
     return QDateTime::currentMSecsSinceEpoch();
 }
 
-/// Rows to be put into one table, as values in place of `?`.
+/// Rows to insert into one table, as values in place of `?`.
 class InsertStatement {
 public:
-    /// `then`: what follows the values. Each row has a value for each of `columns`; a servo's is
+    /// `then` follows the values. Each row has a value for each of `columns`; a servo's is
     /// its uuid.
     InsertStatement(const HistoryServer& server, const char* table, QStringList columns,
                     QString suffix)
@@ -100,7 +100,7 @@ QString upsertClause(const QStringList& columns, const QString& unique)
            sets.join(QStringLiteral(", "));
 }
 
-/// Rows that name a servo the server has not got yet: it comes with a later revision.
+/// Rows of a servo that the server does not have yet: it comes with a later revision.
 base::Result<void> insertServos(const HistoryServer& server, std::int64_t bench, const Rows& rows)
 {
     QStringList uuids;
@@ -132,7 +132,7 @@ QVariantList valuesOf(const QVariantMap& values, const QStringList& columns)
     return list;
 }
 
-/// The children become those of the rows: replaced by their order, and what is left over goes.
+/// Replaces the children of the rows by their order; surplus children are deleted.
 base::Result<void> upsertChildren(const HistoryServer& server, const ServerTable::Child& child,
                                   std::int64_t bench, const Rows& rows,
                                   const QMap<QString, qint64>& numbers)
@@ -310,4 +310,4 @@ base::Result<void> HistoryServerWriter::applyRows(const std::vector<ChangedRow>&
     }
     return {};
 }
-} // namespace record
+} // namespace history

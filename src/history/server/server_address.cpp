@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 
-namespace record {
+namespace history {
 namespace {
 const QString passwordKeyword = QStringLiteral("password");
 
-/// The parameters of libpq that hold no secret. Anything else is refused: a later libpq may have a
+/// The parameters of libpq that hold no secret. All others are refused: a later libpq may have a
 /// secret in it, and what `options` sets on the server is this program's business.
 constexpr std::array allowedKeywords{
     "host",
@@ -60,7 +60,7 @@ bool isAllowed(const QString& keyword)
                        [&](const char* word) { return keyword == QLatin1String(word); });
 }
 
-/// What libpq calls a secret, and what people call it by mistake; also inside `options`.
+/// Secrets of libpq, also with common misspellings, and inside `options`.
 bool isSecret(const QString& keyword, const QString& value)
 {
     static const QRegularExpression secret(
@@ -141,7 +141,7 @@ base::Result<ServerAddress> ServerAddress::parse(const QString& text)
                               QStringLiteral("secret"));
     }
     for (const auto& [keyword, value] : address->m_values) {
-        // Which one is not repeated: it may be a part of a password.
+        // The error does not repeat the word: it may be part of a password.
         if (!isAllowed(keyword) && !isSecret(keyword, value))
             return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history-server"),
                               QStringLiteral("parameter"));
@@ -160,7 +160,7 @@ base::Result<ServerAddress> ServerAddress::parseAll(const QString& text)
     if (!done)
         return tl::unexpected(done.error());
     for (const auto& [keyword, value] : address.m_values) {
-        // Qt's driver parts options at semicolons.
+        // Qt's driver splits options at semicolons.
         if (value.contains(u';') && !isSecret(keyword, value) && keyword != QLatin1String("user") &&
             keyword != QLatin1String("dbname"))
             return parseError(QStringLiteral("; in %1").arg(keyword));
@@ -180,7 +180,7 @@ void ServerAddress::set(const QString& keyword, const QString& value)
     m_values.emplace_back(keyword, value);
 }
 
-/// "host:port,[::1]:port"; what has no port leaves its place in the list empty, as libpq expects.
+/// "host:port,[::1]:port"; a host without a port has an empty entry in the list, as libpq expects.
 base::Result<void> ServerAddress::parseHosts(const QString& hosts)
 {
     QStringList names;
@@ -259,7 +259,7 @@ base::Result<void> ServerAddress::parseKeywords(const QString& text)
             ++at;
         const QString keyword = text.mid(from, at - from);
         skipBlanks();
-        // What is wrong may be a part of the password, so it is not repeated.
+        // The faulty part may belong to the password, so the error does not repeat it.
         if (keyword.isEmpty() || at >= text.size() || text[at] != u'=')
             return parseError(QStringLiteral("a word without ="));
         ++at;
@@ -348,4 +348,4 @@ std::optional<QString> ServerAddress::withoutSecrets(const QString& text)
     }
     return hasSecret ? std::optional(words.join(u' ')) : std::nullopt;
 }
-} // namespace record
+} // namespace history

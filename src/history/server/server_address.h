@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A connection string of PostgreSQL as libpq knows it, taken apart:
 // postgresql://user@host:5432/servodesk?sslmode=verify-full or host=… dbname=…. A plain value; any
-// thread. What it does not say libpq takes from PGHOST, PGPASSWORD, ~/.pgpass … by itself. A string
-// with a password or another secret is refused: it would end up in settings, lists of processes and
+// thread. Missing parts are taken by libpq from PGHOST, PGPASSWORD, ~/.pgpass … by itself. A string
+// with a password or another secret is refused: it would appear in settings, lists of processes and
 // logs; so is any parameter that is not known to be harmless. Fails with BadArgument, detail
 // "string: what", "secret" or "parameter".
 #pragma once
@@ -15,12 +15,12 @@
 #include <utility>
 #include <vector>
 
-namespace record {
+namespace history {
 class ServerAddress {
 public:
     static base::Result<ServerAddress> parse(const QString& text);
 
-    /// `text` with every password in it covered ("•••"), whether it can be parsed or not.
+    /// `text` with every password in it masked ("•••"), whether it can be parsed or not.
     static QString masked(QString text);
     /// `text` without its passwords; nullopt: it has none. Empty where the rest makes no sense.
     static std::optional<QString> withoutSecrets(const QString& text);
@@ -45,4 +45,4 @@ private:
 
     std::vector<std::pair<QString, QString>> m_values; ///< keyword → value, each once
 };
-} // namespace record
+} // namespace history

@@ -3,13 +3,13 @@
 
 #include <QStringList>
 
-namespace record {
+namespace history {
 const QString serverOperation = QStringLiteral("history-server");
 
 namespace {
 using base::ErrorCode;
 
-constexpr qsizetype maxMessageLength = 300; ///< of what a server says
+constexpr qsizetype maxMessageLength = 300; ///< of a message of the server
 
 struct Kind {
     ErrorCode code;
@@ -176,4 +176,4 @@ EnglishMessages::~EnglishMessages()
 EnglishMessages::EnglishMessages() = default;
 EnglishMessages::~EnglishMessages() = default;
 #endif
-} // namespace record
+} // namespace history

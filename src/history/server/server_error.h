@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a PostgreSQL server or libpq says, as an Error of record/history_server.h. Internal to
-// record/history_server*. Pure, but EnglishMessages: that is for the thread it lives on.
+// A message of a PostgreSQL server or libpq as an Error of history/server/history_server.h.
+// Internal to history/server. Pure, but EnglishMessages: that is for the thread it lives
+// on.
 #pragma once
 
 #include "base/error.h"
@@ -9,22 +10,22 @@
 #include <clocale>
 #endif
 
-namespace record {
+namespace history {
 extern const QString serverOperation; ///< "history-server"
 
 enum class ServerErrorKind : std::uint8_t {
-    Unreachable, ///< nobody there, or the line broke
-    TimedOut,    ///< somebody is there and says nothing
+    Unreachable, ///< no server there, or the connection broke
+    TimedOut,    ///< connected, but no reply
     Password,    ///< wrong or missing
-    Database,    ///< there is none of this name
-    Permission,  ///< the account may not
-    Refused, ///< it let nobody in, for a reason in words we cannot read (its language is its own)
-    Tls,     ///< no encryption as asked for
-    Certificate, ///< it is not trusted, or there is nothing to check it against
+    Database,    ///< no database of this name
+    Permission,  ///< the account lacks the rights
+    Refused,     ///< for a reason in the language of the server, which is not parsed
+    Tls,         ///< no encryption as asked for
+    Certificate, ///< not trusted, or no authority to check it
     HostName,    ///< the certificate is for another one
     Driver,
     Newer, ///< its schema
-    Older, ///< and this connection may not change it
+    Older, ///< and this connection is not allowed to change it
     Empty,
     Encoding,
     Busy,
@@ -37,8 +38,8 @@ base::Error serverError(ServerErrorKind errorKind, const QString& message);
 /// `state`: SQLSTATE; empty where the connection itself failed.
 base::Error serverError(const QString& message, const QString& state, bool connecting);
 
-/// While it lives, libpq's own messages on this thread are the English ones, which can be told
-/// apart; without any effect where the system cannot.
+/// While it lives, libpq's own messages on this thread are the English ones, which can be
+/// recognized; without any effect where the system cannot.
 class EnglishMessages {
 public:
     EnglishMessages();
@@ -52,4 +53,4 @@ private:
     locale_t m_before{};
 #endif
 };
-} // namespace record
+} // namespace history

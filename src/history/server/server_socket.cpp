@@ -11,12 +11,12 @@
 #include <unistd.h>
 #endif
 
-namespace record {
+namespace history {
 #ifdef Q_OS_UNIX
 namespace {
 using SocketOf = int (*)(const void* connection);
 
-/// From the library that the driver has loaded already, so that the program needs none of its own.
+/// From the library that the driver has loaded already, so that the program does not link to it.
 int socketOf(const QSqlDriver& driver)
 {
     const QVariant handle = driver.handle();
@@ -70,4 +70,4 @@ bool ServerSocket::isClosed() const
     const std::lock_guard lock(m_mutex);
     return m_closed;
 }
-} // namespace record
+} // namespace history

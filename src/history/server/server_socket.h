@@ -8,7 +8,7 @@
 
 class QSqlDriver;
 
-namespace record {
+namespace history {
 class ServerSocket {
 public:
     ~ServerSocket() { detach(); }
@@ -16,7 +16,7 @@ public:
     /// Of an open connection. Closed at once if close() has been called before.
     void attach(const QSqlDriver& driver);
     void detach();
-    /// Whoever reads or writes there sees the end of the connection.
+    /// Code that reads or writes there sees the end of the connection.
     void close();
     bool isClosed() const;
 
@@ -25,4 +25,4 @@ private:
     int m_socket = -1; ///< our own descriptor of it, so that it is never another file's
     bool m_closed = false;
 };
-} // namespace record
+} // namespace history

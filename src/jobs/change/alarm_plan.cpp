@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/enum_names.h"
 #include "device/motion/motion.h"
 #include "device/reader.h"
 #include "jobs/change/clear_alarm.h"
@@ -19,7 +20,7 @@ constexpr std::int64_t fullAngleBit = 1 << 4;
 /// The way back from a stall, as a share of a turn: 5°.
 constexpr std::int64_t backOffDivisor = 72;
 
-/// Protocol sheet §7: what shows an alarm and how it lets go.
+/// Protocol sheet §7: the measured value of each alarm, and how it is released.
 struct Rule {
     QLatin1StringView key;
     ClearMethod release;
@@ -104,7 +105,7 @@ std::int64_t faultResetBits(const device::Servo& servo, const std::vector<Alarm>
     return bits;
 }
 
-/// What unloads the motor comes before what a goal would release; a goal away from the stall
+/// Alarms that keep torque off come before those that a goal releases; a goal away from the stall
 /// releases an overcurrent as well.
 ClearMethod nextMethod(const std::vector<Alarm>& alarms)
 {
@@ -125,8 +126,8 @@ std::int64_t sign(std::int64_t value)
     return value > 0 ? 1 : (value < 0 ? -1 : 0);
 }
 
-/// Towards larger positions: 1. The goal says where it wants to go; at the goal, the load does,
-/// which is positive where the servo drives towards smaller positions (sheet §6.1).
+/// Towards larger positions: 1. The goal shows the direction; at the goal, the load does, which is
+/// positive where the servo drives towards smaller positions (sheet §6.1).
 std::int64_t stallDirection(const device::Servo& servo, std::int64_t goal, std::int64_t present,
                             std::int64_t backOff)
 {
@@ -183,27 +184,18 @@ base::Result<void> readAlarmState(const device::Context& context, device::Servo&
                               Role::PresentVoltage, Role::PresentTemperature,
                               Role::PresentCurrent});
 }
+
+constexpr base::EnumName<ClearMethod> clearMethodNames[]{
+    {ClearMethod::None, "nothing"},     {ClearMethod::BackOff, "turn-back"},
+    {ClearMethod::NewGoal, "new-goal"}, {ClearMethod::FaultReset, "fault-reset"},
+    {ClearMethod::Wait, "wait"},        {ClearMethod::PowerCycle, "power-cycle"},
+    {ClearMethod::Unknown, "unknown"},
+};
 } // namespace
 
 QString clearMethodName(ClearMethod release)
 {
-    switch (release) {
-    case ClearMethod::None:
-        return QStringLiteral("nothing");
-    case ClearMethod::BackOff:
-        return QStringLiteral("turn-back");
-    case ClearMethod::NewGoal:
-        return QStringLiteral("new-goal");
-    case ClearMethod::FaultReset:
-        return QStringLiteral("fault-reset");
-    case ClearMethod::Wait:
-        return QStringLiteral("wait");
-    case ClearMethod::PowerCycle:
-        return QStringLiteral("power-cycle");
-    case ClearMethod::Unknown:
-        return QStringLiteral("unknown");
-    }
-    return {};
+    return base::nameOf(clearMethodNames, release);
 }
 
 base::Result<AlarmPlan> planClearAlarm(const device::Context& outer, device::Servo& servo)

@@ -45,7 +45,7 @@ base::Result<const catalog::Register*> ledRegister(const device::Servo& servo)
     return reg;
 }
 
-/// A condition shines unless it is 0 (register sheet, row 20); any named fault will do for that.
+/// The LED is on unless the condition is 0 (register sheet, row 20); any named fault is enough.
 std::int64_t toggledValue(const catalog::Register& reg, std::int64_t before)
 {
     if (reg.role == Role::Led || before == 0)
@@ -53,7 +53,7 @@ std::int64_t toggledValue(const catalog::Register& reg, std::int64_t before)
     return 0;
 }
 
-/// What was left open would keep each blink.
+/// An open lock would keep each blink in the EPROM.
 base::Result<void> ensureLockClosed(const device::Context& context, device::Servo& servo)
 {
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
@@ -71,7 +71,7 @@ base::Result<void> ensureLockClosed(const device::Context& context, device::Serv
     return {};
 }
 
-/// False when stop was asked for.
+/// False when stop was requested.
 bool waitUntil(const device::Context& context, base::Duration until)
 {
     base::Clock& clock = context.bus.clock();
@@ -80,7 +80,7 @@ bool waitUntil(const device::Context& context, base::Duration until)
     return !context.stop.isRequested();
 }
 
-/// The servo belongs to this only while it is spoken to, so that its live values go on.
+/// The servo is held only during each transaction, so that its live values continue.
 base::Result<void> writeLed(const device::Context& outer, device::Servo& servo, const Led& led,
                             std::int64_t raw)
 {
@@ -114,7 +114,7 @@ base::Result<void> blinkUntil(const device::Context& context, device::Servo& ser
     return {};
 }
 
-/// Also after a lost answer or an emergency stop: whatever the LED shows, it must not stay.
+/// Also after a lost reply or an emergency stop: the LED must not stay as it is.
 base::Result<void> restoreLed(const device::Context& context, device::Servo& servo, const Led& led)
 {
     constexpr int rounds = 3;

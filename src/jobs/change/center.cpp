@@ -75,7 +75,7 @@ base::Result<void> checkSupported(const device::Servo& servo)
     return base::fail(ErrorCode::NotSupported, centerOperation, detail, servo.id);
 }
 
-/// Sends the calibration; after a lost answer offset and position are read and tell whether it
+/// Sends the calibration; after a lost reply offset and position are read to find out whether it
 /// happened.
 base::Result<CalibrationState> calibrate(const device::Context& context, device::Servo& servo,
                                          const CalibrationState& before)
@@ -105,7 +105,7 @@ base::Result<CalibrationState> calibrate(const device::Context& context, device:
     return base::fail(ErrorCode::Refused, centerOperation, QString::number(now.position), servo.id);
 }
 
-/// How the journal's row ends. Certain: nothing is open any more.
+/// The end of the journal's entry. Certain: nothing is unknown any more.
 struct CenterOutcome {
     bool certain = false;
     device::WriteOutcome outcome = device::WriteOutcome::NotSent;
@@ -131,7 +131,7 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
     end.outcome = after ? device::WriteOutcome::Kept : device::WriteOutcome::Refused;
     end.readBack = servo.raw(Role::PositionOffset);
     if (end.certain && !eprom->stayedOpen()) {
-        end.certain = false; // it stays open: nothing tells what is kept
+        end.certain = false; // it stays open: it is not known what is kept
         return base::fail(ErrorCode::Uncertain, QStringLiteral("keep"), QStringLiteral("restarted"),
                           servo.id);
     }

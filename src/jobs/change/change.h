@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Manoeuvres after which a servo may answer elsewhere or sit elsewhere: new ID, new rate,
+// Changes after which a servo may have another address or another position: new ID, new rate,
 // centering, restore, reboot. Each holds the servos it concerns, journals first, and leaves the
-// lock closed at wherever the servo answers in the end; `servo` is updated to that place.
+// lock closed at the address where the servo answers in the end; `servo` is updated to it.
 #pragma once
 
 #include "device/writer.h"
 #include "jobs/job.h"
 
 namespace jobs {
-/// What a servo of every family has when it leaves the factory.
+/// The factory ID of every family.
 inline constexpr int factoryId = 1;
 
 /// Proves the new ID free first (IdInUse); never 254. The acknowledgement may come from either ID.
@@ -40,7 +40,7 @@ base::Result<RestoreDefaultsReport> restoreDefaults(const device::Context& conte
                                                     const ProgressFn& progress = {});
 
 /// 0x08: torque off first; polls PING from 0.7 s on, at most 2 s. Returns milliseconds. A restart
-/// is proven or not claimed: the torque limit, which every start loads from the EPROM, or the
+/// is reported only with proof: the torque limit, which every start loads from the EPROM, or the
 /// running time, which every start clears, is set one step off before; a servo that takes no such
 /// mark must have been silent. Refused: by a Modbus exception,
 /// "not-restarted", "restart-acknowledged" (it did not restart either), "restart-unproven".

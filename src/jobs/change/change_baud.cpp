@@ -27,7 +27,7 @@ base::Result<std::int64_t> baudCode(const device::Servo& servo, const catalog::R
                       servo.id);
 }
 
-/// Opens the new rate and goes back: an adapter that cannot run it must never get the servo there.
+/// Opens the new rate and goes back: a servo must never get a rate that the adapter cannot run.
 base::Result<void> checkRateSupported(bus::Bus& bus, int newBaud)
 {
     const int oldBaud = bus.baud();
@@ -36,8 +36,8 @@ base::Result<void> checkRateSupported(bus::Bus& bus, int newBaud)
     return can ? back : can;
 }
 
-/// Tries the new rate, then the old. Leaves the bus where the servo answers; at the old rate if
-/// nowhere. True if it answers.
+/// Tries the new rate, then the old. Leaves the bus at the rate where the servo answers, at the old
+/// one if it does not. True if it answers.
 base::Result<bool> locate(const device::Context& context, const device::Servo& servo, int oldBaud,
                           int newBaud)
 {
@@ -127,7 +127,7 @@ base::Result<void> checkPreconditions(const device::Context& context, const devi
     if (servo.profile->byRole(Role::BaudRate) == nullptr)
         return base::fail(ErrorCode::NotSupported, changeBaudOperation,
                           QStringLiteral("fixed-rate"), servo.id);
-    // Behind a TCP bridge nobody here could follow the servo to its new rate.
+    // Behind a TCP bridge the program could not follow the servo to its new rate.
     if (!context.bus.canSetBaud())
         return base::fail(ErrorCode::NotSupported, changeBaudOperation, QStringLiteral("bridge"),
                           servo.id);

@@ -14,7 +14,7 @@ using device::WriteOutcome;
 namespace {
 const QString changeIdOperation = QStringLiteral("set-id");
 
-/// Feetech and LX: 0–253, Modbus: 1–247; never the address that means everybody.
+/// Feetech and LX: 0–253, Modbus: 1–247; never the broadcast address.
 base::Result<void> checkId(const device::Servo& servo, int newId)
 {
     const catalog::Register& reg = *servo.profile->byRole(Role::Id);
@@ -28,8 +28,8 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
     return tl::unexpected(error);
 }
 
-/// Silence under the new ID: anything else, a collision included, means that it is taken. What
-/// ends the question concerns the servo that still has its old one.
+/// Only silence under the new ID means that it is free; even a collision means that it is taken.
+/// Other errors concern the servo that still has its old ID.
 base::Result<void> ensureIdFree(const device::Context& context, base::Protocol protocol, int oldId,
                                 int newId)
 {
@@ -48,8 +48,8 @@ base::Result<void> ensureIdFree(const device::Context& context, base::Protocol p
     return {};
 }
 
-/// Where the servo answers after the write; -1: nowhere. Its lock is open, so a line or a computer
-/// that is gone for a moment is waited for.
+/// The ID under which the servo answers after the write; -1: none. Its lock is open, so a short
+/// interruption of the link or the computer is waited for.
 base::Result<int> locate(const device::Context& context, base::Protocol protocol, int oldId,
                          int newId)
 {
@@ -70,7 +70,7 @@ base::Result<int> locate(const device::Context& context, base::Protocol protocol
 }
 
 /// A second write goes to the servo of the first one only: it has not confirmed the new ID, and its
-/// lock is open still. One that was put in its place comes with a closed lock.
+/// lock is still open. Another servo in its place has a closed lock.
 bool canRetryWrite(const device::Context& context, device::Servo& servo, const SendResult& sent,
                    int newId)
 {
@@ -81,7 +81,7 @@ bool canRetryWrite(const device::Context& context, device::Servo& servo, const S
     return flag && device::isLockOpen(*flag);
 }
 
-/// Writes the ID and follows the servo to wherever it answers then.
+/// Writes the ID and follows the servo to the ID under which it answers then.
 base::Result<void> writeAndVerify(const device::Context& context, device::Servo& servo, int newId,
                                   device::WriteResult& result)
 {
@@ -103,7 +103,7 @@ base::Result<void> writeAndVerify(const device::Context& context, device::Servo&
         if (!place)
             return tl::unexpected(place.error());
         if (*place < 0) {
-            // Whoever has acknowledged under the new ID has its lock there.
+            // A servo that has acknowledged under the new ID has its lock there.
             servo.id = sent->answeredBy == newId ? newId : oldId;
             device::transferVerification(context.bus, servo, oldId, context.bus.baud());
             return base::fail(ErrorCode::NoReply, changeIdOperation, {}, newId);
@@ -116,7 +116,8 @@ base::Result<void> writeAndVerify(const device::Context& context, device::Servo&
         result.readBack = *back;
         if (*place == newId || *back == newId)
             return {};
-        // It still answers, and reads, as before: nothing has happened, so writing again is safe.
+        // It still answers with the old ID and value: nothing has happened, so writing again is
+        // safe.
         if (!canRetryWrite(context, servo, *sent, newId))
             return base::fail(ErrorCode::Uncertain, changeIdOperation, QStringLiteral("exchanged"),
                               oldId);
@@ -156,7 +157,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     return report;
 }
 
-/// An ID that answers in two languages would leave every later command in doubt.
+/// An ID that answers in two protocols would make every later command ambiguous.
 std::vector<base::Protocol> protocolsOnBus(const device::Context& context,
                                            const device::Servo& servo)
 {

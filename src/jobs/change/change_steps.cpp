@@ -21,7 +21,7 @@ bus::Transaction makePing(const device::Context& context, base::Protocol protoco
 
 base::Result<bool> isReply(const base::Result<bus::Outcome>& outcome)
 {
-    // Who refuses to say more is there all the same.
+    // A refusal also proves that the servo is there.
     if (outcome || outcome.error().code == ErrorCode::Refused)
         return true;
     if (outcome.error().code == ErrorCode::NoReply)

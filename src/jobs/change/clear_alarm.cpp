@@ -53,7 +53,7 @@ base::Result<void> backOffFromStall(const device::Context& context, device::Serv
     std::vector<device::MovePlan> moves{*move};
     if (const auto sent = device::sendMoves(context, moves, device::MoveMethod::Write); !sent)
         return sent;
-    // Whether it arrives does not matter: the alarm is judged afterwards by its own bit.
+    // Arrival does not matter: the bit of the alarm decides afterwards.
     const auto arrived = device::waitForArrival(context, moves, moveTimeout, {});
     if (!arrived && (arrived.error().code == ErrorCode::LinkLost ||
                      arrived.error().code == ErrorCode::Preempted))
@@ -61,7 +61,7 @@ base::Result<void> backOffFromStall(const device::Context& context, device::Serv
     return {};
 }
 
-/// Its present place, or standstill, as a new command. A tripped servo has let its shaft go.
+/// Its present position, or standstill, as a new command. A tripped servo has released its shaft.
 base::Result<void> setNewGoal(const device::Context& context, device::Servo& servo,
                               const AlarmPlan& plan)
 {
@@ -69,7 +69,7 @@ base::Result<void> setNewGoal(const device::Context& context, device::Servo& ser
                           : device::halt(context, servo);
 }
 
-/// A reset gives the motor its full force again, so the goal is brought here first.
+/// A reset gives the motor its full force again, so the goal is set to the present position first.
 base::Result<void> resetFaults(const device::Context& context, device::Servo& servo,
                                const AlarmPlan& plan)
 {
@@ -78,7 +78,7 @@ base::Result<void> resetFaults(const device::Context& context, device::Servo& se
             return held;
     }
     device::WriteOptions options;
-    options.dangerous = true; // clearing is what was asked for
+    options.consent = device::Consent::byTask();
     const catalog::Register& reset = *servo.profile->byRole(Role::FaultReset);
     const auto report = device::write(context, servo, {{reset.key, plan.faultResetBits}}, options);
     if (!report)
@@ -105,7 +105,7 @@ base::Result<void> execute(const device::Context& context, device::Servo& servo,
     }
 }
 
-/// Moves say what keeps an alarm alive, as it was before this one let go.
+/// Moves note the cause of an alarm, as it was before this alarm was released.
 void dropStaleNotices(device::Notices& notices, std::size_t since)
 {
     const auto stale = [](const device::Notice& notice) {
@@ -127,7 +127,7 @@ bool needsAction(const AlarmPlan& plan)
            plan.next == ClearMethod::FaultReset;
 }
 
-/// The bit may fall a moment after its cause.
+/// The bit may clear a moment after its cause.
 base::Result<AlarmPlan> waitUntilCleared(const device::Context& context, device::Servo& servo,
                                          const AlarmPlan& before)
 {
@@ -167,7 +167,7 @@ base::Result<AlarmReport> clearAlarm(const device::Context& outer, device::Servo
     const std::size_t noticesBefore = context.notices.size();
     if (const auto done = execute(context, servo, *now); !done)
         return tl::unexpected(done.error());
-    // What is left is in the report.
+    // Remaining alarms are in the report.
     dropStaleNotices(context.notices, noticesBefore);
     report.isExecuted = true;
     const auto after = waitUntilCleared(context, servo, *now);

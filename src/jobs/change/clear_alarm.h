@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clearing an alarm by what releases it, and by nothing else (protocol sheet §7): an overload by a
-// small goal away from the stall, which moves the shaft; an overcurrent by a new goal, its present
-// place; Modbus servos through their fault reset register. Voltage and temperature pass when the
+// Clears an alarm in the way its protection requires (protocol sheet §7): an overload by a small
+// goal away from the stall, which moves the shaft; an overcurrent by a new goal, its present
+// position; Modbus servos through their fault reset register. Voltage and temperature pass when the
 // value returns, so nothing is written for them; an encoder alarm needs a power-cycle. First a
 // plan, which only reads; then, with the user's consent, the action.
 #pragma once
@@ -13,19 +13,19 @@ namespace jobs {
 enum class ClearMethod : std::uint8_t {
     None,       ///< there is no alarm
     BackOff,    ///< a small goal away from the stall: moves
-    NewGoal,    ///< its present place as the new goal: energizes
-    FaultReset, ///< by register, holding where it is
+    NewGoal,    ///< its present position as the new goal: turns torque on
+    FaultReset, ///< by register, holding its position
     Wait,       ///< passes by itself when the value is back within its limits
     PowerCycle,
     Unknown, ///< a status bit without a name
 };
 QString clearMethodName(ClearMethod release); ///< "turn-back", for JSON
 
-/// One alarm with what it is judged by. Values are raw, of the register `measured` and its kind.
+/// One alarm with its measured value and limit. Values are raw, of the register `measured`.
 struct Alarm {
     QString key; ///< "overload"; "bit4" where the family has no name for it
     ClearMethod release = ClearMethod::Unknown;
-    bool derived = false; ///< worked out here from the limits; the servo reports none (LX)
+    bool derived = false; ///< derived from the limits; the servo reports none (LX)
     QString measured{};   ///< register key; empty: nothing shows it
     std::optional<std::int64_t> value{};
     std::optional<std::int64_t> min{}, max{};
@@ -33,14 +33,14 @@ struct Alarm {
 
 struct AlarmPlan {
     std::vector<Alarm> alarms;
-    ClearMethod next = ClearMethod::None; ///< what can be done now
-    bool torqueOff = false;               ///< torque is off now, so the goal will energize it
+    ClearMethod next = ClearMethod::None; ///< the possible next step
+    bool torqueOff = false;               ///< torque is off now, so the goal will turn it on
     std::optional<std::int64_t> from, to; ///< TurnBack, NewGoal: steps as in the goal register
     std::int64_t faultResetBits = 0;      ///< FaultReset
-    /// TurnBack that this servo's mode or limits do not allow: why.
+    /// Why this servo's mode or limits do not allow TurnBack.
     std::optional<base::Error> refused;
 
-    /// Moves or energizes, so somebody must have agreed.
+    /// Moves or turns torque on, so the user must have agreed.
     bool needsConsent() const
     {
         return !refused && (next == ClearMethod::BackOff || next == ClearMethod::NewGoal);
@@ -57,8 +57,8 @@ struct AlarmReport {
     bool isCleared() const { return after.next == ClearMethod::None; }
 };
 
-/// Looks again and does what `agreed` says. NeedsConsent when it would move or energize without
-/// ("release-moves", "release-energizes"), or otherwise than agreed ("alarm-changed");
+/// Reads again and does what `agreed` allows. NeedsConsent when it would move or turn torque on
+/// without agreement ("release-moves", "release-energizes"), or differs from it ("alarm-changed");
 /// NotSupported as the plan's `refused`; else the errors of moves and writes. Nothing is written
 /// where only waiting or a power-cycle helps.
 base::Result<AlarmReport> clearAlarm(const device::Context& context, device::Servo& servo,

@@ -17,7 +17,7 @@ namespace {
 const QString rebootOperation = QStringLiteral("reboot");
 
 /// Every start passes a loader that listens at this rate for about 0.8 s; a PING there could be
-/// taken for the beginning of a firmware update (protocol sheet §2.5).
+/// misread as the beginning of a firmware update (protocol sheet §2.5).
 constexpr int loaderBaud = 500'000;
 constexpr base::Duration quietTime = 700ms;
 constexpr base::Duration maxStartTime = 2s;
@@ -25,13 +25,13 @@ constexpr base::Duration pingInterval = 25ms;
 /// One lost PING is no proof that the servo was away.
 constexpr int missedPingsProvingRestart = 2;
 
-/// A RAM value that no restart leaves as it is: the torque limit, which every start loads from the
+/// A RAM value that every restart changes: the torque limit, which every start loads from the
 /// EPROM, or the running time, which every start sets to its default. One step off, with torque
 /// off, it moves nothing.
 struct RestartMarker {
     const catalog::Register* reg = nullptr; ///< null: this servo has none
     std::int64_t raw = 0;
-    std::unique_ptr<TemporarySettings> written{}; ///< null: the value was another one by itself
+    std::unique_ptr<TemporarySettings> written{}; ///< null: the value already differed
 
     bool isUnchanged(const device::Servo& servo) const { return servo.raw(*reg) == raw; }
 };
@@ -42,8 +42,8 @@ bool endsJob(ErrorCode code)
            code == ErrorCode::Preempted;
 }
 
-/// The servo has no such value, or does not take another one. Anything else, such as a full disk
-/// or a lost line, is none of its doing.
+/// The servo has no such value, or does not take another one. Other errors, such as a full disk or
+/// a lost link, do not come from the servo.
 bool isMarkerImpossible(ErrorCode code)
 {
     switch (code) {
@@ -59,7 +59,8 @@ bool isMarkerImpossible(ErrorCode code)
     }
 }
 
-/// Null: nothing in this servo can be a mark. In motor mode the running time is the motor's output.
+/// Null: this servo has no register for a mark. In motor mode the running time is the motor's
+/// output.
 const catalog::Register* markerRegister(const device::Servo& servo)
 {
     const catalog::Profile& profile = *servo.profile;
@@ -70,7 +71,7 @@ const catalog::Register* markerRegister(const device::Servo& servo)
     return time != nullptr && time->defaultRaw && positions ? time : nullptr;
 }
 
-/// What a start leaves in the mark's register.
+/// The value of the mark's register after a start.
 std::optional<std::int64_t> valueAfterRestart(const device::Servo& servo,
                                               const catalog::Register& marker)
 {
@@ -100,7 +101,7 @@ base::Result<RestartMarker> setMarker(const device::Context& context, device::Se
     return written ? RestartMarker{reg, raw, std::move(*written)} : RestartMarker{};
 }
 
-/// True: it acknowledged a command that has no answer. Listens for as long as nothing may be sent.
+/// True: it acknowledged a command that has no reply. Listens for as long as nothing may be sent.
 base::Result<bool> isAcknowledged(const device::Context& context, const device::Servo& servo)
 {
     const base::Duration quiet = context.bus.baud() == loaderBaud ? maxStartTime : quietTime;
@@ -119,7 +120,7 @@ base::Result<bool> isAcknowledged(const device::Context& context, const device::
     return answered;
 }
 
-/// Waits until it answers; how many questions before that it did not.
+/// Waits until it answers. Returns the number of requests without a reply before that.
 base::Result<int> waitForReply(const device::Context& context, const device::Servo& servo,
                                base::Duration sentAt)
 {
@@ -137,14 +138,14 @@ base::Result<int> waitForReply(const device::Context& context, const device::Ser
     }
 }
 
-/// What one request for a restart came to.
+/// The result of one request for a restart.
 struct RebootAttempt {
     bool isAcknowledged = false;
     bool wasUnresponsive = false;
     bool isMarkerUnchanged = false;
     base::Duration duration{};
 
-    /// Proven not to have happened: it is safe to ask again.
+    /// Proven not to have happened: it is safe to send it again.
     bool ignored() const { return isMarkerUnchanged && !wasUnresponsive && !isAcknowledged; }
 };
 
@@ -229,7 +230,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
     }
     const auto milliseconds = restart(context, servo, *marker);
     if (!milliseconds)
-        return milliseconds; // the mark is taken back
+        return milliseconds; // the mark is removed
     context.note(device::NoticeCode::RebootedAfter, servo.id, {}, *milliseconds);
     if (marker->written)
         marker->written->forget();

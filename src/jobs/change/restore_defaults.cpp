@@ -28,8 +28,8 @@ std::vector<base::JournalItem> epromItems(const device::Servo& servo)
     return items;
 }
 
-/// What stands there now, read afresh. A value that did not change may stand in RAM only, so
-/// "kept" is not claimed.
+/// The present values, read afresh. A value that did not change may be in RAM only, so "kept" is
+/// not reported.
 std::vector<base::ItemResult> itemResults(const device::Servo& servo)
 {
     std::vector<base::ItemResult> ends;
@@ -51,8 +51,8 @@ std::vector<int> ratesOf(const device::Servo& servo, int present)
     return rates;
 }
 
-/// Looks at the old rate first, then at the family's others; there under the old ID, then under the
-/// factory one, which counts only if nobody had it before.
+/// Searches at the old rate first, then at the others of the family; at each under the old ID, then
+/// under the factory ID, which counts only if no servo had it before.
 base::Result<bool> findAgain(const device::Context& context, device::Servo& servo,
                              bool isFactoryIdFree, const ProgressFn& progress)
 {
@@ -96,7 +96,7 @@ std::vector<QString> differences(const device::Servo& before, const device::Serv
     return keys;
 }
 
-/// 0x06, once; and a second time only when reading proved that the first one never arrived.
+/// Sends 0x06 once, and a second time only after reading proved that the first one never arrived.
 base::Result<void> restore(const device::Context& context, device::Servo& servo,
                            bool isFactoryIdFree, const ProgressFn& progress,
                            RestoreDefaultsReport& report)

@@ -7,23 +7,25 @@
 // line: BadArgument, LinkLost, Preempted, FileUnwritable, DiskFull, and those of the journal.
 #pragma once
 
+#include "device/consent.h"
 #include "device/servo.h"
 #include "jobs/job.h"
 #include "results/commission_batch.h"
 
 namespace jobs {
 struct CommissionSpec {
-    std::vector<int> ids{}; ///< to give, in this order; those the batch has given are passed over
-    int baud = 0;           ///< 0: each keeps its rate
-    std::optional<record::Snapshot> settings{}; ///< template; identity rows are not taken from it
+    std::vector<int>
+        ids{};    ///< to assign, in this order; IDs that the batch has assigned are skipped
+    int baud = 0; ///< 0: each keeps its rate
+    std::optional<snapshot::Snapshot> settings{}; ///< template; identity rows are not taken from it
     QString templateName{};
-    bool dangerous = false; ///< consent to dangerous rows of the template
+    device::Consent consent{}; ///< to dangerous rows of the template
     bool center = false;
     bool automatic = false;   ///< no click; what would need one is set aside
-    int count = 0;            ///< ends after so many that were set up; 0: when the IDs are used up
-    std::vector<int> rates{}; ///< to look at; empty: all there are
+    int count = 0;            ///< ends after this number of servos; 0: when no ID is left
+    std::vector<int> rates{}; ///< to search; empty: all
     std::vector<base::Protocol> protocols{}; ///< empty: all
-    QString labelFormat = record::defaultLabelFormat();
+    QString labelFormat = results::defaultLabelFormat();
 };
 
 enum class CommissionStep : std::uint8_t {
@@ -39,60 +41,58 @@ enum class CommissionStep : std::uint8_t {
     Health,
     Unplug, ///< done: waits until it is gone
 };
-QString stepName(CommissionStep step); ///< "waiting", "blocked" …
 
 enum class CommissionObstacle : std::uint8_t {
     None,
     DuplicateId,  ///< see `heard`
     DuplicateIds, ///< two under one ID
-    Unreadable,   ///< somebody answers, but cannot be recognized
-    Lost,         ///< went away in the middle: it goes on when it is plugged in again
+    Unreadable,   ///< a device replies but cannot be identified
+    Lost,         ///< disconnected before it was done: continues when it is connected again
 };
-QString obstacleName(CommissionObstacle obstacle); ///< "several-servos" …
 
 struct DetectedServo {
     QString model; ///< empty: not recognized
-    record::ServoLocation place{};
+    results::ServoLocation place{};
     bool operator==(const DetectedServo&) const = default;
 };
 
-/// What the line is doing, for whoever watches.
+/// What the line is doing, to be shown.
 struct CommissionView {
     CommissionStep step = CommissionStep::Waiting;
     CommissionObstacle obstacle = CommissionObstacle::None;
     std::vector<DetectedServo> detected{}; ///< Blocked
-    record::SnapshotServo servo{};         ///< the one at hand
+    snapshot::SnapshotServo servo{};       ///< the one at hand
     int baud = 0;                          ///< at which it answers
     int newId = -1;                        ///< the ID it gets, or has; Waiting: the next one's
     int newBaud = 0;
-    bool isResumed = false; ///< it was begun before and is finished now
+    bool isResumed = false; ///< it was unfinished and is completed now
     int candidateId = -1;   ///< Confirm: it may be the one that was to have this ID
     QString snapshot{};     ///< file with its table before the first write; empty: nothing written
-    std::vector<record::CommissionIssue> issues{}; ///< Confirm: what speaks against it
+    std::vector<results::CommissionIssue> issues{}; ///< Confirm: problems of the servo
     bool operator==(const CommissionView&) const = default;
 };
 
 enum class CommissionAnswer : std::uint8_t {
     None,      ///< not yet
-    Continue,  ///< whatever the concerns
+    Continue,  ///< despite its issues
     SameServo, ///< it is the one that was to have `candidateId`
     Skip,
 };
 
 struct CommissionCallbacks {
     std::function<void(const CommissionView&)> onChange{};
-    std::function<void(const record::CommissionRow&)> onRow{}; ///< on the disk already
+    std::function<void(const results::CommissionRow&)> onRow{}; ///< on the disk already
     std::function<void()>
         onBatch{}; ///< the batch has changed, also what is unfinished; on the disk
-    /// Asked some twenty times a second while the step is Confirm. Empty: never answered.
+    /// Called about twenty times a second while the step is Confirm. Empty: never answered.
     std::function<CommissionAnswer()> answer{};
-    /// Once before the first write to a servo: saves its table, answers the file.
+    /// Called once before the first write to a servo: saves its table and returns the file.
     std::function<base::Result<QString>(const device::Context&, device::Servo&)> save{};
-    /// A servo with the factory's ID is about to be written to: whoever has a name under this ID in
-    /// the history is another one.
+    /// A servo with the factory ID is about to be written to: a servo that has a name under this ID
+    /// in the history is another one.
     std::function<base::Result<void>(const device::Servo&)> onNewServo{};
-    /// It has its ID, and this label belongs to it; `another`: nobody before was this one. Once
-    /// more where the label has become another since. A failure is a remark of its row.
+    /// It has its ID, and this label belongs to it; `another`: no servo of the history is this one.
+    /// Called again if the label changes later. A failure is a remark of its row.
     std::function<base::Result<void>(const device::Servo&, const QString& label, bool another)>
         name{};
 };
@@ -101,6 +101,6 @@ enum class CommissionEnd : std::uint8_t { Stopped, IdsExhausted, CountReached };
 
 /// `batch` is what openCommissionBatch() gave for `csvPath`, and is kept there.
 base::Result<CommissionEnd> commission(const device::Context& context, const CommissionSpec& spec,
-                                       record::CommissionBatch& batch, const QString& csvPath,
+                                       results::CommissionBatch& batch, const QString& csvPath,
                                        const CommissionCallbacks& callbacks = {});
 } // namespace jobs

@@ -14,7 +14,7 @@ using base::ErrorCode;
 using base::Protocol;
 
 constexpr base::Duration settleTime = std::chrono::milliseconds(2);
-/// IDs of the slow search in one round: some 150 ms.
+/// IDs of the slow search in one round: about 150 ms.
 constexpr int idsPerSlice = 32;
 /// The vendor's rates; the first three are what servos leave the factory with.
 constexpr int commonRates[] = {1'000'000, 115'200, 500'000};
@@ -27,7 +27,7 @@ void addRate(std::vector<int>& rates, int baud)
         rates.push_back(baud);
 }
 
-/// So near that a servo at one is heard at the other.
+/// So close that a servo at one rate is received at the other.
 bool areClose(int a, int b)
 {
     constexpr double apart = 0.05;
@@ -106,10 +106,10 @@ base::Result<CommissionDetector::PingResult> CommissionDetector::ping(Protocol p
     }
 }
 
-/// Asks these IDs one after the other with the short patience of a search, then listens for what a
-/// slow adapter brings later. The first answer of all may have been asked for elsewhere: the line
-/// is drained and the question repeated. What comes late, or broken, which a late answer in another
-/// language is, makes it listen every time from then on.
+/// Asks these IDs one after the other with the short timeout of a search, then waits for the late
+/// replies of a slow adapter. The first reply may belong to an earlier request: the input is
+/// drained and the request repeated. After a reply that is late, or corrupt (as a late reply in
+/// another protocol is), it waits every time.
 base::Result<std::optional<CommissionDetector::BusLocation>>
 CommissionDetector::pingEach(Protocol protocol, const std::vector<int>& ids, int baud)
 {
@@ -154,8 +154,7 @@ CommissionDetector::findLateReply(const std::vector<bus::UnexpectedFrame>& stray
     return std::nullopt;
 }
 
-/// Whoever is alone answers the question to all; families that do not know it have the factory's
-/// ID.
+/// A servo that is alone replies to a broadcast PING; families without one have the factory ID.
 base::Result<std::optional<CommissionDetector::BusLocation>>
 CommissionDetector::scanCommonIds(int baud)
 {
@@ -174,7 +173,7 @@ CommissionDetector::scanCommonIds(int baud)
     return std::nullopt;
 }
 
-/// A few IDs more of the search for those that answer to their own ID only.
+/// Continues the search for servos that reply to their own ID only, by a few IDs.
 base::Result<std::optional<CommissionDetector::BusLocation>> CommissionDetector::scanNextSlice()
 {
     const int baud = m_likelyRates[m_scanRate];
@@ -222,8 +221,8 @@ CommissionDetector::scanRound(const std::vector<BusLocation>& known)
     return scanNextSlice();
 }
 
-/// In the languages with a question to all, the IDs need not be gone through: who is alone answers
-/// it cleanly every time.
+/// Protocols with a broadcast PING need no search of every ID: a servo that is alone replies to it
+/// without a collision every time.
 base::Result<void> CommissionDetector::checkAlone(const BusLocation& first,
                                                   std::vector<FoundServo>& found)
 {
@@ -256,7 +255,8 @@ base::Result<void> CommissionDetector::addOtherRates(const BusLocation& first,
         for (const Protocol protocol : protocolsFor(baud)) {
             if (!*rateSet || (protocol == first.protocol && baud == first.baud))
                 continue;
-            // Modbus leaves the factory with one rate; others cost more than they find.
+            // Modbus servos have one factory rate; searching others takes too long for what it
+            // finds.
             if (protocol == Protocol::Modbus && baud != commonRates[1])
                 continue;
             const int id = protocol == Protocol::Feetech ? factoryId : protocol::broadcastId;
@@ -293,7 +293,7 @@ base::Result<std::vector<FoundServo>> CommissionDetector::findAll(const BusLocat
     const auto rateSet = setRate(first.baud);
     if (!rateSet)
         return tl::unexpected(rateSet.error());
-    // An answer to the questions before is no second servo.
+    // A late reply to an earlier request is not a second servo.
     if (m_expectsLateReplies) {
         if (const auto drained = m_context.bus.listen(m_context.bus.maxReplyLateness()); !drained)
             return tl::unexpected(drained.error());
@@ -320,7 +320,7 @@ base::Result<bool> CommissionDetector::hasDuplicateId(const device::Servo& servo
     const auto found = device::checkDuplicateId(m_context, servo);
     if (found)
         return found->sign != device::DuplicateIdSign::None;
-    // One that is not answered has gone; the write looks again.
+    // A servo that does not reply is gone; the write checks again.
     if (found.error().code == ErrorCode::NoReply)
         return false;
     return tl::unexpected(found.error());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who is on the wire of a commissioning line? Short rounds over the likely rates find a factory
-// servo within a fraction of a second; before anything is done to it, everybody is asked. Sends
-// nothing but PINGs and READs. Internal to jobs; its thread. Errors: LinkLost, Stopped, Preempted,
-// Held, RateUnsupported.
+// Which servos are on the bus of a commissioning line. Short rounds over the likely rates find a
+// factory servo within a fraction of a second; before anything is done to it, all IDs are asked.
+// Sends only PINGs and READs. Internal to jobs; the job's thread. Errors: LinkLost, Stopped,
+// Preempted, Held, RateUnsupported.
 #pragma once
 
 #include "jobs/change/change.h"
@@ -16,21 +16,21 @@ public:
 
     struct BusLocation {
         base::Protocol protocol = base::Protocol::Feetech;
-        int id = -1; ///< −1: the answer was broken
+        int id = -1; ///< −1: the reply was corrupt
         int baud = 0;
     };
 
-    /// One round; the first that is heard ends it. `known` are asked first.
+    /// One round; the first reply ends it. `known` are asked first.
     base::Result<std::optional<BusLocation>> scanRound(const std::vector<BusLocation>& known);
 
-    /// All that can be heard once `first` was: every ID at its rate and at the one it is to get,
-    /// the usual ones elsewhere.
+    /// All servos that reply after `first` did: every ID at its rate and at the rate it will get,
+    /// the common IDs at other rates.
     base::Result<std::vector<FoundServo>> findAll(const BusLocation& first);
 
-    /// As before every write: more thorough than a search is.
+    /// As before every write: more thorough than a search.
     base::Result<bool> hasDuplicateId(const device::Servo& servo);
 
-    /// Does somebody answer there, with patience? Leaves the bus at that rate.
+    /// Waits long enough for a slow reply. Leaves the bus at that rate.
     base::Result<bool> isPresent(const BusLocation& place);
 
 private:
@@ -55,10 +55,10 @@ private:
     const CommissionSpec& m_spec;
     std::vector<int> m_likelyRates;
     std::vector<int> m_otherRates;
-    std::size_t m_nextOtherRate = 0; ///< whose turn it is
+    std::size_t m_nextOtherRate = 0; ///< the rate that is searched next
     std::size_t m_scanRate = 0;
     int m_scanId = 0;
-    bool m_hasReplied = false;         ///< a servo has answered
-    bool m_expectsLateReplies = false; ///< something has come after its time on this link
+    bool m_hasReplied = false;         ///< a servo has replied
+    bool m_expectsLateReplies = false; ///< a reply has come too late on this link
 };
 } // namespace jobs

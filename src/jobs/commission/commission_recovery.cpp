@@ -29,7 +29,7 @@ base::Result<void> recoverByUuid(const device::Context& context, const QString& 
     return {};
 }
 
-bool isSameKind(const base::ServoIdentity& one, const record::SnapshotServo& other)
+bool isSameKind(const base::ServoIdentity& one, const snapshot::SnapshotServo& other)
 {
     catalog::Identity identity;
     identity.firmwareMajor = one.firmwareMajor;
@@ -47,9 +47,9 @@ bool setsId(const base::Intent& intent, int id)
            intent.items.front().newRaw == id;
 }
 
-/// Both times are of this computer. Another servo of the kind may have come since, for another ID.
+/// Both times are of this computer. Later, another servo of the kind may have got another ID.
 bool isForServo(const device::Context& context, const base::Intent& intent,
-                const record::PendingCommission& pending)
+                const results::PendingCommission& pending)
 {
     if (intent.servo.port != context.bus.portName() || intent.at < pending.at ||
         !isSameKind(intent.servo, pending.servo))
@@ -60,14 +60,14 @@ bool isForServo(const device::Context& context, const base::Intent& intent,
 }
 
 bool opensLock(const device::Context& context, const base::Intent& intent,
-               const record::PendingCommission& pending)
+               const results::PendingCommission& pending)
 {
     return intent.lockOpened && isForServo(context, intent, pending);
 }
 
-bool wasInitiallyLocked(const device::Servo& servo, const record::PendingCommission& pending)
+bool wasInitiallyLocked(const device::Servo& servo, const results::PendingCommission& pending)
 {
-    const auto table = record::loadSnapshot(pending.snapshot);
+    const auto table = snapshot::loadSnapshot(pending.snapshot);
     const catalog::Register* lock = servo.profile->byRole(catalog::Role::Lock);
     const auto* then = table && lock != nullptr ? table->find(lock->key) : nullptr;
     return then != nullptr && then->raw && !device::isLockOpen(*then->raw);
@@ -75,7 +75,7 @@ bool wasInitiallyLocked(const device::Servo& servo, const record::PendingCommiss
 } // namespace
 
 base::Result<void> recoverOpenIntents(const device::Context& context,
-                                      const record::PendingCommission& pending)
+                                      const results::PendingCommission& pending)
 {
     const auto open = context.journal.open();
     if (!open)
@@ -89,7 +89,7 @@ base::Result<void> recoverOpenIntents(const device::Context& context,
     return {};
 }
 
-bool hasOpenIntent(const device::Context& context, const record::PendingCommission& pending)
+bool hasOpenIntent(const device::Context& context, const results::PendingCommission& pending)
 {
     const auto open = context.journal.open();
     return open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
@@ -97,21 +97,21 @@ bool hasOpenIntent(const device::Context& context, const record::PendingCommissi
            });
 }
 
-void updateLockStates(const device::Context& context, std::vector<record::PendingCommission>& all)
+void updateLockStates(const device::Context& context, std::vector<results::PendingCommission>& all)
 {
     if (all.empty())
         return;
     const auto open = context.journal.open();
     if (!open)
-        return; // as it was known last
-    for (record::PendingCommission& one : all)
+        return; // the last known states stay
+    for (results::PendingCommission& one : all)
         one.lockOpen = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
             return opensLock(context, intent, one);
         });
 }
 
 bool hasLeftLockOpen(const device::Context& context, device::Servo& servo,
-                     const record::PendingCommission& pending)
+                     const results::PendingCommission& pending)
 {
     const auto open = context.journal.open();
     const bool ours =

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the journal still owes a servo that was left in the middle of a commissioning line is
-// brought to one side: undone where nothing of it was written, finished otherwise. Internal to
-// jobs; its thread. Errors: those of jobs::recover.
+// Ends the open changes in the journal of a servo that a commissioning line left unfinished: they
+// are undone if nothing was written, and finished otherwise. Internal to jobs; the job's thread.
+// Errors are those of jobs::recover.
 #pragma once
 
 #include "jobs/recover/recover.h"
 #include "results/commission_batch.h"
 
 namespace jobs {
-/// Brings the open changes of this port that `begun` made to one side.
+/// Undoes or finishes the open changes of this servo on this port.
 base::Result<void> recoverOpenIntents(const device::Context& context,
-                                      const record::PendingCommission& pending);
+                                      const results::PendingCommission& pending);
 
 /// The journal holds a change of this servo that has not ended.
-bool hasOpenIntent(const device::Context& context, const record::PendingCommission& pending);
+bool hasOpenIntent(const device::Context& context, const results::PendingCommission& pending);
 
-/// The journal holds a change of it that opened its lock and has not ended.
-void updateLockStates(const device::Context& context, std::vector<record::PendingCommission>& all);
+/// Sets lockOpen where the journal holds an open change that opened the lock of that servo.
+void updateLockStates(const device::Context& context, std::vector<results::PendingCommission>& all);
 
-/// Is `servo` the very one, at its old ID or its new one? Yes where the journal has us open the
-/// lock of such a servo, the lock is open still, and was closed when the servo came. Losing power
-/// closes it, so this one has not been unplugged since.
+/// Whether `servo` is the same one, under its old ID or its new one. It is if the journal records
+/// that the lock of such a servo was opened, the lock is still open, and it was closed before. Loss
+/// of power closes the lock, so this servo has not been disconnected since.
 bool hasLeftLockOpen(const device::Context& context, device::Servo& servo,
-                     const record::PendingCommission& pending);
+                     const results::PendingCommission& pending);
 } // namespace jobs

@@ -14,7 +14,7 @@ namespace jobs {
 namespace {
 using base::ErrorCode;
 using catalog::Role;
-using record::CommissionIssue;
+using results::CommissionIssue;
 
 void addAlarms(const device::Servo& servo, std::vector<CommissionIssue>& issues)
 {
@@ -71,7 +71,7 @@ void addTemplate(const device::Context& context, const CommissionSpec& spec, Com
     if (!spec.settings)
         return;
     RestoreChoice choice;
-    choice.dangerous = spec.dangerous;
+    choice.consent = spec.consent;
     work.plan = planRestore(context, work.servo, *spec.settings, choice);
     if (work.plan->otherModel)
         issues.push_back({QStringLiteral("other-model"), spec.settings->servo.model});
@@ -89,7 +89,7 @@ void addTemplate(const device::Context& context, const CommissionSpec& spec, Com
         issues.push_back({QStringLiteral("rows-left"), remainingRows.join(QLatin1Char(' '))});
 }
 
-/// The error of the first write that did not take, or of a lock that stayed open.
+/// The error of the first write that failed, or of a lock that stayed open.
 base::Result<void> toResult(const device::WriteReport& report)
 {
     if (report.isSuccessful())
@@ -113,7 +113,7 @@ base::Result<void> readHealth(const device::Context& context, device::Servo& ser
     return device::readRoles(context, servo, wanted);
 }
 
-/// What the rate register says, if there is one.
+/// The value of the rate register, if there is one.
 std::optional<int> storedBaud(const device::Servo& servo)
 {
     const catalog::Register* reg = servo.profile->byRole(Role::BaudRate);
@@ -127,16 +127,6 @@ std::optional<int> storedBaud(const device::Servo& servo)
     return std::nullopt;
 }
 } // namespace
-
-record::SnapshotServo snapshotServo(const device::Servo& servo)
-{
-    return {servo.id,
-            servo.profile->modelName,
-            servo.profile->identity.modelId(),
-            servo.profile->identity.firmware(),
-            servo.profile->mapKey,
-            base::protocolName(servo.protocol)};
-}
 
 base::Result<std::vector<CommissionIssue>>
 checkServo(const device::Context& context, const CommissionSpec& spec, CommissionWork& work)
@@ -182,7 +172,7 @@ base::Result<void> applyTemplate(const device::Context& context, const Commissio
     if (!work.plan)
         return {};
     RestoreOptions options;
-    options.dangerous = spec.dangerous;
+    options.consent = spec.consent;
     const auto outcome = restore(context, work.servo, *work.plan, options);
     if (!outcome)
         return tl::unexpected(outcome.error());
@@ -249,8 +239,8 @@ base::Result<void> centerServo(const device::Context& context, CommissionWork& w
 }
 
 namespace {
-/// Each row of the template stands in the servo that is here at the end. Another one may have been
-/// put in its place between two steps.
+/// Checks that the connected servo has every row of the template: another servo may have taken its
+/// place between two steps.
 base::Result<void> verifyTemplate(const device::Context& context, CommissionWork& work)
 {
     if (!work.plan)

@@ -17,9 +17,9 @@ using base::ErrorCode;
 using base::IntentKind;
 
 namespace {
-/// Of a snapshot's rows each is known by itself; of others the whole is. What finishing had to
-/// write was not written back then: it has an intent of its own, with its time, and here only what
-/// it was found with is known.
+/// For a snapshot the result of each row is known; for others the result of the whole. Rows that
+/// finishing had to write have an intent of their own, with its time; here only the values found
+/// before are known.
 std::vector<base::ItemResult> itemResults(const base::Intent& intent, const device::Servo& servo,
                                           const AppliedRecovery& applied, const QString& word)
 {
@@ -50,7 +50,7 @@ bool isRestoreOfSameServo(const base::Intent& a, const base::Intent& b)
            a.servo.isSameKind(b.servo) && isSnapshotRestore(a) && isSnapshotRestore(b);
 }
 
-/// The way back of a restore that did not succeed: it writes what that one had found.
+/// The rollback of a failed restore: it writes the values that the restore had found.
 bool isRevertOf(const base::Intent& later, const base::Intent& restore)
 {
     const auto found = [&](const base::JournalItem& item) {
@@ -67,8 +67,9 @@ struct RecoveryTask {
     RecoveryAction action = RecoveryAction::Preview;
 };
 
-/// Oldest first, and undone from the latest on. A restore whose way back had begun was given up
-/// then, with every try to finish it: that ends with the values before, whatever is asked of all.
+/// Oldest first, and undone starting with the latest. A restore whose rollback had started was
+/// abandoned then, together with every attempt to finish it: it ends with the old values for any
+/// requested action.
 std::vector<RecoveryTask> recoveryTasks(const std::vector<base::Intent>& open,
                                         RecoveryAction action)
 {
@@ -98,7 +99,7 @@ std::vector<RecoveryTask> recoveryTasks(const std::vector<base::Intent>& open,
     return tasks;
 }
 
-/// A restore leaves torque off, also one that is ended later.
+/// A restore leaves torque off, also if it is finished later.
 void noteTorque(const device::Context& context, const RecoveryResult& one)
 {
     if (one.torqueIsOff)
@@ -107,7 +108,7 @@ void noteTorque(const device::Context& context, const RecoveryResult& one)
 } // namespace
 
 namespace {
-/// Nothing can be settled on a servo that has not been found.
+/// A servo that was not found cannot be recovered.
 std::optional<base::Error> lookupError(const OpenIntent& open)
 {
     const QString operation = QStringLiteral("recover");
@@ -140,7 +141,7 @@ RecoveryResult skippedResult(const base::Intent& intent, RecoveryAction action)
     return recovered;
 }
 
-/// What a later write has replaced is not this change's any more.
+/// Registers that a later write has replaced do not belong to this change any more.
 base::Intent withoutOverwritten(const OpenIntent& open)
 {
     base::Intent rest = open.intent;
@@ -149,8 +150,8 @@ base::Intent withoutOverwritten(const OpenIntent& open)
     return rest;
 }
 
-/// Restoring its defaults may have moved the servo. Where the rows are put back, ID and rate follow
-/// by the way that is safe for them.
+/// Restoring its defaults may have changed ID and rate. After the rows are restored, ID and rate
+/// follow by their own safe procedures.
 base::Result<void> revertLocation(const device::Context& context, const base::Intent& intent,
                                   device::Servo& servo)
 {
@@ -170,7 +171,7 @@ base::Result<void> revertLocation(const device::Context& context, const base::In
     return toResult(changeBaud(context, servo, intent.servo.baud));
 }
 
-/// ID and rate, which are no plain rows.
+/// Restores ID and rate, which are no plain rows.
 base::Intent withoutIdentity(base::Intent intent, const device::Servo& servo)
 {
     std::erase_if(intent.items, [&](const base::JournalItem& item) {
@@ -187,7 +188,7 @@ base::Result<void> prepareWrite(const device::Context& context, device::Servo& s
     return may && beforeWrite ? beforeWrite(context, servo) : may;
 }
 
-/// How the journal has the end of a change that has been settled.
+/// The journal's outcome of a recovered change.
 QString endOutcome(const RecoveryResult& recovered)
 {
     if (recovered.isAllSkipped)
@@ -318,7 +319,7 @@ recover(const device::Context& outer, RecoveryAction action, const RecoveryOptio
         if (context.stop.isRequested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));
         auto one = recoverIntent(context, task.intent, task.action, options.beforeWrite);
-        if (context.bus.canSetBaud()) // also after an error: whoever comes next counts on it
+        if (context.bus.canSetBaud()) // also after an error: the next task expects it
             (void)context.bus.setBaud(baudBefore);
         if (!one)
             return tl::unexpected(one.error());

@@ -22,8 +22,8 @@ bool isSnapshotRestore(const base::Intent& intent)
 }
 
 namespace {
-/// The values the action asks for: those still to be written, those already there, and those that
-/// are not written by recovery.
+/// The values of the action: those still to be written, those already set, and those that recovery
+/// does not write.
 struct RecoveryItems {
     std::vector<device::WriteItem> write;
     std::vector<device::WriteItem> reassert;
@@ -44,7 +44,8 @@ RecoveryItems planItems(const base::Intent& intent, const device::Servo& servo,
             items.left << item.key;
             continue;
         }
-        // What calibration and restore lead to is not known beforehand: finishing takes what is.
+        // The results of calibration and restore are not known beforehand: finishing accepts the
+        // present values.
         const std::int64_t finished = hasKnownNewValues(intent) ? item.newRaw : *present;
         const bool forward = action == RecoveryAction::Finish && !isRevertOnly(intent);
         const std::int64_t wanted = forward ? finished : item.oldRaw;
@@ -71,7 +72,7 @@ AppliedRecovery toAppliedRecovery(base::Result<device::WriteReport> written)
     return {base::fail(ErrorCode::LockOpen, QStringLiteral("recover"), {}, written->id), *written};
 }
 
-/// Finishing a way back: each of these values is one that this servo was once found with.
+/// Finishing a rollback: this servo once had each of these values.
 bool wasHeldBefore(const device::Context& context, const base::Intent& intent,
                    const std::vector<device::WriteItem>& items)
 {
@@ -110,7 +111,7 @@ AppliedRecovery writeItems(const device::Context& context, const base::Intent& i
         return {base::fail(ErrorCode::OutOfRange, QStringLiteral("recover"), {}, servo.id), {}};
     }
     device::WriteOptions options;
-    options.dangerous = true; // consent was given when the intent was made
+    options.consent = device::Consent::ofEarlierChange();
     options.temporary = intent.temporary;
     options.allowPreviousValues = action == RecoveryAction::Undo || isRevertOnly(intent) ||
                                   wasHeldBefore(context, intent, items);
@@ -123,7 +124,7 @@ AppliedRecovery writeItems(const device::Context& context, const base::Intent& i
     return toAppliedRecovery(device::write(context, servo, items, options));
 }
 
-/// What is kept by means of the lock of this area, written once more with the lock open.
+/// Values that need the open lock of this area, written once more with the lock open.
 base::Result<void> reassertLocked(const device::Context& context, device::Servo& servo,
                                   const std::vector<const device::WriteItem*>& items)
 {
@@ -157,8 +158,8 @@ base::Result<void> reassertSaved(const device::Context& context, device::Servo& 
     return saved;
 }
 
-/// A value that reads right may stand in RAM only, if the servo restarted in the middle of the
-/// write. Written once more, with the lock open or saved, it is certainly kept.
+/// A value that reads right may be in RAM only, if the servo restarted in the middle of the write.
+/// Written once more, with the lock open or saved, it is certainly kept.
 base::Result<void> reassert(const device::Context& context, const base::Intent& intent,
                             device::Servo& servo, const std::vector<device::WriteItem>& items)
 {
@@ -190,7 +191,7 @@ WriteOutcome outcomeOf(const catalog::Register& reg)
     return isPersistent ? WriteOutcome::Kept : WriteOutcome::Temporary;
 }
 
-/// What had the wanted value already when it was looked for. `why`: it was not proved to be kept.
+/// Rows that had the requested value already. `why`: the value was not proven to be kept.
 WriteResult unchangedResult(const device::Servo& servo, const base::JournalItem& item,
                             std::int64_t wanted, const std::optional<base::Error>& why)
 {
@@ -227,11 +228,12 @@ device::WriteReport fullReport(const base::Intent& intent, const device::Servo& 
         std::any_of(combinedReport.writes.begin(), combinedReport.writes.end(),
                     [](const WriteResult& one) { return one.error.has_value(); });
     if (why && !isReported && !combinedReport.writes.empty())
-        combinedReport.writes.back().error = why; // of all: coming to rest, or the lock
+        combinedReport.writes.back().error =
+            why; // of the whole: setting commands to rest, or the lock
     return combinedReport;
 }
 
-/// A device::write switches it off itself.
+/// device::write turns it off itself.
 base::Result<void> torqueOff(const device::Context& context, device::Servo& servo,
                              const RecoveryItems& items)
 {

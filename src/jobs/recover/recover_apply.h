@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brings the registers of an interrupted write to one side or the other, and ends its intent. A
-// snapshot's restore is ended as one is begun: torque off first, its rows in safe order, no further
-// than the first that fails. Internal to jobs; the job's thread.
+// Finishes or undoes the registers of an interrupted write, and ends its intent. A snapshot's
+// restore is finished in the way it is started: torque off first, its rows in safe order, only up
+// to the first failure. Internal to jobs; the job's thread.
 #pragma once
 
 #include "jobs/recover/recover.h"
@@ -11,22 +11,23 @@ bool isSnapshotRestore(const base::Intent& intent);
 
 struct AppliedRecovery {
     base::Result<void> result{};
-    /// Of a snapshot's restore every row, also those that had only to be proved; of others what was
-    /// written. Nullopt where nothing was, or nothing had to be.
+    /// For a snapshot's restore every row, also those that only had to be proven; for others the
+    /// rows written. Nullopt where nothing was written, or nothing had to be.
     std::optional<device::WriteReport> report{};
-    /// What was written only now, with the value it was found with.
+    /// The rows written now, with the values found before.
     std::vector<device::WriteItem> writtenNow{};
-    /// What has another value than the action asks for and is not written: see isRecoverable().
+    /// Registers whose value differs from the action's and that are not written: see
+    /// isRecoverable().
     QStringList skippedKeys{};
-    bool isNothingToDo = false; ///< all of it is left
-    bool torqueIsOff = false;   ///< proven; only asked for where a snapshot was restored
+    bool isNothingToDo = false; ///< no register had to be written
+    bool torqueIsOff = false;   ///< proven; only checked where a snapshot was restored
 };
-/// `servo`: as look() has found it.
+/// `servo`: as previewIntent() has found it.
 AppliedRecovery applyRecovery(const device::Context& context, const base::Intent& intent,
                               device::Servo& servo, RecoveryAction action);
 
-/// One intent from looking to its end. What stands against it, a lost link as well, is in the
-/// result beside what was done until then. Errors: those of looking, and of the journal.
+/// One intent from the preview to its end. An obstacle, also a lost link, is in the result together
+/// with what was done until then. Errors: those of the preview, and of the journal.
 base::Result<RecoveryResult> recoverIntent(const device::Context& context,
                                            const base::Intent& intent, RecoveryAction action,
                                            const BeforeWrite& beforeWrite = {});

@@ -54,7 +54,7 @@ int baudFromCode(const device::Context& context, const base::Intent& intent)
     return 0;
 }
 
-/// Where the servo may be: where it was, where the write would have put it, and at today's rate.
+/// The possible addresses of the servo: its old one, the one after the write, and the present rate.
 std::vector<BusLocation> candidateLocations(const device::Context& context,
                                             const base::Intent& intent)
 {
@@ -77,7 +77,7 @@ std::vector<BusLocation> candidateLocations(const device::Context& context,
     return result;
 }
 
-/// Where a servo answers after its own defaults were restored, as far as that changed ID and rate.
+/// The address of a servo after its defaults were restored, if that changed ID and rate.
 std::vector<BusLocation> factoryLocations(const device::Context& context,
                                           const base::Intent& intent)
 {
@@ -101,7 +101,7 @@ std::vector<BusLocation> factoryLocations(const device::Context& context,
     return result;
 }
 
-/// What was heard besides the servos of the right kind.
+/// What was received besides the servos of the right kind.
 struct ReplyErrors {
     bool hasOtherServos = false;
     std::optional<base::Error> unreadable{};
@@ -122,7 +122,7 @@ struct ReplyErrors {
     }
 };
 
-/// The servos of the right kind among the places.
+/// The servos of the right kind at these addresses.
 base::Result<std::vector<device::Servo>> findCandidates(const device::Context& context,
                                                         const base::Intent& intent,
                                                         const std::vector<BusLocation>& locations,
@@ -132,7 +132,7 @@ base::Result<std::vector<device::Servo>> findCandidates(const device::Context& c
     for (const BusLocation& location : locations) {
         if (context.bus.canSetBaud() && context.bus.baud() != location.baud &&
             !context.bus.setBaud(location.baud))
-            continue; // this adapter cannot
+            continue; // not supported by this adapter
         auto servo = device::identify(context, location.id, intent.servo.protocol);
         if (!servo) {
             if (servo.error().code == ErrorCode::LinkLost)
@@ -150,8 +150,8 @@ base::Result<std::vector<device::Servo>> findCandidates(const device::Context& c
     return found;
 }
 
-/// Those at their factory place that the lock tells to be the one: it was opened, and a servo that
-/// was switched off since would have closed it.
+/// Servos at the factory address whose lock identifies them: it was opened, and a servo that was
+/// switched off since then would have closed it.
 base::Result<std::vector<device::Servo>> findAfterFactoryReset(const device::Context& context,
                                                                const base::Intent& intent)
 {
@@ -173,8 +173,8 @@ base::Result<std::vector<device::Servo>> findAfterFactoryReset(const device::Con
     return open;
 }
 
-/// The others say nothing about an interrupted write: what a servo never shows, and the commands
-/// that a switch of the mode sets to zero.
+/// The other registers prove nothing about an interrupted write: those that a servo never shows,
+/// and the commands that a mode switch sets to zero.
 bool isComparable(const base::Intent& intent, const device::Servo& servo,
                   const base::JournalItem& item)
 {
@@ -184,12 +184,12 @@ bool isComparable(const base::Intent& intent, const device::Servo& servo,
     return servo.raw(*reg) && !isZeroedByModeSwitch(intent, servo, *reg);
 }
 
-/// Neither the old value nor the new one, and yet no sign of another servo: a later write of this
+/// Neither the old value nor the new one, but no sign of another servo: a later write of this
 /// program, or a register that is lost at power-off and may have been loaded by a restart. A
-/// snapshot's row is restored whatever a restart has loaded.
+/// snapshot's row is restored for any value that a restart has loaded.
 enum class UnmatchedCause : std::uint8_t { Replaced, LaterAttempt, ToBeRestored, OtherServo };
 
-/// What was begun later for a servo like this.
+/// The later entries for a servo like this one.
 base::Result<std::vector<base::JournalEntry>> entriesAfter(const device::Context& context,
                                                            const base::Intent& intent)
 {
@@ -204,8 +204,8 @@ base::Result<std::vector<base::JournalEntry>> entriesAfter(const device::Context
     return entries;
 }
 
-/// A later try that did not succeed may have left a third value, as its last reading tells. One
-/// that somebody has written since on purpose is none of ours.
+/// A later failed attempt may have left a third value, which its last reading shows. A value that
+/// was written since then on purpose does not belong to this change.
 bool isLeftByLaterAttempt(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
                           const QString& key, std::int64_t raw)
 {
@@ -222,7 +222,7 @@ bool isLeftByLaterAttempt(const std::vector<base::JournalEntry>& later, const ba
     return last && last->readBack == raw && last->outcome == left;
 }
 
-/// Writes that came later lead from a value of this intent to the one that stands there now.
+/// Whether later writes lead from a value of this intent to the present one.
 bool isOverwrittenLater(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
                         const base::JournalItem& item, std::int64_t raw)
 {
@@ -303,7 +303,7 @@ Finding compareValues(const base::Intent& intent, const device::Servo& servo,
 
 bool hasKnownNewValues(const base::Intent& intent)
 {
-    // Of the two that restore, a snapshot's values are known; the servo's own (0x06) are not.
+    // Of the two kinds of restore, a snapshot's values are known; the servo's own (0x06) are not.
     const bool anywhere =
         std::any_of(intent.items.begin(), intent.items.end(),
                     [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
@@ -333,7 +333,7 @@ bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
         return false;
     if (identifiesServo(reg) || !registerReasons(reg).testFlag(RestoreReason::Live))
         return true;
-    // The mark of a restart: a running time turns nothing by itself while goals are positions.
+    // The mark of a restart: while goals are positions, a running time moves nothing by itself.
     return intent.kind == IntentKind::Trial && reg.role == Role::GoalTime && !reg.block &&
            device::goalKind(servo) == device::GoalKind::Position;
 }
@@ -361,7 +361,7 @@ base::Result<OpenIntent> previewIntent(const device::Context& context, const bas
         found = findAfterFactoryReset(context, intent);
     if (!found)
         return tl::unexpected(found.error());
-    // Two servos of the kind: nothing tells which of them the intent means.
+    // Two servos of this kind: it is not known which of them the intent means.
     if (found->size() != 1) {
         result.unreadable = replyErrors.unreadable;
         result.finding = !found->empty() || replyErrors.hasOtherServos ? Finding::OtherServo

@@ -6,34 +6,33 @@
 #include "jobs/recover/recover.h"
 
 namespace jobs {
-/// Items whose value after the write is not known beforehand (calibration, restore) carry the old
-/// value twice.
+/// Items whose new value is not known beforehand (calibration, restore) hold the old value twice.
 bool hasKnownNewValues(const base::Intent& intent);
 
-/// Whichever way it is settled, the old values are wanted.
+/// Both finishing and undoing restore the old values.
 bool isRevertOnly(const base::Intent& intent);
 
-/// As many of a servo's past writes are looked through for what it held.
+/// How many past writes of a servo are searched for its earlier values.
 constexpr int maxJournalEntries = 1000;
 
-/// A value that is neither the old nor the new one is another servo's: of registers that survive a
-/// power-off, and of the mode, though it may be forgotten then (LX). Any other register may hold
-/// what a restart has loaded.
+/// For these registers a value that is neither the old nor the new one means another servo: those
+/// that survive a power-off, and the mode, although LX loses it. Any other register may hold a
+/// value that a restart has loaded.
 bool identifiesServo(const catalog::Register& reg);
 
-/// What recovery may write by itself: nothing that would turn the shaft, switch torque on or open
-/// the lock. `servo`: with its settings read.
+/// Whether recovery may write the register by itself: never if that would turn the shaft, turn
+/// torque on or open the lock. `servo`: with its settings read.
 bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
                    const catalog::Register& reg);
 
 bool changesMode(const base::Intent& intent, const device::Servo& servo);
 
-/// A command that goes with a switch of the mode: it ends at zero, whichever way that is settled.
+/// A command that belongs to a mode switch: it ends at zero, whether that is finished or undone.
 bool isZeroedByModeSwitch(const base::Intent& intent, const device::Servo& servo,
                           const catalog::Register& reg);
 
-/// Leaves the bus at the rate where the servo was found, else at the rate it had. `servo` is filled
-/// in unless nobody answered. LinkLost ends it.
+/// Leaves the bus at the rate where the servo was found, otherwise at its earlier rate. `servo` is
+/// filled in unless no servo answered. LinkLost ends it.
 base::Result<OpenIntent> previewIntent(const device::Context& context, const base::Intent& intent,
                                        device::Servo& servo);
 } // namespace jobs

@@ -23,7 +23,7 @@ base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan
     if (!same)
         return base::fail(ErrorCode::BadArgument, restoreOperation, QStringLiteral("other servo"),
                           servo.id);
-    if (!plan.needsConsent() || options.dangerous)
+    if (!plan.needsConsent() || options.consent)
         return {};
     base::Error error{ErrorCode::NeedsConsent, restoreOperation, {}, servo.id};
     for (const RestoreRow& row : plan.rows) {
@@ -35,8 +35,8 @@ base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan
     return tl::unexpected(error);
 }
 
-/// A restore of these very values that was broken off: its intent is open. Restoring again asks for
-/// its end, which recovery knows best: it also writes again what may stand in RAM only.
+/// Interrupted restores of exactly these values, whose intents are open. Restoring again means to
+/// finish them, which recovery does best: it also writes again the values that may be in RAM only.
 std::vector<base::Intent> interruptedRestores(const device::Context& context,
                                               const device::Servo& servo, const RestorePlan& plan)
 {
@@ -68,7 +68,7 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
     if (const auto planCheck = checkPlan(servo, given, options); !planCheck)
         return tl::unexpected(planCheck.error());
     RestorePlan plan = given;
-    selectTemporary(outer, plan, options.dangerous);
+    selectTemporary(outer, plan, options.consent);
     RestoreOutcome outcome;
     outcome.oldId = outcome.newId = servo.id;
     outcome.oldBaud = outcome.newBaud = servo.baud;
@@ -85,7 +85,7 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
         if (const auto saved = options.beforeWrite(outer, servo); !saved)
             return tl::unexpected(saved.error());
     }
-    // A servo that gets another ID or rate, or is looked for, needs the line to itself.
+    // A servo that gets another ID or rate, or has to be found, needs the whole bus.
     const bool own = !earlier.empty() || std::any_of(writes.begin(), writes.end(), needsOwnJob);
     const device::Owned owned =
         device::own(outer, own ? std::vector<int>() : std::vector<int>{servo.id});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/restore/restore_many.h"
 
+#include "base/enum_names.h"
 #include "device/reader.h"
 #include "jobs/restore/take_snapshot.h"
 
@@ -33,7 +34,7 @@ ApplyResult failed(int id, const base::Error& error)
     return applied;
 }
 
-/// After these nothing more can be said to anybody.
+/// After these errors no servo can be reached any more.
 bool endsJob(const ApplyResult& applied)
 {
     return applied.error && (applied.error->code == ErrorCode::LinkLost ||
@@ -41,7 +42,7 @@ bool endsJob(const ApplyResult& applied)
                              applied.error->code == ErrorCode::Preempted);
 }
 
-std::vector<base::Protocol> protocolsOf(const record::Snapshot& snapshot,
+std::vector<base::Protocol> protocolsOf(const snapshot::Snapshot& snapshot,
                                         const ApplyOptions& options)
 {
     if (!options.protocols.empty())
@@ -49,13 +50,13 @@ std::vector<base::Protocol> protocolsOf(const record::Snapshot& snapshot,
     return {base::protocolFromName(snapshot.servo.protocol).value_or(base::Protocol::Feetech)};
 }
 
-bool sameModel(const device::Servo& servo, const record::Snapshot& snapshot)
+bool sameModel(const device::Servo& servo, const snapshot::Snapshot& snapshot)
 {
     return servo.profile->mapKey == snapshot.servo.map &&
            servo.profile->identity.modelId() == snapshot.servo.modelId;
 }
 
-/// The first thing that went wrong on the wire, so that a lost link ends the list.
+/// The first error on the wire, so that a lost link ends the list.
 std::optional<base::Error> linkError(const RestoreOutcome& outcome)
 {
     for (const RestoreRowResult& row : outcome.rows) {
@@ -66,7 +67,7 @@ std::optional<base::Error> linkError(const RestoreOutcome& outcome)
     return std::nullopt;
 }
 
-ApplyResult applyToServo(const device::Context& context, int id, const record::Snapshot& snapshot,
+ApplyResult applyToServo(const device::Context& context, int id, const snapshot::Snapshot& snapshot,
                          const ApplyOptions& options, bool requireSameModel)
 {
     auto servo = device::identifyAmong(context, id, protocolsOf(snapshot, options));
@@ -105,7 +106,7 @@ ApplyResult applyToServo(const device::Context& context, int id, const record::S
 
 struct Target {
     int id = -1;
-    const record::Snapshot* snapshot = nullptr;
+    const snapshot::Snapshot* snapshot = nullptr;
 };
 
 std::vector<ApplyResult> applyAll(const device::Context& context,
@@ -132,33 +133,22 @@ std::vector<ApplyResult> applyAll(const device::Context& context,
     }
     return all;
 }
+
+constexpr base::EnumName<ApplyVerdict> applyVerdictNames[]{
+    {ApplyVerdict::AlreadySet, "already-so"},  {ApplyVerdict::Done, "done"},
+    {ApplyVerdict::Failed, "failed"},          {ApplyVerdict::RolledBack, "rolled-back"},
+    {ApplyVerdict::Planned, "planned"},        {ApplyVerdict::NoReply, "no-answer"},
+    {ApplyVerdict::OtherServo, "other-servo"}, {ApplyVerdict::Error, "error"},
+};
 } // namespace
 
 QString verdictName(ApplyVerdict verdict)
 {
-    switch (verdict) {
-    case ApplyVerdict::AlreadySet:
-        return verdictName(RestoreVerdict::AlreadySet);
-    case ApplyVerdict::Done:
-        return verdictName(RestoreVerdict::Done);
-    case ApplyVerdict::Failed:
-        return verdictName(RestoreVerdict::Failed);
-    case ApplyVerdict::RolledBack:
-        return verdictName(RestoreVerdict::RolledBack);
-    case ApplyVerdict::Planned:
-        return QStringLiteral("planned");
-    case ApplyVerdict::NoReply:
-        return QStringLiteral("no-answer");
-    case ApplyVerdict::OtherServo:
-        return QStringLiteral("other-servo");
-    case ApplyVerdict::Error:
-        return QStringLiteral("error");
-    }
-    return {};
+    return base::nameOf(applyVerdictNames, verdict);
 }
 
 std::vector<ApplyResult> applyToServos(const device::Context& context, const std::vector<int>& ids,
-                                       const record::Snapshot& snapshot,
+                                       const snapshot::Snapshot& snapshot,
                                        const ApplyOptions& options, const ProgressFn& progress,
                                        const ApplyResultFn& onServo)
 {
@@ -168,21 +158,21 @@ std::vector<ApplyResult> applyToServos(const device::Context& context, const std
     return applyAll(context, targets, options, false, progress, onServo);
 }
 
-std::vector<ApplyResult> restoreBundle(const device::Context& context, const record::Bundle& bundle,
-                                       const ApplyOptions& options, const ProgressFn& progress,
-                                       const ApplyResultFn& onServo)
+std::vector<ApplyResult> restoreBundle(const device::Context& context,
+                                       const snapshot::Bundle& bundle, const ApplyOptions& options,
+                                       const ProgressFn& progress, const ApplyResultFn& onServo)
 {
     std::vector<Target> targets;
-    for (const record::Snapshot& snapshot : bundle.servos)
+    for (const snapshot::Snapshot& snapshot : bundle.servos)
         targets.push_back({snapshot.servo.id, &snapshot});
     return applyAll(context, targets, options, !options.otherModel, progress, onServo);
 }
 
-base::Result<record::Bundle> takeBundle(const device::Context& context,
-                                        std::vector<device::Servo>& servos, const QString& program,
-                                        const ProgressFn& progress)
+base::Result<snapshot::Bundle> takeBundle(const device::Context& context,
+                                          std::vector<device::Servo>& servos,
+                                          const QString& program, const ProgressFn& progress)
 {
-    record::Bundle bundle;
+    snapshot::Bundle bundle;
     bundle.program = program;
     bundle.at = QDateTime::currentDateTimeUtc();
     bundle.port = context.bus.portName();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One snapshot or template for several servos, and a bundle back onto its bus by ID: each servo is
-// read, planned and written for itself, and one that fails does not keep the others from theirs.
-// Identity rows are never written here. The job's thread. What goes wrong is a servo's verdict; a
-// lost link, an emergency stop or the user's stop is that of all servos from there on.
+// read, planned and written by itself, and a failure does not affect the others. Identity rows are
+// never written here. The job's thread. An error is the verdict of its servo; a lost link, an
+// emergency stop or the user's stop is the verdict of all remaining servos.
 #pragma once
 
 #include "jobs/restore/restore.h"
@@ -14,9 +14,9 @@ enum class ApplyVerdict : std::uint8_t {
     Done,
     Failed,
     RolledBack,
-    Planned,    ///< dry run: there are writes to come
-    NoReply,    ///< nobody has this ID
-    OtherServo, ///< bundle: another model has this ID now; left alone
+    Planned,    ///< dry run: there are values to write
+    NoReply,    ///< no servo has this ID
+    OtherServo, ///< bundle: another model has this ID now; not written
     Error,      ///< see `error`; nothing was written
 };
 QString verdictName(ApplyVerdict verdict); ///< "already-so", … "no-answer", "other-servo", "error"
@@ -34,27 +34,28 @@ struct ApplyOptions {
     RestoreChoice choice{}; ///< identity is ignored
     RestoreOptions restore{};
     bool dryRun = false; ///< read and plan only
-    /// Languages in which a servo may answer; empty: that of the snapshot.
+    /// Protocols in which a servo may answer; empty: that of the snapshot.
     std::vector<base::Protocol> protocols{};
     bool otherModel = false; ///< bundle: also where another model has the ID
 };
 
-/// `onServo`: after each, for the list that grows.
+/// `onServo`: called after each servo, for a growing list.
 using ApplyResultFn = std::function<void(const ApplyResult&)>;
 
 std::vector<ApplyResult> applyToServos(const device::Context& context, const std::vector<int>& ids,
-                                       const record::Snapshot& snapshot,
+                                       const snapshot::Snapshot& snapshot,
                                        const ApplyOptions& options, const ProgressFn& progress = {},
                                        const ApplyResultFn& onServo = {});
 
 /// Each snapshot of the bundle onto the servo with its ID.
-std::vector<ApplyResult> restoreBundle(const device::Context& context, const record::Bundle& bundle,
-                                       const ApplyOptions& options, const ProgressFn& progress = {},
+std::vector<ApplyResult> restoreBundle(const device::Context& context,
+                                       const snapshot::Bundle& bundle, const ApplyOptions& options,
+                                       const ProgressFn& progress = {},
                                        const ApplyResultFn& onServo = {});
 
-/// Reads every servo given (as a scan found them) into one bundle. A servo that cannot be read ends
-/// it with its error: half a bundle would look like a whole one.
-base::Result<record::Bundle> takeBundle(const device::Context& context,
-                                        std::vector<device::Servo>& servos, const QString& program,
-                                        const ProgressFn& progress = {});
+/// Reads all given servos (as a scan found them) into one bundle. A servo that cannot be read ends
+/// it with its error, because an incomplete bundle would look complete.
+base::Result<snapshot::Bundle> takeBundle(const device::Context& context,
+                                          std::vector<device::Servo>& servos,
+                                          const QString& program, const ProgressFn& progress = {});
 } // namespace jobs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/restore/restore_plan.h"
 
+#include "base/enum_names.h"
 #include "device/motion/saved_speed.h"
 #include "jobs/restore/restore_rows.h"
 
@@ -9,32 +10,27 @@
 
 namespace jobs {
 namespace {
-struct ReasonName {
-    RestoreReason reason;
-    const char* name;
-};
-
-constexpr std::array reasonNames{
-    ReasonName{RestoreReason::Same, "same"},
-    ReasonName{RestoreReason::Identity, "identity"},
-    ReasonName{RestoreReason::Live, "live"},
-    ReasonName{RestoreReason::OptIn, "off-unless-asked"},
-    ReasonName{RestoreReason::MovesShaft, "moves-shaft"},
-    ReasonName{RestoreReason::ReadOnly, "read-only"},
-    ReasonName{RestoreReason::Factory, "factory"},
-    ReasonName{RestoreReason::NeedsConsent, "needs-consent"},
-    ReasonName{RestoreReason::NoSuchRegister, "no-such-register"},
-    ReasonName{RestoreReason::NotInFile, "not-in-file"},
-    ReasonName{RestoreReason::NoValue, "no-value"},
-    ReasonName{RestoreReason::NotRead, "not-read"},
-    ReasonName{RestoreReason::OutsideRange, "outside-range"},
-    ReasonName{RestoreReason::OtherMeaning, "other-meaning"},
-    ReasonName{RestoreReason::Converted, "converted"},
-    ReasonName{RestoreReason::PlainNumber, "plain-number"},
-    ReasonName{RestoreReason::NotChosen, "not-chosen"},
-    ReasonName{RestoreReason::OtherModelLimit, "other-model-limit"},
-    ReasonName{RestoreReason::WouldAlarm, "would-alarm"},
-    ReasonName{RestoreReason::OnlyTemporary, "only-temporary"},
+constexpr base::EnumName<RestoreReason> reasonNames[]{
+    {RestoreReason::Same, "same"},
+    {RestoreReason::Identity, "identity"},
+    {RestoreReason::Live, "live"},
+    {RestoreReason::OptIn, "off-unless-asked"},
+    {RestoreReason::MovesShaft, "moves-shaft"},
+    {RestoreReason::ReadOnly, "read-only"},
+    {RestoreReason::Factory, "factory"},
+    {RestoreReason::NeedsConsent, "needs-consent"},
+    {RestoreReason::NoSuchRegister, "no-such-register"},
+    {RestoreReason::NotInFile, "not-in-file"},
+    {RestoreReason::NoValue, "no-value"},
+    {RestoreReason::NotRead, "not-read"},
+    {RestoreReason::OutsideRange, "outside-range"},
+    {RestoreReason::OtherMeaning, "other-meaning"},
+    {RestoreReason::Converted, "converted"},
+    {RestoreReason::PlainNumber, "plain-number"},
+    {RestoreReason::NotChosen, "not-chosen"},
+    {RestoreReason::OtherModelLimit, "other-model-limit"},
+    {RestoreReason::WouldAlarm, "would-alarm"},
+    {RestoreReason::OnlyTemporary, "only-temporary"},
 };
 
 bool hasReason(const RestoreRow& row, RestoreReason reason)
@@ -42,7 +38,7 @@ bool hasReason(const RestoreRow& row, RestoreReason reason)
     return row.reasons.testFlag(reason);
 }
 
-void copyFileValues(RestoreRow& row, const record::SnapshotRegister& file)
+void copyFileValues(RestoreRow& row, const snapshot::SnapshotRegister& file)
 {
     row.fileRaw = file.raw;
     row.fileValue = file.value;
@@ -65,16 +61,16 @@ bool selectedBy(const RestoreRow& row, const RestoreChoice& choice)
     const bool named = choice.only.contains(row.key);
     return row.isSelectable && !hasReason(row, RestoreReason::NotChosen) &&
            (!hasReason(row, RestoreReason::Identity) || choice.identity) &&
-           (!hasReason(row, RestoreReason::NeedsConsent) || choice.dangerous) &&
+           (!hasReason(row, RestoreReason::NeedsConsent) || choice.consent) &&
            (!hasReason(row, RestoreReason::OtherModelLimit) ||
             choice.otherModelLimits.contains(row.key)) &&
            (!hasReason(row, RestoreReason::OptIn) || choice.live || named) &&
            (!hasReason(row, RestoreReason::PlainNumber) || named);
 }
 
-/// Who names a row wants to hear what became of it. A template's identity rows are not for every
-/// servo it is given to, so they count only where they are chosen.
-bool isRequestedRow(const RestoreRow& row, const record::Snapshot& snapshot,
+/// A row that was named must show its result. A template's identity rows are not meant for every
+/// servo, so they count only where they are chosen.
+bool isRequestedRow(const RestoreRow& row, const snapshot::Snapshot& snapshot,
                     const RestoreChoice& choice)
 {
     if (!choice.only.isEmpty())
@@ -83,7 +79,7 @@ bool isRequestedRow(const RestoreRow& row, const record::Snapshot& snapshot,
 }
 
 RestoreRow makeRow(const device::Servo& servo, const catalog::Register& reg,
-                   const record::Snapshot& snapshot, const Compatibility& compatibility,
+                   const snapshot::Snapshot& snapshot, const Compatibility& compatibility,
                    const RestoreChoice& choice)
 {
     RestoreRow row;
@@ -93,7 +89,7 @@ RestoreRow makeRow(const device::Servo& servo, const catalog::Register& reg,
     row.reasons = registerReasons(reg);
     row.stage = stageOf(reg);
     row.reasons.setFlag(RestoreReason::NotRead, !row.now);
-    const record::SnapshotRegister* file = snapshot.find(reg.key);
+    const snapshot::SnapshotRegister* file = snapshot.find(reg.key);
     row.reasons.setFlag(RestoreReason::NotInFile, file == nullptr);
     if (file != nullptr) {
         copyFileValues(row, *file);
@@ -115,7 +111,7 @@ RestoreRow makeRow(const device::Servo& servo, const catalog::Register& reg,
     return row;
 }
 
-RestoreRow unmatchedRow(const record::SnapshotRegister& file, const record::Snapshot& snapshot,
+RestoreRow unmatchedRow(const snapshot::SnapshotRegister& file, const snapshot::Snapshot& snapshot,
                         const RestoreChoice& choice)
 {
     RestoreRow row;
@@ -148,19 +144,15 @@ int sortRank(const RestoreRow& row)
 
 QString restoreReasonName(RestoreReason reason)
 {
-    for (const ReasonName& entry : reasonNames) {
-        if (entry.reason == reason)
-            return QLatin1String(entry.name);
-    }
-    return {};
+    return base::nameOf(reasonNames, reason);
 }
 
 QStringList restoreReasonNames(RestoreReasons reasons)
 {
     QStringList names;
-    for (const ReasonName& entry : reasonNames) {
-        if (reasons.testFlag(entry.reason))
-            names << QLatin1String(entry.name);
+    for (const auto& [reason, name] : reasonNames) {
+        if (reasons.testFlag(reason))
+            names << QLatin1String(name);
     }
     return names;
 }
@@ -232,7 +224,7 @@ int RestorePlan::count(RestoreReason reason) const
                                           [&](const auto& row) { return hasReason(row, reason); }));
 }
 
-RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
+RestorePlan planRestore(const device::Servo& servo, const snapshot::Snapshot& snapshot,
                         const RestoreChoice& choice)
 {
     const catalog::Profile& profile = *servo.profile;
@@ -249,10 +241,11 @@ RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snap
         if (!snapshot.isTemplate || snapshot.find(reg.key) != nullptr)
             plan.rows.push_back(makeRow(servo, reg, snapshot, compatibility, choice));
     }
-    for (const record::SnapshotRegister& file : snapshot.registers) {
+    for (const snapshot::SnapshotRegister& file : snapshot.registers) {
         if (profile.find(file.key) == nullptr)
             plan.rows.push_back(unmatchedRow(file, snapshot, choice));
     }
+    // The order of the list; restore_steps.cpp decides the order of the writes.
     std::stable_sort(
         plan.rows.begin(), plan.rows.end(), [](const RestoreRow& a, const RestoreRow& b) {
             return std::pair(sortRank(a), a.address) < std::pair(sortRank(b), b.address);
@@ -261,21 +254,22 @@ RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snap
 }
 
 RestorePlan planRestore(const device::Context& context, const device::Servo& servo,
-                        const record::Snapshot& snapshot, const RestoreChoice& choice)
+                        const snapshot::Snapshot& snapshot, const RestoreChoice& choice)
 {
     RestorePlan plan = planRestore(servo, snapshot, choice);
     plan.positionSpeed = device::savedSpeed(context.journal, servo).value_or(std::nullopt);
-    selectTemporary(context, plan, choice.dangerous);
+    selectTemporary(context, plan, choice.consent);
     return plan;
 }
 
-void selectTemporary(const device::Context& context, RestorePlan& plan, bool dangerous)
+void selectTemporary(const device::Context& context, RestorePlan& plan, device::Consent consent)
 {
     if (const auto temporary = device::temporaryValues(context.journal, plan.servo))
-        selectTemporary(plan, *temporary, dangerous);
+        selectTemporary(plan, *temporary, consent);
 }
 
-void selectTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous)
+void selectTemporary(RestorePlan& plan, const device::TemporaryValues& temporary,
+                     device::Consent consent)
 {
     for (RestoreRow& row : plan.rows) {
         if (!hasReason(row, RestoreReason::Same) || hasReason(row, RestoreReason::Identity) ||
@@ -285,7 +279,7 @@ void selectTemporary(RestorePlan& plan, const device::TemporaryValues& temporary
         row.reasons |= RestoreReason::OnlyTemporary;
         row.isSelectable = canBeSelected(row, *plan.servo.profile);
         row.selected = row.isSelectable && !hasReason(row, RestoreReason::NotChosen) &&
-                       (!hasReason(row, RestoreReason::NeedsConsent) || dangerous);
+                       (!hasReason(row, RestoreReason::NeedsConsent) || consent);
     }
 }
 } // namespace jobs

@@ -1,49 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A restore's outcome in words and as the record that is kept of it.
+// The names of a restore's outcome, and the record that is saved of it.
+#include "base/enum_names.h"
 #include "jobs/restore/restore.h"
+#include "jobs/restore/take_snapshot.h"
 
 namespace jobs {
+namespace {
+constexpr base::EnumName<RestoreVerdict> restoreVerdictNames[]{
+    {RestoreVerdict::AlreadySet, "already-so"},
+    {RestoreVerdict::Done, "done"},
+    {RestoreVerdict::Failed, "failed"},
+    {RestoreVerdict::RolledBack, "rolled-back"},
+};
+} // namespace
+
 QString verdictName(RestoreVerdict verdict)
 {
-    switch (verdict) {
-    case RestoreVerdict::AlreadySet:
-        return QStringLiteral("already-so");
-    case RestoreVerdict::Done:
-        return QStringLiteral("done");
-    case RestoreVerdict::Failed:
-        return QStringLiteral("failed");
-    case RestoreVerdict::RolledBack:
-        return QStringLiteral("rolled-back");
-    }
-    return {};
+    return base::nameOf(restoreVerdictNames, verdict);
 }
 
-record::RestoreResult toRestoreResult(const RestoreOutcome& outcome, const device::Servo& servo,
-                                      const QString& source, const QString& program)
+snapshot::RestoreResult toRestoreResult(const RestoreOutcome& outcome, const device::Servo& servo,
+                                        const QString& source, const QString& program)
 {
-    const catalog::Profile& profile = *servo.profile;
-    record::RestoreResult result;
+    snapshot::RestoreResult result;
     result.program = program;
     result.at = QDateTime::currentDateTimeUtc();
     result.source = source;
     result.port = servo.port;
     result.baud = servo.baud;
-    result.servo = {servo.id,
-                    profile.modelName,
-                    profile.identity.modelId(),
-                    profile.identity.firmware(),
-                    profile.mapKey,
-                    base::protocolName(profile.protocol)};
+    result.servo = snapshotServo(servo);
     result.verdict = verdictName(outcome.verdict);
     result.lock = device::lockName(outcome.lock);
     for (const RestoreRowResult& row : outcome.rows) {
-        record::RestoreResultRow line;
+        snapshot::RestoreResultRow line;
         line.key = row.write.key;
         line.address = row.write.address;
         line.before = row.write.oldRaw;
         line.newRaw = row.write.newRaw;
         line.readBack = row.write.readBack;
-        if (const catalog::Register* reg = profile.find(line.key)) {
+        if (const catalog::Register* reg = servo.profile->find(line.key)) {
             const catalog::ValueFormat meaning = servo.meaning(*reg);
             line.newValue = catalog::toPhysical(line.newRaw, meaning);
             line.unit = meaning.unit;

@@ -2,6 +2,7 @@
 #include "jobs/restore/restore_rows.h"
 
 #include "catalog/raw_range.h"
+#include "device/write_meaning.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +20,8 @@ bool isLive(const catalog::Register& reg)
     return reg.writable() && isVolatile && (reg.motion || reg.role == Role::Lock);
 }
 
-/// The file's number is `scale` times its raw one here as well.
-bool hasSameScale(const record::SnapshotRegister& file, const catalog::ValueFormat& meaning)
+/// Whether the file's unit and scale are the same here.
+bool hasSameScale(const snapshot::SnapshotRegister& file, const catalog::ValueFormat& meaning)
 {
     if (file.unit != meaning.unit)
         return false;
@@ -45,10 +46,10 @@ bool isEnumeration(Encoding encoding)
     return encoding == Encoding::Enum || encoding == Encoding::Bits;
 }
 
-/// From another family or firmware: by what the value stands for.
+/// From another family or firmware: by the meaning of the value.
 std::optional<std::int64_t> convertedValue(RestoreRow& row, const catalog::Register& reg,
                                            const catalog::ValueFormat& meaning,
-                                           const record::SnapshotRegister& file,
+                                           const snapshot::SnapshotRegister& file,
                                            const Compatibility& compatibility)
 {
     if (reg.role == Role::BaudRate)
@@ -58,7 +59,7 @@ std::optional<std::int64_t> convertedValue(RestoreRow& row, const catalog::Regis
     if (reg.role == Role::Id)
         return file.raw;
     if (!compatibility.sameMap && isEnumeration(meaning.encoding))
-        return std::nullopt; // the file has their numbers only, and each family numbers them itself
+        return std::nullopt; // the file has their numbers only, which differ between families
     if (hasSameScale(file, meaning)) {
         if (meaning.unit.isEmpty())
             row.reasons |= RestoreReason::PlainNumber;
@@ -91,7 +92,7 @@ RestoreReasons registerReasons(const catalog::Register& reg)
     if (!reg.writable())
         return reasons;
     reasons.setFlag(RestoreReason::OptIn, reg.area == Area::Sram && !isLive(reg));
-    reasons.setFlag(RestoreReason::NeedsConsent, reg.dangerous && !reg.identity);
+    reasons.setFlag(RestoreReason::NeedsConsent, device::mayNeedConsent(reg) && !reg.identity);
     return reasons;
 }
 
@@ -116,7 +117,7 @@ namespace {
 struct ProtectionLimit {
     Role limit;
     Role reading;
-    bool lower; ///< the limit is the least that is allowed
+    bool lower; ///< a lower limit
     const char* fault;
 };
 
@@ -189,7 +190,7 @@ RestoreStage stageOf(const catalog::Register& reg)
     }
 }
 
-Compatibility compatibilityOf(const device::Servo& servo, const record::Snapshot& snapshot)
+Compatibility compatibilityOf(const device::Servo& servo, const snapshot::Snapshot& snapshot)
 {
     const catalog::Profile& profile = *servo.profile;
     Compatibility compatibility;
@@ -204,7 +205,7 @@ Compatibility compatibilityOf(const device::Servo& servo, const record::Snapshot
 }
 
 void mapValue(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg,
-              const record::SnapshotRegister& file, const Compatibility& compatibility)
+              const snapshot::SnapshotRegister& file, const Compatibility& compatibility)
 {
     const catalog::ValueFormat meaning = servo.meaning(reg);
     const auto newRaw = compatibility.isSameKind

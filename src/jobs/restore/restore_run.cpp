@@ -36,8 +36,8 @@ bool isAccepted(const WriteResult& result)
            (result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary);
 }
 
-/// The values now are what the journal will call the values before: read afresh, since the plan may
-/// have been looked at for an hour.
+/// The present values become the old values in the journal: they are read afresh, because the plan
+/// may be an hour old.
 base::Result<void> readFresh(const device::Context& context, device::Servo& servo,
                              const std::vector<RestoreWrite>& writes)
 {
@@ -52,7 +52,7 @@ base::Result<void> readFresh(const device::Context& context, device::Servo& serv
 
 } // namespace
 
-/// What a row had before it was begun is what it had before the first try.
+/// The old value of a row is the one before the first attempt.
 void RestoreRunner::addResults(const device::WriteReport& report)
 {
     for (const WriteResult& result : report.writes) {
@@ -78,7 +78,8 @@ bool RestoreRunner::isSuccessful() const
            m_outcome.lock != device::LockState::Unknown;
 }
 
-/// Where it cannot even be begun, the ordinary way is left, and the intent stays open.
+/// If finishing cannot even start, the values are written in the ordinary way, and the intent stays
+/// open.
 bool RestoreRunner::finishInterrupted(const std::vector<base::Intent>& intents)
 {
     const int baud = m_context.bus.baud();
@@ -98,13 +99,14 @@ bool RestoreRunner::finishInterrupted(const std::vector<base::Intent>& intents)
             m_openIntents << one->report->openIntent;
         return false;
     }
-    // What they have changed; if it does not come now, the next read says so.
+    // Reads what they have changed; a failure shows at the next read.
     if (!intents.empty())
         (void)device::readSettings(m_context, m_servo);
     return true;
 }
 
-/// What the servo shows already may have to be kept; finishing an earlier try may have done that.
+/// A value that the servo has already may still have to be kept; finishing an earlier attempt may
+/// have done that.
 bool RestoreRunner::isStillToWrite(const RestoreWrite& write) const
 {
     const bool kept =
@@ -124,7 +126,7 @@ base::Result<void> RestoreRunner::writeRegisters(const std::vector<RestoreWrite>
     if (items.empty())
         return device::setTorque(m_context, m_servo, device::Torque::Off);
     device::WriteOptions options;
-    options.dangerous = m_options.dangerous;
+    options.consent = m_options.consent;
     options.kind = base::IntentKind::Restore;
     options.torqueOff = true;
     options.keepOrder = true;
@@ -167,7 +169,7 @@ base::Error RestoreRunner::skippedAfterFailure(const QString& key) const
             key};
 }
 
-/// All that no result tells of yet.
+/// All rows without a result yet.
 void RestoreRunner::addAllRefused(const std::vector<RestoreWrite>& writes, const base::Error& why)
 {
     for (const RestoreWrite& write : writes) {
@@ -196,7 +198,7 @@ void RestoreRunner::writeIdentity(const std::vector<RestoreWrite>& writes)
     }
 }
 
-/// Somebody left it open, or a restore was broken off before its last step.
+/// The lock was left open, or a restore was interrupted before its last step.
 void RestoreRunner::closeOpenLock()
 {
     if (!isLockOpen(m_servo))
@@ -251,14 +253,14 @@ base::Result<void> RestoreRunner::run(const std::vector<base::Intent>& earlier,
     return {};
 }
 
-/// So that only what is read from now on counts.
+/// From now on only new readings count.
 void RestoreRunner::forgetTorque()
 {
     if (const auto* torque = m_servo.profile->byRole(catalog::Role::TorqueSwitch))
         m_servo.image.invalidate(torque->offset, torque->size);
 }
 
-/// Said of a servo that has shown it.
+/// Notes torque off, only if the servo has shown it.
 void RestoreRunner::noteTorque()
 {
     const catalog::Register* torque = m_servo.profile->byRole(catalog::Role::TorqueSwitch);
@@ -273,7 +275,7 @@ void RestoreRunner::noteTorque()
         m_context.note(NoticeCode::TorqueStaysOff, m_servo.id);
 }
 
-/// What may not be as before any more. A register that refused has proved that it is.
+/// The rows that may not have their old value any more. A register that refused still has it.
 std::vector<device::WriteItem> RestoreRunner::previousItems() const
 {
     std::vector<device::WriteItem> items;
@@ -287,7 +289,7 @@ std::vector<device::WriteItem> RestoreRunner::previousItems() const
     return items;
 }
 
-/// How the journal has the rows of what is undone: none was kept.
+/// The journal's outcome for the rows of an undone intent: none was kept.
 std::vector<base::ItemResult> RestoreRunner::revertedItemEnds() const
 {
     std::vector<base::ItemResult> ends;
@@ -301,7 +303,7 @@ std::vector<base::ItemResult> RestoreRunner::revertedItemEnds() const
 
 void RestoreRunner::rollBack()
 {
-    // Ending the restore is one of the ways to fail, so the way back does not end by it.
+    // The user's stop is one of the reasons for rolling back, so it must not end the rollback.
     const base::StopToken neverStop;
     const device::Context context{m_context.bus,  m_context.catalog, m_context.journal,
                                   neverStop,      m_context.notices, m_context.priority,
@@ -311,7 +313,7 @@ void RestoreRunner::rollBack()
     report.lock = m_outcome.lock;
     if (!items.empty()) {
         device::WriteOptions options;
-        options.dangerous = true; // they had these values a moment ago
+        options.consent = device::Consent::ofEarlierChange();
         options.allowPreviousValues = true;
         options.kind = base::IntentKind::Restore;
         options.torqueOff = true;
@@ -325,6 +327,17 @@ void RestoreRunner::rollBack()
         report = *written;
         m_outcome.isChangeOpen = !m_openIntents.isEmpty() || !report.openIntent.isEmpty();
     }
+    addRollBack(report);
+    if (!report.isSuccessful())
+        return;
+    m_outcome.isChangeOpen = false;
+    m_outcome.verdict = RestoreVerdict::RolledBack;
+    for (const QString& uuid : std::as_const(m_openIntents))
+        m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}, revertedItemEnds()});
+}
+
+void RestoreRunner::addRollBack(const device::WriteReport& report)
+{
     m_outcome.lock = report.lock;
     for (RestoreRowResult& row : m_outcome.rows) {
         const auto back =
@@ -336,11 +349,5 @@ void RestoreRunner::rollBack()
         if (back != report.writes.end() && !row.rolledBack)
             m_outcome.notReverted << row.write.key;
     }
-    if (!report.isSuccessful())
-        return;
-    m_outcome.isChangeOpen = false;
-    m_outcome.verdict = RestoreVerdict::RolledBack;
-    for (const QString& uuid : std::as_const(m_openIntents))
-        m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}, revertedItemEnds()});
 }
 } // namespace jobs

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One restore from the first byte to the last: what was broken off earlier, the registers, ID and
-// rate, the way back. Internal to jobs: lives on the stack of restore(), which has checked the
-// plan. The job's thread; what it points to outlives it.
+// One restore from the first byte to the last: interrupted earlier ones, the registers, ID and
+// rate, rolling back. Internal to jobs: owned by restore(), which has checked the plan. The job's
+// thread; it must not outlive what it refers to.
 #pragma once
 
 #include "jobs/restore/restore.h"
@@ -21,15 +21,15 @@ public:
         , m_outcome(outcome)
     {}
 
-    /// What was broken off earlier, then registers, ID and rate; rolled back where asked. Fills in
-    /// verdict, rows and lock. Errors: nothing was written.
+    /// Finishes interrupted earlier ones, then writes registers, ID and rate; rolls back where
+    /// requested. Fills in verdict, rows and lock. Errors: nothing was written.
     base::Result<void> run(const std::vector<base::Intent>& earlier,
                            const std::vector<RestoreWrite>& writes);
 
 private:
-    /// False: a row of it did not take its value, so nothing more is to be written.
+    /// False: a row of it did not take its value, so nothing more must be written.
     bool finishInterrupted(const std::vector<base::Intent>& intents);
-    /// Registers, then ID and rate; nothing where everything is so already. Errors: nothing was
+    /// Registers, then ID and rate; nothing if all values are set already. Errors: nothing was
     /// written.
     base::Result<void> writeAll(const std::vector<RestoreWrite>& writes);
     /// The registers, in one transaction. Errors: nothing was written.
@@ -39,6 +39,7 @@ private:
     void writeIdentity(const std::vector<RestoreWrite>& writes);
     void closeOpenLock();
     void rollBack();
+    void addRollBack(const device::WriteReport& report);
     bool isSuccessful() const;
     void addResults(const device::WriteReport& report);
     void addRefused(const RestoreWrite& write, const base::Error& why);
@@ -55,6 +56,6 @@ private:
     const RestoreOptions& m_options;
     RestoreOutcome& m_outcome;
     QStringList m_openIntents;
-    std::optional<base::Error> m_unfinished; ///< why something earlier could not be ended
+    std::optional<base::Error> m_unfinished; ///< why an earlier one could not be finished
 };
 } // namespace jobs

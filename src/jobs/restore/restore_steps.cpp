@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the ticks of a restore plan to the writes and to all that happens around them, in order.
+// The writes for the ticked rows of a restore plan, and all steps around them, in order.
+#include "base/enum_names.h"
 #include "device/motion/motion.h"
 #include "device/motion/saved_speed.h"
 #include "device/persistence.h"
@@ -12,8 +13,8 @@ using catalog::Area;
 using catalog::Role;
 
 namespace {
-/// Runs of one area, so that each area is unlocked once; factory values are limits of the rest.
-/// Those the lock does not keep come after all that it keeps, so that it is opened for those only.
+/// Sorted by area, so that each area is unlocked once; factory values are limits of the rest.
+/// Values that need no lock come last, so that it is open for the others only.
 int areaRank(const catalog::Register& reg)
 {
     if (reg.area == Area::Factory && device::retentionOf(reg) != device::Retention::Lock)
@@ -37,27 +38,21 @@ std::tuple<bool, int, RestoreStage, int> sortKeyOf(const RestoreWrite& write,
     const bool last = write.stage == RestoreStage::Id || write.stage == RestoreStage::Baud;
     return {last, last ? 0 : areaRank(reg), write.stage, reg.writeOffset};
 }
+
+constexpr base::EnumName<RestoreStepKind> restoreStepNames[]{
+    {RestoreStepKind::TorqueOff, "torque-off"},
+    {RestoreStepKind::Unlock, "unlock"},
+    {RestoreStepKind::Write, "write"},
+    {RestoreStepKind::Neutralize, "settle"},
+    {RestoreStepKind::Lock, "lock"},
+    {RestoreStepKind::SetId, "set-id"},
+    {RestoreStepKind::SetBaud, "set-baud"},
+};
 } // namespace
 
 QString restoreStepName(RestoreStepKind kind)
 {
-    switch (kind) {
-    case RestoreStepKind::TorqueOff:
-        return QStringLiteral("torque-off");
-    case RestoreStepKind::Unlock:
-        return QStringLiteral("unlock");
-    case RestoreStepKind::Write:
-        return QStringLiteral("write");
-    case RestoreStepKind::Neutralize:
-        return QStringLiteral("settle");
-    case RestoreStepKind::Lock:
-        return QStringLiteral("lock");
-    case RestoreStepKind::SetId:
-        return QStringLiteral("set-id");
-    case RestoreStepKind::SetBaud:
-        return QStringLiteral("set-baud");
-    }
-    return {};
+    return base::nameOf(restoreStepNames, kind);
 }
 
 std::vector<RestoreWrite> plannedWrites(const RestorePlan& plan)
@@ -94,7 +89,7 @@ public:
             addNeutralCommands();
         const bool needsLock = device::retentionOf(reg) == device::Retention::Lock;
         if (m_open != nullptr && (own || (needsLock && m_open->area != reg.area)))
-            lock(); // what is kept without it goes out meanwhile
+            lock(); // values that need no lock are written meanwhile
         if (m_open == nullptr && needsLock) {
             m_steps.push_back({RestoreStepKind::Unlock, lockKey()});
             m_open = &reg;
@@ -139,7 +134,7 @@ private:
         m_open = nullptr;
     }
 
-    /// Once the last register is written, before the lock is closed.
+    /// After the last register is written, before the lock is closed.
     void addNeutralCommands()
     {
         auto neutralItems = device::extraWritesOfSwitch(m_servo, m_items);
@@ -149,20 +144,20 @@ private:
             m_steps.push_back(
                 {RestoreStepKind::Neutralize, item.key, m_servo.raw(item.key), item.raw});
         if (!neutralItems.empty())
-            torqueOff({}); // a command may have switched it on
+            torqueOff({}); // a command may have turned it on
         m_items.clear();
     }
 
     const device::Servo& m_servo;
     std::optional<std::int64_t> m_positionSpeed;
-    const catalog::Register* m_open = nullptr; ///< for whose area the lock is open
+    const catalog::Register* m_open = nullptr; ///< the lock is open for its area
     std::vector<device::WriteItem> m_items;
     std::vector<RestoreStep> m_steps;
 };
 } // namespace
 
 namespace {
-/// A lock that was left open is closed even if nothing else is to be done.
+/// An open lock is closed even if there is nothing else to do.
 std::vector<RestoreStep> lockOnlySteps(const device::Servo& servo)
 {
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);

@@ -4,24 +4,29 @@
 #include "device/reader.h"
 
 namespace jobs {
-record::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
+snapshot::SnapshotServo snapshotServo(const device::Servo& servo)
 {
     const catalog::Profile& profile = *servo.profile;
-    record::Snapshot snapshot;
+    return {servo.id,
+            profile.modelName,
+            profile.identity.modelId(),
+            profile.identity.firmware(),
+            profile.mapKey,
+            base::protocolName(profile.protocol)};
+}
+
+snapshot::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
+{
+    snapshot::Snapshot snapshot;
     snapshot.program = program;
     snapshot.at = QDateTime::currentDateTimeUtc();
     snapshot.port = servo.port;
     snapshot.baud = servo.baud;
-    snapshot.servo = {servo.id,
-                      profile.modelName,
-                      profile.identity.modelId(),
-                      profile.identity.firmware(),
-                      profile.mapKey,
-                      base::protocolName(profile.protocol)};
-    for (const catalog::Register& reg : profile.registers) {
+    snapshot.servo = snapshotServo(servo);
+    for (const catalog::Register& reg : servo.profile->registers) {
         const catalog::ValueFormat meaning = servo.meaning(reg);
         const auto raw = servo.raw(reg);
-        record::SnapshotRegister row;
+        snapshot::SnapshotRegister row;
         row.key = reg.key;
         row.address = reg.address;
         row.raw = raw;
@@ -35,8 +40,8 @@ record::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
     return snapshot;
 }
 
-base::Result<record::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
-                                            const QString& program)
+base::Result<snapshot::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
+                                              const QString& program)
 {
     if (const auto read = device::readAll(context, servo); !read)
         return tl::unexpected(read.error());

@@ -11,20 +11,20 @@ using std::chrono::milliseconds;
 
 // USB adapters hold bytes back for up to 16 ms; some servos take tens of milliseconds when busy.
 constexpr base::Duration longTimeout = milliseconds(60);
-// How long after a PING its reply may still come in: the final listening, and the search for
-// whoever sent garbled bytes.
+// How long after a PING its reply may still come in: for the final listening, and for the search
+// for the sender of garbled bytes.
 constexpr base::Duration lateWindow = milliseconds(40);
 constexpr int confirmTries = 3;
 // The first transaction after opening a port or changing its rate may be lost.
 constexpr int broadcastTries = 2;
-// Where an absent ID costs more than this, a sweep is long, and who answers is told at once.
+// Where an absent ID costs more than this, a search is long, and replies are reported at once.
 constexpr base::Duration slowStep = milliseconds(10);
-// After a question to all that nobody answered the bus listens for so long.
+// How long the bus listens after a broadcast without a reply.
 constexpr base::Duration quietTime = milliseconds(25);
-// More broken answers than this at one rate are a bad line, and asking each again would take long.
+// More broken replies than this at one rate mean a bad line, and asking each again would take long.
 constexpr std::size_t maxGarbledResolved = 16;
 
-/// What this link has shown and the user's time-out may ask for more.
+/// The lateness of this link and the user's timeout may require more.
 base::Duration atLeastBusPatience(const bus::Bus& bus, base::Duration defaultTimeout)
 {
     return std::max(defaultTimeout, bus.statistics().timeout);
@@ -87,7 +87,7 @@ base::Result<std::optional<int>> RateScan::pingBroadcast()
     }
     if (!onlyId || !m_ids.contains(*onlyId))
         return std::nullopt;
-    // Out of colliding answers may come a frame that nobody sent.
+    // Colliding replies may form a frame that no servo sent.
     if (const auto pinged = ping(*onlyId, atLeastBusPatience(m_context.bus, longTimeout)); !pinged)
         return tl::unexpected(pinged.error());
     return m_responsesById[*onlyId].replies > 0 ? onlyId : std::nullopt;
@@ -110,8 +110,8 @@ base::Result<void> RateScan::pingEachId()
 {
     const auto step = pingTime(m_scanProfile, m_context.bus.baud(), m_scanProfile.timeout);
     const bool reportsAtOnce = m_onReply && step >= slowStep;
-    // The first transaction after opening a port or changing its rate may be lost, so somebody is
-    // asked who gets another turn.
+    // The first transaction after opening a port or changing its rate may be lost, so it goes to an
+    // ID that is asked again later.
     for (int i = m_ids.first - 1; i <= m_ids.last; ++i) {
         const int id = i < m_ids.first ? m_ids.last : i;
         const IdResponse before = m_responsesById[id];
@@ -134,7 +134,7 @@ base::Result<void> RateScan::confirmLateReplies()
 {
     const base::Duration timeout = atLeastBusPatience(m_context.bus, longTimeout);
     for (auto& [id, response] : m_responsesById) {
-        // A late reply is proof of a servo; a clean one adds its present status and shows twins.
+        // A late reply proves a servo; a clean one adds its present status and shows duplicates.
         const bool inconclusive = response.isMaybeEcho && response.replies == 0;
         for (int i = 0; (response.late || inconclusive) && i < (inconclusive ? 1 : confirmTries);
              ++i) {
@@ -161,7 +161,7 @@ base::Result<void> RateScan::resolveGarbled()
         if (!*explained)
             m_hasUnexplainedGarbled = true;
     }
-    // On such a line broken bytes prove nobody.
+    // On such a line broken bytes prove no servo.
     for (auto& [id, response] : m_responsesById) {
         if (isNoisyLine && response.replies == 0)
             response.garbled = 0;
@@ -169,8 +169,8 @@ base::Result<void> RateScan::resolveGarbled()
     return {};
 }
 
-// Through a slow adapter the broken answer arrives while a later ID is being asked, so the IDs
-// asked shortly before are asked too, nearest first.
+// Through a slow adapter the broken reply arrives while a later ID is being asked, so the IDs of
+// the last moments are asked as well, the latest first.
 base::Result<bool> RateScan::findSource(const GarbledReply& garbledReply)
 {
     std::vector<std::pair<base::Duration, int>> candidates;
@@ -249,7 +249,7 @@ base::Result<void> RateScan::ping(int id, base::Duration timeout)
         response.status = outcome->status();
         ++response.replies;
     } else if (outcome.error().code == base::ErrorCode::Refused) {
-        ++response.replies; // who refuses is there
+        ++response.replies; // a refusal proves the servo
     } else if (isGarbled(outcome.error().code)) {
         ++response.garbled;
     } else if (outcome.error().code == base::ErrorCode::LineBusy) {
@@ -261,7 +261,8 @@ base::Result<void> RateScan::ping(int id, base::Duration timeout)
     return {};
 }
 
-/// Through noise that leaves room a servo may still be heard; otherwise the bus does not even ask.
+/// Between bursts of noise a servo may still answer; otherwise the bus does not even send the
+/// request.
 base::Result<void> RateScan::handleBusyLine(IdResponse& response, const base::Error& error)
 {
     m_lineBusy = true;
@@ -284,7 +285,7 @@ void RateScan::collectStrays()
     for (const bus::UnexpectedFrame& stray : m_context.bus.takeUnexpectedFrames()) {
         const auto pinged = m_responsesById.find(stray.id);
         if (pinged == m_responsesById.end() || !isPingReply(m_protocol, stray))
-            continue; // not the reply to a question of this sweep
+            continue; // not the reply to a request of this search
         IdResponse& response = pinged->second;
         if (looksLikeEcho(m_context.bus, m_protocol, stray)) {
             response.isMaybeEcho = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One rate and language of a scan: asks everybody at once where that is possible, then every ID
-// with short patience, collects late replies, and asks again singly where something was heard. Used
-// by scan() only; its thread.
+// One rate and protocol of a scan: sends a broadcast where that is possible, then asks every ID
+// with a short timeout, collects late replies, and asks again singly where bytes came. Used by
+// scan() only; its thread.
 #pragma once
 
 #include "jobs/scan/scan_profile.h"
@@ -9,40 +9,39 @@
 #include <map>
 
 namespace jobs {
-/// What one ID has said at one rate.
+/// The replies of one ID at one rate.
 struct IdResponse {
     int pings = 0;
     int replies = 0; ///< valid ones, late ones included
-    int garbled = 0; ///< asked, and bytes came that were no reply
+    int garbled = 0; ///< pings after which bytes came that were no reply
     bool late = false;
-    bool isMaybeEcho = false; ///< what came late may have been the question itself
+    bool isMaybeEcho = false; ///< the late frame may have been the echo of the request
     std::uint8_t status = 0;
     base::Duration askedAt{};
 
-    /// One broken answer may be noise; a second one at the same ID is somebody.
+    /// One broken reply may be noise; a second one at the same ID is a servo.
     bool isPresent() const { return replies > 0 || garbled > 1; }
     bool hasDuplicateId() const { return replies > pings || (replies == 0 && garbled > 1); }
 };
 
-/// Of the question to all and of the sweep.
+/// Of the broadcast, and of the search ID by ID.
 base::Duration broadcastEstimate(int baud, base::Protocol protocol);
 base::Duration idScanEstimate(const ScanSpec& spec, int baud, base::Protocol protocol);
 
 class RateScan {
 public:
-    /// `onPinged` gets the planned time of every step of the sweep when it is done, and how many
-    /// IDs have been heard so far.
+    /// `onPinged` gets the planned time of every completed step of the search, and how many IDs
+    /// have answered so far.
     using OnPinged = std::function<void(base::Duration planned, int foundCount)>;
-    /// Where one ID takes long, whoever answers in time is told while the sweep goes on; an error
-    /// ends it.
+    /// Where one ID takes long, a servo that answers in time is reported during the search; an
+    /// error ends it.
     using OnReply = std::function<base::Result<void>(const RateScan& sweep, int id)>;
     RateScan(const device::Context& context, const ScanSpec& spec, base::Protocol protocol,
              OnPinged onPinged, OnReply onReply = {});
 
-    /// The ID of a servo that answered the question to all and, asked by itself, once more. Errors
-    /// as run().
+    /// The ID of a servo that answered the broadcast and then a PING of its own. Errors as run().
     base::Result<std::optional<int>> pingBroadcast();
-    /// Somebody answered the question to all, however badly: the sweep is worth while.
+    /// Some reply came to the broadcast, even a broken one: the search is worth its time.
     bool hasReply() const { return m_hasReply; }
 
     /// Stopped, LinkLost, Preempted, Held; LineBusy where bytes that answer no request leave no
@@ -84,7 +83,7 @@ private:
     OnPinged m_onPinged;
     OnReply m_onReply;
     std::map<int, IdResponse> m_responsesById;
-    std::vector<GarbledReply> m_garbledReplies; ///< heard while all IDs were asked
+    std::vector<GarbledReply> m_garbledReplies; ///< received while all IDs were asked
     int m_lateReplies = 0;
     bool m_hasUnexplainedGarbled = false;
     bool m_hasReply = false;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/scan/scan.h"
 
-#include "device/reader.h"
-#include "jobs/scan/rate_scan.h"
-#include "jobs/scan/scan_duplicate_ids.h"
-#include "jobs/scan/scan_list.h"
+#include "jobs/scan/found_servos.h"
 #include "jobs/scan/scan_plan.h"
-#include "jobs/scan/scan_progress.h"
 
 #include <algorithm>
 #include <list>
@@ -18,50 +14,15 @@ using base::Protocol;
 
 constexpr base::Duration settleTime = std::chrono::milliseconds(5);
 
-/// What says something about this servo and leaves the scan to go on.
-bool isServoError(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::NoReply:
-    case ErrorCode::Garbled:
-    case ErrorCode::UnexpectedReply:
-    case ErrorCode::LineBusy:
-    case ErrorCode::Refused:
-    case ErrorCode::UnknownModel:
-        return true;
-    default:
-        return false;
-    }
-}
-
-std::vector<catalog::Role> missingStateRoles(const device::Servo& servo)
-{
-    using catalog::Role;
-    std::vector<Role> missingRoles;
-    const auto addMissing = [&](std::initializer_list<Role> roles) {
-        for (const Role role : roles) {
-            if (servo.profile->byRole(role) != nullptr && !servo.raw(role))
-                missingRoles.push_back(role);
-        }
-    };
-    addMissing({Role::BaudRate, Role::Lock});
-    if (!servo.repliesCarryStatus())
-        addMissing({Role::Status});
-    if (!servo.repliesCarryStatus() && servo.profile->byRole(Role::Status) == nullptr)
-        addMissing({Role::PresentTemperature, Role::MaxTemperature, Role::PresentVoltage,
-                    Role::MinVoltage, Role::MaxVoltage});
-    return missingRoles;
-}
-
 class ScanRunner {
 public:
     ScanRunner(const device::Context& context, const ScanSpec& spec, const ProgressFn& progress,
-               const std::function<void(const FoundServo&)>& onFound)
+               const FoundServos::OnFound& onFound)
         : m_context(context)
         , m_spec(spec)
-        , m_onFound(onFound)
         , m_oldBaud(context.bus.baud())
         , m_progress(progress, context.bus.clock(), estimateScanTime(context, spec))
+        , m_found(context, spec, onFound, m_progress)
     {}
 
     base::Result<ScanReport> run()
@@ -71,7 +32,7 @@ public:
         const auto searched = searchFast().and_then([this] { return searchSlow(); });
         const bool atForeignRate = m_context.bus.baud() != m_oldBaud;
         const auto restored = restoreBaud();
-        // Torque-off frames sent at a rate just being searched reached nobody the user knows.
+        // Torque-off frames sent at the rate just being searched reached none of the known servos.
         if (!searched && searched.error().code == ErrorCode::Preempted && atForeignRate)
             m_context.bus.emergency();
         if (!searched && searched.error().code != ErrorCode::Stopped)
@@ -79,9 +40,9 @@ public:
         if (!restored)
             return tl::unexpected(restored.error());
         m_report.stopped = !searched;
-        if (searched && m_report.found.empty() && !m_report.busyRates.empty())
+        if (searched && m_found.isEmpty() && !m_report.busyRates.empty())
             return base::fail(ErrorCode::LineBusy, QStringLiteral("scan"));
-        finishList();
+        m_report.found = m_found.takeSorted(m_report.rates);
         m_report.slowPassAdvised = m_report.lateReplies > 1 && !m_spec.slowPass;
         m_report.elapsed = m_context.bus.clock().now() - start;
         m_progress.notify();
@@ -91,10 +52,11 @@ public:
 private:
     struct Search {
         int baud = 0;
-        RateScan sweep;
+        RateScan scan;
     };
 
-    /// Every rate: the questions to all, then what takes a second or where somebody has spoken up.
+    /// Every rate: the broadcasts, then the searches that are short or whose broadcast was
+    /// answered.
     base::Result<void> searchFast()
     {
         for (const int baud : ratesToScan(m_spec, m_oldBaud)) {
@@ -122,12 +84,12 @@ private:
                 return pinged;
         }
         searches.sort([](const Search& a, const Search& b) {
-            return a.sweep.hasReply() && !b.sweep.hasReply();
+            return a.scan.hasReply() && !b.scan.hasReply();
         });
         for (auto it = searches.begin(); it != searches.end();) {
             const auto search = it++;
-            const RateScan& sweep = search->sweep;
-            if (scanProfileOf(sweep.protocol()).supportsBroadcast && !sweep.hasReply())
+            const RateScan& rateScan = search->scan;
+            if (scanProfileOf(rateScan.protocol()).supportsBroadcast && !rateScan.hasReply())
                 m_slow.splice(m_slow.end(), searches, search);
             else if (const auto done = scanIds(*search); !done)
                 return done;
@@ -135,11 +97,11 @@ private:
         return {};
     }
 
-    /// The sweeps that were put off, language by language.
+    /// The searches that were put off, protocol by protocol.
     base::Result<void> searchSlow()
     {
         m_slow.sort([](const Search& a, const Search& b) {
-            return a.sweep.protocol() == Protocol::Lx && b.sweep.protocol() != Protocol::Lx;
+            return a.scan.protocol() == Protocol::Lx && b.scan.protocol() != Protocol::Lx;
         });
         for (Search& search : m_slow) {
             const auto done =
@@ -150,7 +112,7 @@ private:
         return {};
     }
 
-    /// Such a rate is left, and said; the others are searched.
+    /// A busy rate is reported, and the others are searched.
     base::Result<void> ignoreBusyRate(base::Result<void> searched)
     {
         if (searched || searched.error().code != ErrorCode::LineBusy)
@@ -173,18 +135,11 @@ private:
         return {baud, RateScan(
                           m_context, m_spec, protocol,
                           [this, baud, protocol](base::Duration planned, int foundCount) {
-                              m_progress.add(planned, foundCount - foundCountAt(baud, protocol));
+                              m_progress.add(planned, foundCount - m_found.countAt(baud, protocol));
                           },
-                          [this, baud](const RateScan& sweep, int id) {
-                              return addFound(id, baud, sweep);
+                          [this, baud](const RateScan& rateScan, int id) {
+                              return m_found.add(id, baud, rateScan);
                           })};
-    }
-
-    int foundCountAt(int baud, Protocol protocol) const
-    {
-        return int(std::count_if(m_report.found.begin(), m_report.found.end(), [&](const auto& f) {
-            return f.servo.baud == baud && f.servo.protocol == protocol;
-        }));
     }
 
     base::Result<void> restoreBaud()
@@ -207,27 +162,28 @@ private:
 
     base::Result<void> pingBroadcast(Search& search)
     {
-        m_progress.startSearch(search.baud, search.sweep.protocol());
-        const auto onlyServo = search.sweep.pingBroadcast();
+        m_progress.startSearch(search.baud, search.scan.protocol());
+        const auto onlyServo = search.scan.pingBroadcast();
         if (!onlyServo)
             return tl::unexpected(onlyServo.error());
-        return *onlyServo ? addFound(**onlyServo, search.baud, search.sweep) : base::Result<void>{};
+        return *onlyServo ? m_found.add(**onlyServo, search.baud, search.scan)
+                          : base::Result<void>{};
     }
 
     base::Result<void> scanIds(Search& search)
     {
-        m_progress.startSearch(search.baud, search.sweep.protocol());
-        const auto swept = search.sweep.run();
-        m_report.lateReplies += search.sweep.lateReplies();
-        if (search.sweep.isLineBusy())
+        m_progress.startSearch(search.baud, search.scan.protocol());
+        const auto scanned = search.scan.run();
+        m_report.lateReplies += search.scan.lateReplies();
+        if (search.scan.isLineBusy())
             addBusyRate();
         m_report.hasGarbledReplies =
-            m_report.hasGarbledReplies || search.sweep.hasUnexplainedGarbled();
-        const bool stopped = !swept && swept.error().code == ErrorCode::Stopped;
-        if (!swept && !stopped)
-            return swept;
-        for (const auto& [id, response] : search.sweep.responsesById()) {
-            const auto added = response.isPresent() ? addFound(id, search.baud, search.sweep)
+            m_report.hasGarbledReplies || search.scan.hasUnexplainedGarbled();
+        const bool stopped = !scanned && scanned.error().code == ErrorCode::Stopped;
+        if (!scanned && !stopped)
+            return scanned;
+        for (const auto& [id, response] : search.scan.responsesById()) {
+            const auto added = response.isPresent() ? m_found.add(id, search.baud, search.scan)
                                                     : base::Result<void>{};
             if (!added)
                 return added;
@@ -237,90 +193,11 @@ private:
         return {};
     }
 
-    base::Result<void> addFound(int id, int baud, const RateScan& sweep)
-    {
-        const IdResponse& response = sweep.responsesById().at(id);
-        if (FoundServo* known = findListed(id, baud, sweep.protocol())) {
-            const bool hasNews = (response.hasDuplicateId() && !known->duplicateSuspected) ||
-                                 (response.late && !known->lateReplySeen);
-            known->duplicateSuspected = known->duplicateSuspected || response.hasDuplicateId();
-            known->lateReplySeen = known->lateReplySeen || response.late;
-            if (hasNews && m_onFound)
-                m_onFound(*known);
-            return {};
-        }
-        FoundServo found;
-        found.servo.protocol = sweep.protocol();
-        found.servo.id = id;
-        found.servo.baud = baud;
-        found.servo.port = m_context.bus.portName();
-        found.servo.status = response.status;
-        found.lateReplySeen = response.late;
-        found.duplicateSuspected = response.hasDuplicateId();
-        // Who has answered is listed, also when the stop comes before the name is known.
-        if (m_spec.identify && response.replies > 0 && !m_context.stop.isRequested()) {
-            const auto done = identify(found);
-            if (!done && done.error().code != ErrorCode::Stopped)
-                return done;
-        }
-        m_progress.countFound();
-        m_report.found.push_back(found);
-        if (m_onFound)
-            m_onFound(found);
-        return {};
-    }
-
-    /// Who has been told already.
-    FoundServo* findListed(int id, int baud, Protocol protocol)
-    {
-        const auto known = std::find_if(
-            m_report.found.begin(), m_report.found.end(), [&](const FoundServo& found) {
-                return found.servo.id == id && found.servo.baud == baud &&
-                       found.servo.protocol == protocol;
-            });
-        return known == m_report.found.end() ? nullptr : &*known;
-    }
-
-    base::Result<void> identify(FoundServo& found)
-    {
-        auto servo = device::identify(m_context, found.servo.id, found.servo.protocol);
-        if (!servo) {
-            const ErrorCode code = servo.error().code;
-            const bool broken = code == ErrorCode::Garbled || code == ErrorCode::UnexpectedReply;
-            found.duplicateSuspected = found.duplicateSuspected || broken;
-            return isServoError(code) ? base::Result<void>{} : tl::unexpected(servo.error());
-        }
-        found.servo = std::move(*servo);
-        const auto hasDuplicateId = suspectDuplicateId(m_context, found.servo);
-        if (!hasDuplicateId)
-            return tl::unexpected(hasDuplicateId.error());
-        found.duplicateSuspected = found.duplicateSuspected || *hasDuplicateId;
-        return readState(found.servo);
-    }
-
-    /// What the list shows beside the name and the identity has not told: an open lock, and alarms
-    /// where they do not come with every reply.
-    base::Result<void> readState(device::Servo& servo)
-    {
-        if (m_context.stop.isRequested())
-            return {};
-        const auto read = device::readRoles(m_context, servo, missingStateRoles(servo));
-        return read || isServoError(read.error().code) ? base::Result<void>{} : read;
-    }
-
-    void finishList()
-    {
-        dropNeighborRates(m_report.found);
-        sortFound(m_report.found, m_report.rates);
-        if (familiesMixed(m_report.found))
-            m_context.note(device::NoticeCode::MixedFamilies, -1);
-    }
-
     const device::Context& m_context;
     const ScanSpec& m_spec;
-    const std::function<void(const FoundServo&)>& m_onFound;
     int m_oldBaud;
     ScanProgress m_progress;
+    FoundServos m_found;
     std::list<Search> m_slow; ///< put off
     ScanReport m_report;
 };
@@ -334,7 +211,7 @@ base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& sp
         return tl::unexpected(good.error());
     // Servos may have been plugged in since they were last written to.
     context.bus.verifiedIds().clear();
-    // At a foreign rate nobody else may speak; at its own the bus keeps its feedback.
+    // At another rate the scan needs the bus for itself; at its own rate the bus keeps polling.
     const int baud = context.bus.baud();
     if (ratesToScan(spec, baud) == std::vector{baud})
         return ScanRunner(context, spec, progress, onFound).run();

@@ -15,7 +15,7 @@ bool containsServo(const std::vector<FoundServo>& list, const FoundServo& one)
     });
 }
 
-/// The first that only one of both lists has.
+/// The first servo that is in only one of the two lists.
 std::optional<int> firstDifference(const std::vector<FoundServo>& a,
                                    const std::vector<FoundServo>& b)
 {
@@ -28,7 +28,7 @@ std::optional<int> firstDifference(const std::vector<FoundServo>& a,
     return {};
 }
 
-/// One that is there and cannot be read would be missing without a word.
+/// A servo that answers but cannot be read would be missing without notice.
 base::Result<std::vector<device::Servo>> identifiedServos(const std::vector<FoundServo>& found)
 {
     std::vector<device::Servo> servos;

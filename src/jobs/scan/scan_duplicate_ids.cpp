@@ -29,8 +29,8 @@ public:
         const auto feedback = readFeedback();
         if (!feedback || *feedback || m_failures == 0)
             return feedback;
-        // Something was wrong once; through a slow adapter one read more of every servo is too
-        // dear.
+        // Something was wrong once. Reading every servo once more would take too long through a
+        // slow adapter.
         return readIdentity();
     }
 
@@ -44,7 +44,7 @@ private:
         const auto clean = readUntilClean(rereadServo, spans);
         if (!clean)
             return tl::unexpected(clean.error());
-        // What was not read before says nothing.
+        // A value that was not read before proves nothing.
         const bool changed =
             std::any_of(spans.begin(), spans.end(), [&](const bus::PollSpan& span) {
                 const auto before = m_servo.image.bytes(span.address, span.count);
@@ -53,7 +53,7 @@ private:
         return isSuspicious() || (*clean && changed);
     }
 
-    /// What device::identify() reads, and what tells one servo from another.
+    /// The registers of device::identify(), and those that distinguish servos.
     std::vector<bus::PollSpan> identitySpans() const
     {
         std::vector<const catalog::Register*> registers;
@@ -128,7 +128,7 @@ private:
         transaction.request =
             protocol::Request::read(servo.id, span.address, span.count).in(servo.protocol);
         transaction.priority = m_context.priority;
-        transaction.retries = 0; // a repeated read would hide what is looked for
+        transaction.retries = 0; // a repeated read would hide the signs
         transaction.hold = m_context.hold;
         transaction.stop = &m_context.stop;
         const auto outcome = m_context.bus.transact(transaction);

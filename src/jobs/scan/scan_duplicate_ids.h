@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Do two servos answer under one ID? Reads the feedback twice, and after any failure the identity
-// again, and looks for what one servo could not say: repeatedly broken checksums, a second reply to
-// one request, another identity, a jump no shaft can make. Only READs. Used by scan() only, which
-// asks many servos quickly; before a write device/twin_check.h looks more closely. Its thread.
+// again, and looks for what one servo could not send: repeatedly broken checksums, a second reply
+// to one request, another identity, a jump no shaft can make. Only READs. Used by scan() only,
+// which asks many servos quickly; before a write device/duplicate_id_check.h checks more closely.
+// Its thread.
 #pragma once
 
 #include "device/context.h"

@@ -7,10 +7,10 @@
 
 namespace jobs {
 namespace {
-// A receiver takes a rate that is up to this far off, so 250000 is also heard at 256000.
+// A receiver accepts a rate that is up to this far off, so 250000 is also received at 256000.
 constexpr double baudTolerance = 0.04;
 
-/// The rate its own baud register names, 0 if that is not known.
+/// The rate in its own baud register, 0 if that is not known.
 int storedRate(const device::Servo& servo)
 {
     const catalog::Register* reg =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scan does with its list of servos once all are in. Pure functions; used by scan() only.
+// The list of servos at the end of a scan. Pure functions; used by scan() only.
 #pragma once
 
 #include "jobs/scan/scan.h"
 
 namespace jobs {
-/// One servo heard at two rates a few per cent apart is kept once, at the rate it names itself.
+/// A servo that answered at two rates a few percent apart is kept once, at the rate it reports.
 void dropNeighborRates(std::vector<FoundServo>& found);
 
 /// By rate as searched, then ID.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scan is going to do: at which rates, in which languages, for how long. Pure functions;
+// The plan of a scan: its rates, protocols and duration. Pure functions;
 // used by scan() only.
 #pragma once
 
@@ -13,6 +13,6 @@ std::vector<int> ratesToScan(const ScanSpec& spec, int currentBaud);
 std::vector<base::Protocol> protocolsToScan(const device::Context& context, const ScanSpec& spec,
                                             int baud);
 
-/// Of everything at one rate.
+/// The duration of everything at one rate.
 base::Duration estimateRate(const device::Context& context, const ScanSpec& spec, int baud);
 } // namespace jobs

@@ -10,11 +10,11 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
 constexpr int bitsPerByte = 10;
-// What the bus allows every servo at most (SMS, reply delay 254).
+// The longest reply delay that the bus allows for (SMS, reply delay 254).
 constexpr base::Duration maxReplyDelay{508};
 
 constexpr ScanProfile feetech{0, 253, milliseconds(4), 12, {}, false};
-// How long an LX servo takes to turn round is not published; 20 ms and more are in use.
+// The turn-around of an LX servo is not published; 20 ms and more are in use.
 constexpr ScanProfile lx{0, 253, milliseconds(25), 13, {}, true};
 constexpr ScanProfile modbus{1, 247, milliseconds(25), 21, microseconds(1750), true};
 constexpr std::size_t modbusIdentity = 9; ///< byte count and four registers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How servos of each language are searched for: which IDs exist, how long an absent one takes, and
-// what the answer to the question looks like when it comes late. Data; any thread.
-// Sources: Feetech, Modbus and LX protocol sheets (IDs, stations, time-outs in use).
+// How servos of each protocol are searched: which IDs exist, how long an absent one takes, and how
+// to recognize a late reply. Data; any thread. Sources: Feetech, Modbus and LX protocol sheets
+// (IDs, stations, timeouts in use).
 #pragma once
 
 #include "jobs/scan/scan.h"
@@ -11,13 +11,13 @@ struct ScanProfile {
     int firstId = 0;
     int lastId = 0;
     base::Duration timeout{};       ///< beyond wire time, for an ID that may not exist
-    int wireBytes = 0;              ///< question and answer
-    base::Duration pause{};         ///< silence the language keeps between frames
-    bool supportsBroadcast = false; ///< one question to everybody finds a servo that is alone
+    int wireBytes = 0;              ///< request and reply
+    base::Duration pause{};         ///< silence between frames in this protocol
+    bool supportsBroadcast = false; ///< one broadcast finds a single servo
 };
 const ScanProfile& scanProfileOf(base::Protocol protocol);
 
-/// The IDs of the spec that exist in this language; empty when `first` > `last`.
+/// The IDs of the spec that exist in this protocol; empty when `first` > `last`.
 struct IdRange {
     int first = 0;
     int last = -1;
@@ -29,7 +29,7 @@ IdRange idsToScan(const ScanSpec& spec, base::Protocol protocol);
 /// Time one absent ID takes.
 base::Duration pingTime(const ScanProfile& scanProfile, int baud, base::Duration timeout);
 
-/// Is this a late answer to the question a scan asks, not to another one?
+/// Is this a late reply to a request of a scan, not to another one?
 bool isPingReply(base::Protocol protocol, const bus::UnexpectedFrame& stray);
 
 /// The echo of a PING is the reply of a servo with a voltage alarm, byte for byte. The bus strips

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress of a scan by planned time: what is left of the plan is the estimate. Used by scan()
+// Progress of a scan by planned time: the rest of the plan is the estimate. Used by scan()
 // only; its thread.
 #pragma once
 
@@ -16,7 +16,7 @@ public:
         , m_total(total)
     {}
 
-    /// `heard`: servos of the present search that are not counted as found yet.
+    /// `foundCount`: servos of the present search that are not counted as found yet.
     void add(base::Duration planned, int foundCount)
     {
         m_progress.found = m_found + foundCount;

@@ -6,8 +6,8 @@
 
 namespace jobs {
 using catalog::Role;
-using record::StepRemedy;
-using record::StepSymptom;
+using results::StepRemedy;
+using results::StepSymptom;
 
 namespace {
 constexpr double minSwings = 4;
@@ -16,30 +16,30 @@ constexpr double overshootStepsThreshold = 4; ///< above the noise of any encode
 constexpr double staticErrorThreshold = 2;    ///< steps: row 14 of the advice
 constexpr double speedLimitFraction = 0.95;
 constexpr std::int64_t gainDivisor = 8; ///< of the value: a small step
-constexpr double noise = 3;             ///< steps
+constexpr double positionNoise = 3;     ///< steps
 constexpr std::size_t minSamples = 20;
 constexpr double restBand = 4; ///< steps
 constexpr double toleranceFraction = 64;
 constexpr double noiseFraction = 0.02;
 
 /// Nothing is known of a response without readings, nor of one that began at its target.
-std::optional<bool> hasMoved(const record::StepResponse& response)
+std::optional<bool> hasMoved(const results::StepResponse& response)
 {
     const double way = response.target - response.start;
-    const double minDistance = std::max(noise, noiseFraction * std::abs(way));
+    const double minDistance = std::max(positionNoise, noiseFraction * std::abs(way));
     if (response.samples.empty() || std::abs(way) <= minDistance)
         return std::nullopt;
     return std::any_of(response.samples.begin(), response.samples.end(),
-                       [&](const record::StepSample& sample) {
+                       [&](const results::StepSample& sample) {
                            const double travel = sample.position - response.start;
                            return (way < 0 ? -travel : travel) > minDistance;
                        });
 }
 
-bool neverMoved(const std::vector<record::StepResponse>& responses)
+bool neverMoved(const std::vector<results::StepResponse>& responses)
 {
     bool any = false;
-    for (const record::StepResponse& response : responses) {
+    for (const results::StepResponse& response : responses) {
         const auto firstMotion = hasMoved(response);
         if (firstMotion.value_or(false))
             return false;
@@ -49,7 +49,7 @@ bool neverMoved(const std::vector<record::StepResponse>& responses)
 }
 
 /// Neither gain nor speed explains it.
-bool isBlocked(const record::StepResponse& response, const record::SweepAxis& axis)
+bool isBlocked(const results::StepResponse& response, const results::SweepAxis& axis)
 {
     const auto& samples = response.samples;
     if (!response.missed || !response.seen || samples.size() < minSamples)
@@ -66,12 +66,12 @@ bool isBlocked(const record::StepResponse& response, const record::SweepAxis& ax
 
 class StepAdvisor {
 public:
-    StepAdvisor(const record::StepRun& run, const catalog::Profile& profile)
+    StepAdvisor(const results::StepRun& run, const catalog::Profile& profile)
         : m_run(run)
         , m_profile(profile)
     {}
 
-    std::vector<record::StepAdvice> advices();
+    std::vector<results::StepAdvice> advices();
 
 private:
     void adviseOnOscillation();
@@ -90,13 +90,13 @@ private:
     bool missed() const
     {
         return std::any_of(m_run.responses.begin(), m_run.responses.end(),
-                           [](const record::StepResponse& one) { return one.missed; });
+                           [](const results::StepResponse& one) { return one.missed; });
     }
     bool swings() const { return m_run.mean.swings.value_or(0) >= minSwings; }
 
-    const record::StepRun& m_run;
+    const results::StepRun& m_run;
     const catalog::Profile& m_profile;
-    std::vector<record::StepAdvice> m_advice;
+    std::vector<results::StepAdvice> m_advice;
 };
 
 std::int64_t smallStep(std::int64_t value)
@@ -104,13 +104,13 @@ std::int64_t smallStep(std::int64_t value)
     return std::max<std::int64_t>(1, value / gainDivisor);
 }
 
-/// What was in force while it ran.
+/// The value during the run.
 std::optional<std::int64_t> StepAdvisor::now(Role role) const
 {
     const catalog::Register* reg = m_profile.byRole(role);
     if (reg == nullptr)
         return std::nullopt;
-    for (const record::StepGain& gain : m_run.gains) {
+    for (const results::StepGain& gain : m_run.gains) {
         if (gain.key == reg->key)
             return gain.raw;
     }
@@ -187,11 +187,11 @@ void StepAdvisor::adviseOnStaticError()
     }
 }
 
-std::vector<record::StepAdvice> StepAdvisor::advices()
+std::vector<results::StepAdvice> StepAdvisor::advices()
 {
     if (m_run.responses.empty())
         return {};
-    const auto seen = [](const record::StepResponse& one) { return one.seen; };
+    const auto seen = [](const results::StepResponse& one) { return one.seen; };
     if (!std::all_of(m_run.responses.begin(), m_run.responses.end(), seen))
         addAdvice(StepSymptom::NotSeen, StepRemedy::RepeatRun);
     if (neverMoved(m_run.responses)) {
@@ -205,7 +205,7 @@ std::vector<record::StepAdvice> StepAdvisor::advices()
     }
     const auto& mean = m_run.mean;
     if (swings()) {
-        // What swings tells nothing about where it would rest.
+        // While it oscillates, its resting position is unknown.
         if (mean.swingAmplitude.value_or(0) > m_run.axis.tolerance)
             adviseOnOscillation();
         else
@@ -217,16 +217,29 @@ std::vector<record::StepAdvice> StepAdvisor::advices()
     if (overshoots)
         adviseOnOvershoot();
     adviseOnLag();
-    // More I would make it go further beyond.
+    // More I would increase the overshoot.
     if (!overshoots && mean.steadyError.value_or(0) >= staticErrorThreshold)
         adviseOnStaticError();
     return m_advice;
 }
 } // namespace
 
-std::vector<record::StepAdvice> adviseStep(const record::StepRun& run,
-                                           const catalog::Profile& profile)
+std::vector<results::StepAdvice> adviseStep(const results::StepRun& run,
+                                            const catalog::Profile& profile)
 {
     return StepAdvisor(run, profile).advices();
+}
+
+std::vector<results::StepAdvice> adviseStoredStep(const results::StepRun& run,
+                                                  const catalog::Catalog& catalog)
+{
+    const snapshot::SnapshotServo& servo = run.parameters.servo;
+    const catalog::ModelEntry* model = catalog.model(servo.model);
+    if (model == nullptr)
+        return {};
+    const QStringList version = servo.firmware.split(QLatin1Char('.'));
+    const auto profile =
+        catalog.profileFor(*model, version.value(0).toInt(), version.value(1).toInt());
+    return profile ? adviseStep(run, *profile) : std::vector<results::StepAdvice>();
 }
 } // namespace jobs

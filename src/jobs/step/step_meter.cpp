@@ -2,7 +2,7 @@
 #include "jobs/step/step_meter.h"
 
 #include "jobs/sweep/leg_trace.h"
-#include "jobs/sweep/sweep_runner.h"
+#include "jobs/sweep/sweep_link.h"
 #include "results/sweep_fields.h"
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace jobs {
 using base::Duration;
-using record::StepSample;
+using results::StepSample;
 using namespace std::chrono_literals;
 using Samples = std::vector<StepSample>;
 
 namespace {
 constexpr Duration maxInterpolationGap = 50ms; ///< between two readings, to be interpolated
-constexpr int maxGapFactor = 4;                ///< so many of them in one are missing readings
-constexpr Duration maxNoiseInterval = 5ms;     ///< near enough to tell noise from motion
-constexpr double minTravel = 3;                ///< steps
+constexpr int maxGapFactor = 4; ///< a gap of this number of intervals means missing readings
+constexpr Duration maxNoiseInterval = 5ms; ///< close enough to separate noise from motion
+constexpr double minTravel = 3;            ///< steps
 constexpr double travelFraction = 0.01;
 constexpr double minSwing = 6;         ///< steps, from one extreme to the other
 constexpr double swingNoiseFactor = 8; ///< standard deviations
@@ -27,13 +27,13 @@ constexpr std::size_t minSwingsForFrequency = 3;
 
 double inMilliseconds(Duration span)
 {
-    return double(span.count()) / record::usPerMs;
+    return double(span.count()) / results::usPerMs;
 }
 
 /// Steps from where it stood, positive towards its target.
 class StepAxis {
 public:
-    explicit StepAxis(const record::SweepLeg& leg)
+    explicit StepAxis(const results::SweepLeg& leg)
         : m_start(leg.start)
         , m_sign(leg.target < leg.start ? -1 : 1)
         , m_length(std::abs(leg.target - leg.start))
@@ -47,7 +47,7 @@ private:
     double m_length;
 };
 
-/// When it had first gone so far.
+/// When it first reached this distance.
 struct ThresholdCrossing {
     Duration at{};
     std::size_t reading = 0; ///< the first one beyond
@@ -82,7 +82,7 @@ std::optional<double> riseTime(const Samples& samples, const StepAxis& way)
     return inMilliseconds(high->at - low->at);
 }
 
-/// What single readings scatter about a smooth curve; 0 where they are too far apart to tell.
+/// Scatter of single readings about a smooth curve; 0 if they are too far apart.
 double estimateNoise(const Samples& samples, std::size_t first)
 {
     double sum = 0;
@@ -125,7 +125,7 @@ std::vector<TurningPoint> findTurningPoints(const Samples& samples, std::size_t 
     return turns;
 }
 
-void findSwings(record::StepFigures& figures, const Samples& samples, const record::SweepLeg& leg,
+void findSwings(results::StepFigures& figures, const Samples& samples, const results::SweepLeg& leg,
                 const StepAxis& way)
 {
     if (!leg.timeToTarget)
@@ -161,7 +161,7 @@ std::optional<double> peakReportedSpeed(const Samples& samples)
 }
 } // namespace
 
-bool isFullySampled(const Samples& samples, const record::SweepLeg& leg, Duration end)
+bool isFullySampled(const Samples& samples, const results::SweepLeg& leg, Duration end)
 {
     std::vector<Duration> intervals;
     Duration before{};
@@ -172,7 +172,7 @@ bool isFullySampled(const Samples& samples, const record::SweepLeg& leg, Duratio
     const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
     std::nth_element(intervals.begin(), middle, intervals.end());
     const Duration longest =
-        std::min(std::max(maxInterpolationGap, maxGapFactor * *middle), SweepRunner::minGap);
+        std::min(std::max(maxInterpolationGap, maxGapFactor * *middle), SweepLink::minGap);
     const Duration over =
         leg.timeToTarget ? *leg.timeToTarget + leg.settling.value_or(Duration(0)) : end;
     before = {};
@@ -186,22 +186,22 @@ bool isFullySampled(const Samples& samples, const record::SweepLeg& leg, Duratio
     return end - before <= longest;
 }
 
-void clearMotionFigures(record::StepFigures& figures)
+void clearMotionFigures(results::StepFigures& figures)
 {
     for (const auto figure :
-         {&record::StepFigures::deadTime, &record::StepFigures::riseTime,
-          &record::StepFigures::timeToTarget, &record::StepFigures::settling,
-          &record::StepFigures::overshoot, &record::StepFigures::overshootSteps,
-          &record::StepFigures::swings, &record::StepFigures::swingFrequency,
-          &record::StepFigures::swingAmplitude, &record::StepFigures::peakSpeed})
+         {&results::StepFigures::deadTime, &results::StepFigures::riseTime,
+          &results::StepFigures::timeToTarget, &results::StepFigures::settling,
+          &results::StepFigures::overshoot, &results::StepFigures::overshootSteps,
+          &results::StepFigures::swings, &results::StepFigures::swingFrequency,
+          &results::StepFigures::swingAmplitude, &results::StepFigures::peakSpeed})
         (figures.*figure).reset();
 }
 
-record::StepFigures measureStep(const Samples& samples, const record::SweepLeg& leg)
+results::StepFigures measureStep(const Samples& samples, const results::SweepLeg& leg)
 {
-    record::StepFigures figures;
-    figures.timeToTarget = record::inMs(leg.timeToTarget);
-    figures.settling = record::inMs(leg.settling);
+    results::StepFigures figures;
+    figures.timeToTarget = results::inMs(leg.timeToTarget);
+    figures.settling = results::inMs(leg.settling);
     figures.overshoot = leg.overshoot;
     figures.overshootSteps = leg.overshootSteps;
     figures.steadyError = leg.steadyError;

@@ -2,6 +2,8 @@
 // From what the user asked for to a sweep between two places.
 #include "device/motion/move_limits.h"
 #include "device/motion/turn_count.h"
+#include "device/write_meaning.h"
+#include "jobs/motion_check.h"
 #include "jobs/step/step_response.h"
 #include "jobs/sweep/sweep_axis.h"
 #include "jobs/sweep/sweep_path.h"
@@ -24,14 +26,14 @@ constexpr int maxRepeats = 50;
 constexpr Duration maxHold = 10s;
 
 constexpr Duration minHold = 500ms;
-constexpr Duration stepSettleTime = 400ms; ///< what swings and rest are judged by
+constexpr Duration stepSettleTime = 400ms; ///< to evaluate swings and rest
 
 /// Where no speed is known: half a turn a second, which slow servos do, and a start.
 constexpr double assumedTurnsPerSecond = 0.5;
 constexpr Duration assumedStartTime = 300ms;
 constexpr Duration holdStep = 100ms;
 
-constexpr double minTolerance = 3;
+constexpr double minStepTolerance = 3;
 constexpr double shortStepTolerance = 0.1; ///< of short steps, where the usual one is too wide
 
 constexpr std::array loopRoles{Role::PositionP,  Role::PositionD,   Role::PositionI,
@@ -40,7 +42,7 @@ constexpr std::array loopRoles{Role::PositionP,  Role::PositionD,   Role::Positi
 
 class StepPlanner {
 public:
-    StepPlanner(const device::Context& context, device::Servo& servo, const record::StepSpec& spec)
+    StepPlanner(const device::Context& context, device::Servo& servo, const results::StepSpec& spec)
         : m_context(context)
         , m_servo(servo)
         , m_spec(spec)
@@ -64,7 +66,7 @@ private:
 
     const device::Context& m_context;
     device::Servo& m_servo;
-    const record::StepSpec& m_spec;
+    const results::StepSpec& m_spec;
     StepPlan m_plan;
 };
 
@@ -130,7 +132,7 @@ base::Result<void> StepPlanner::planPositions()
     return {};
 }
 
-/// As fast as it may, unless somebody wants it otherwise: what slows a step down hides its loop.
+/// As fast as possible unless the user sets a limit: a slower step hides the control loop.
 void StepPlanner::planSpeeds()
 {
     const device::MoveFieldSet fields = device::moveFields(m_servo);
@@ -173,13 +175,8 @@ base::Result<StepPlan> StepPlanner::plan()
         if (const auto known = device::readKeys(m_context, m_servo, {fastest}); !known)
             return tl::unexpected(known.error());
     }
-    const auto kind = device::goalKind(m_servo);
-    if (kind != device::GoalKind::Position && kind != device::GoalKind::Turns) {
-        const catalog::Mode* mode = m_servo.mode();
-        return tl::unexpected(base::Error{ErrorCode::NotSupported, stepPlanOperation,
-                                          QStringLiteral("not-position"), m_servo.id,
-                                          mode != nullptr ? mode->key : QString()});
-    }
+    if (!isInPositionMode(m_servo))
+        return tl::unexpected(notInPositionMode(stepPlanOperation, m_servo));
     if (m_spec.repeats < 1 || m_spec.repeats > maxRepeats)
         return refuse(ErrorCode::BadArgument, QStringLiteral("no-repeats"));
     if (const auto planned = planPositions(); !planned)
@@ -193,8 +190,8 @@ base::Result<StepPlan> StepPlanner::plan()
     m_plan.from = axis->from;
     m_plan.to = axis->to;
     const double way = std::abs(axis->to - axis->from);
-    m_plan.limits.tolerance =
-        std::clamp(shortStepTolerance * way, minTolerance, std::max(minTolerance, axis->tolerance));
+    m_plan.limits.tolerance = std::clamp(shortStepTolerance * way, minStepTolerance,
+                                         std::max(minStepTolerance, axis->tolerance));
     m_plan.travel = travelTime(way, *axis);
     if (const auto held = planHold(); !held)
         return tl::unexpected(held.error());
@@ -205,7 +202,7 @@ base::Result<StepPlan> StepPlanner::plan()
 } // namespace
 
 base::Result<StepPlan> planStep(const device::Context& context, device::Servo& servo,
-                                const record::StepSpec& spec)
+                                const results::StepSpec& spec)
 {
     return StepPlanner(context, servo, spec).plan();
 }
@@ -216,7 +213,7 @@ std::vector<const catalog::Register*> loopRegisters(const catalog::Profile& prof
     for (const Role role : loopRoles) {
         const catalog::Register* reg = profile.byRole(role);
         // Factory rows take a consent that a trial does not ask for.
-        if (reg != nullptr && reg->writable() && !reg->dangerous)
+        if (reg != nullptr && reg->writable() && !device::mayNeedConsent(*reg))
             found.push_back(reg);
     }
     return found;

@@ -7,7 +7,7 @@
 #include "jobs/link_reconnect.h"
 #include "jobs/recover/recover_apply.h"
 #include "jobs/step/step_meter.h"
-#include "jobs/sweep/sweep_runner.h"
+#include "jobs/sweep/sweep_link.h"
 #include "jobs/temporary_settings.h"
 
 #include <algorithm>
@@ -17,19 +17,19 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
-std::vector<device::WriteItem> itemsOf(const std::vector<record::StepGain>& gains)
+std::vector<device::WriteItem> itemsOf(const std::vector<results::StepGain>& gains)
 {
     std::vector<device::WriteItem> items;
-    for (const record::StepGain& gain : gains)
+    for (const results::StepGain& gain : gains)
         items.push_back({gain.key, gain.raw});
     return items;
 }
 
 base::Result<void> checkTrial(const device::Servo& servo,
-                              const std::vector<record::StepGain>& trial)
+                              const std::vector<results::StepGain>& trial)
 {
     const auto known = loopRegisters(*servo.profile);
-    for (const record::StepGain& gain : trial) {
+    for (const results::StepGain& gain : trial) {
         const bool good =
             std::any_of(known.begin(), known.end(),
                         [&](const catalog::Register* reg) { return reg->key == gain.key; });
@@ -41,13 +41,13 @@ base::Result<void> checkTrial(const device::Servo& servo,
     return {};
 }
 
-base::Result<std::vector<record::StepGain>> readStepGains(const device::Context& context,
-                                                          device::Servo& servo)
+base::Result<std::vector<results::StepGain>> readStepGains(const device::Context& context,
+                                                           device::Servo& servo)
 {
     const auto registers = loopRegisters(*servo.profile);
     if (const auto known = device::read(context, servo, registers); !known)
         return tl::unexpected(known.error());
-    std::vector<record::StepGain> gains;
+    std::vector<results::StepGain> gains;
     for (const catalog::Register* reg : registers) {
         if (const auto raw = servo.raw(*reg))
             gains.push_back({reg->key, *raw});
@@ -70,14 +70,14 @@ public:
             return tl::unexpected(known.error());
         for (const Role role : roles) {
             const catalog::Register* reg = servo.profile->byRole(role);
-            // What travels in one frame with a goal or a mode is no setting of its own (LX).
+            // A value that is sent in one frame with a goal or a mode is not a setting (LX).
             if (reg != nullptr && !reg->block && servo.raw(*reg))
                 rates.m_before.push_back({reg, *servo.raw(*reg)});
         }
         return rates;
     }
 
-    /// As far as the servo answers; who is without torque stays so.
+    /// As far as the servo answers; a servo without torque stays without it.
     void revert(const device::Context& outer, device::Servo& servo) const
     {
         const base::StopToken neverStop;
@@ -115,22 +115,22 @@ public:
         , m_callbacks(callbacks)
     {}
 
-    base::Result<record::StepRun> run();
+    base::Result<results::StepRun> run();
 
 private:
-    base::Result<record::StepRun> runInMode();
+    base::Result<results::StepRun> runInMode();
     base::Result<void> runSweep();
     base::Result<void> checkGains();
     SweepCallbacks callbacks();
     void addSample(const SweepSample& sample, int leg);
-    void finishResponse(const record::SweepLeg& leg);
+    void finishResponse(const results::SweepLeg& leg);
 
     const device::Context& m_context;
     device::Servo& m_servo;
     const StepRequest& m_request;
     const StepCallbacks& m_callbacks;
-    record::StepRun m_run;
-    std::vector<record::StepSample> m_samples; ///< of the present response
+    results::StepRun m_run;
+    std::vector<results::StepSample> m_samples; ///< of the present response
     base::Duration m_goalAt{};
     int m_leg = 0;
 };
@@ -143,9 +143,9 @@ void StepJob::addSample(const SweepSample& sample, int leg)
         {sample.at - m_goalAt, *sample.position, sample.speed, sample.load, sample.current});
 }
 
-void StepJob::finishResponse(const record::SweepLeg& leg)
+void StepJob::finishResponse(const results::SweepLeg& leg)
 {
-    record::StepResponse response;
+    results::StepResponse response;
     response.number = leg.number;
     response.start = leg.start;
     response.target = leg.target;
@@ -173,7 +173,7 @@ SweepCallbacks StepJob::callbacks()
     callbacks.onSample = [this](std::size_t, const SweepSample& sample, double, int leg) {
         addSample(sample, leg);
     };
-    callbacks.onLeg = [this](std::size_t, const record::SweepLeg& leg) { finishResponse(leg); };
+    callbacks.onLeg = [this](std::size_t, const results::SweepLeg& leg) { finishResponse(leg); };
     callbacks.onProgress = m_callbacks.onProgress;
     callbacks.onUnreleasedTorque = m_callbacks.onUnreleasedTorque;
     return callbacks;
@@ -201,8 +201,8 @@ base::Result<void> StepJob::runSweep()
     std::vector<device::Servo> servos{m_servo};
     auto done = sweep(m_context, servos, request, callbacks());
     m_servo = servos.front();
-    m_context.bus.setReconnectTimeout(SweepRunner::maxSilence); // the sweep's has ended with it
-    if (done && done->end == record::SweepEnd::Finished) {
+    m_context.bus.setReconnectTimeout(SweepLink::maxSilence); // the sweep's has ended with it
+    if (done && done->end == results::SweepEnd::Finished) {
         if (const auto same = checkGains(); !same)
             done = tl::unexpected(same.error());
     }
@@ -239,14 +239,14 @@ base::Result<void> StepJob::checkGains()
     return {};
 }
 
-base::Result<record::StepRun> StepJob::run()
+base::Result<results::StepRun> StepJob::run()
 {
     // A plug that is pulled may be put back, also while settings are written.
-    const bus::ReconnectScope reconnect(m_context.bus, SweepRunner::maxSilence);
+    const bus::ReconnectScope reconnect(m_context.bus, SweepLink::maxSilence);
     return runInMode();
 }
 
-base::Result<record::StepRun> StepJob::runInMode()
+base::Result<results::StepRun> StepJob::runInMode()
 {
     m_run.program = m_request.program;
     m_run.simulated = m_request.simulated;
@@ -265,19 +265,19 @@ base::Result<record::StepRun> StepJob::runInMode()
         return tl::unexpected(rates.error());
     const auto ran = runSweep();
     waitForReconnection(m_context.bus);
-    if (m_run.end != record::SweepEnd::Emergency && !m_context.bus.lost())
+    if (m_run.end != results::SweepEnd::Emergency && !m_context.bus.lost())
         rates->revert(m_context, m_servo);
     if (mode && !mode->revert())
         m_run.isReverted = false;
     if (!ran)
         return tl::unexpected(ran.error());
-    m_run.mean = record::meanOf(m_run.responses);
+    m_run.mean = results::meanOf(m_run.responses);
     return std::move(m_run);
 }
 } // namespace
 
 namespace {
-/// What an interrupted trial has left in the servo is none of its own values: they go back first.
+/// Values that an interrupted trial left in the servo are not its own: its own are restored first.
 base::Result<void> revertEarlierTrials(const device::Context& context, const device::Servo& servo)
 {
     const auto open = context.journal.open();
@@ -301,9 +301,9 @@ base::Result<void> revertEarlierTrials(const device::Context& context, const dev
 }
 } // namespace
 
-base::Result<record::StepRun> stepResponse(const device::Context& outer, device::Servo& servo,
-                                           const StepRequest& request,
-                                           const StepCallbacks& callbacks)
+base::Result<results::StepRun> stepResponse(const device::Context& outer, device::Servo& servo,
+                                            const StepRequest& request,
+                                            const StepCallbacks& callbacks)
 {
     // Nothing of it may follow an emergency stop.
     const device::Context context{outer.bus,     outer.catalog,

@@ -16,7 +16,7 @@
 
 namespace jobs {
 struct StepRequest {
-    record::StepSpec spec{};
+    results::StepSpec spec{};
     QString program{}; ///< name and version, for the report
     bool simulated = false;
     bool switchMode = false; ///< as SweepRequest's
@@ -24,9 +24,9 @@ struct StepRequest {
 
 /// Called on the job's thread while it runs; each may be empty.
 struct StepCallbacks {
-    /// What a trial has changed; it is in force now.
+    /// The registers that a trial has changed, now in effect.
     std::function<void(const std::vector<base::JournalItem>&)> onTrial{};
-    std::function<void(const record::StepResponse&)> onResponse{}; ///< complete
+    std::function<void(const results::StepResponse&)> onResponse{}; ///< complete
     std::function<void(const SweepProgress&)> onProgress{};
     std::function<void(const UnreleasedTorque&)> onUnreleasedTorque{}; ///< as SweepCallbacks's
 };
@@ -38,18 +38,18 @@ struct StepPlan {
     base::Duration hold{};
     std::optional<base::Duration> travel{}; ///< as planned; none: no speed is known
     bool isHoldTooShort = false;            ///< it will turn round before it has arrived
-    record::SweepSpec sweep{};
-    record::SweepLimits limits{};
+    results::SweepSpec sweep{};
+    results::SweepLimits limits{};
 };
 
 /// Reads, writes nothing. The servo is in a mode with positions.
 base::Result<StepPlan> planStep(const device::Context& context, device::Servo& servo,
-                                const record::StepSpec& spec);
+                                const results::StepSpec& spec);
 
-/// What the loop of this family has to set, in the order of its table: gains first.
+/// The registers of the control loop of this family, in the order of its table: gains first.
 std::vector<const catalog::Register*> loopRegisters(const catalog::Profile& profile);
 
-base::Result<record::StepRun> stepResponse(const device::Context& context, device::Servo& servo,
-                                           const StepRequest& request,
-                                           const StepCallbacks& callbacks);
+base::Result<results::StepRun> stepResponse(const device::Context& context, device::Servo& servo,
+                                            const StepRequest& request,
+                                            const StepCallbacks& callbacks);
 } // namespace jobs

@@ -11,13 +11,13 @@ using base::Duration;
 using std::chrono::milliseconds;
 
 namespace {
-constexpr double noise = 2; ///< steps, either way, that no encoder is blamed for
+constexpr double encoderNoise = 2; ///< steps, either way, that no encoder is blamed for
 constexpr double motionThreshold =
     4; ///< more is motion: from one extreme of the noise to the other
 constexpr double minDirectedDistance = 1; ///< a shorter way has no direction
 constexpr double maxSpread = 3.5;
 constexpr double spreadFactor = 2;       ///< the last fifth has not seen the worst
-constexpr double minNoiseReadings = 10;  ///< readings that tell the noise
+constexpr double minNoiseReadings = 10;  ///< readings needed to know the noise
 constexpr double toleranceFraction = 64; ///< as in device/arrival.cpp
 constexpr Duration wireDelay = milliseconds(5);
 constexpr Duration maxInterpolatedLoss = milliseconds(50);
@@ -29,8 +29,8 @@ Duration fromSeconds(double seconds)
     return Duration(std::llround(std::min(seconds, 1e9) * 1e6));
 }
 
-/// What the servo needs from rest to be seen moving.
-Duration startUpTime(const record::SweepAxis& axis)
+/// Time from rest until the movement is visible.
+Duration startUpTime(const results::SweepAxis& axis)
 {
     const double acceleration = axis.acceleration.value_or(0);
     return acceleration > 0 ? fromSeconds(std::sqrt(2 * motionThreshold / acceleration))
@@ -42,8 +42,8 @@ Duration timeForDistance(std::optional<double> speed, double way)
     return speed && *speed > 0 ? fromSeconds(way / *speed) : Duration(0);
 }
 
-/// A flag that stays down is wrong after so much way.
-double flagDistance(const record::SweepAxis& axis, double way)
+/// A flag that is still not set after this distance is wrong.
+double flagDistance(const results::SweepAxis& axis, double way)
 {
     return std::max(2 * axis.tolerance, std::min(axis.stepsPerTurn / toleranceFraction, way / 2));
 }
@@ -56,7 +56,7 @@ void keepExtreme(std::optional<double>& best, const std::optional<double>& value
 }
 } // namespace
 
-LegMeter::LegMeter(const record::SweepAxis& axis, int number, int cycle, Duration at, double start,
+LegMeter::LegMeter(const results::SweepAxis& axis, int number, int cycle, Duration at, double start,
                    double target)
     : m_axis(axis)
     , m_goalSentAt(at)
@@ -166,7 +166,7 @@ void LegMeter::detectArrival(Duration at, double position)
     }
     if (within && !m_insideSince)
         m_insideSince = at;
-    else if (std::abs(now) > m_axis.tolerance + noise)
+    else if (std::abs(now) > m_axis.tolerance + encoderNoise)
         m_insideSince.reset();
 }
 
@@ -195,7 +195,7 @@ bool LegMeter::arrived(Duration rest) const
            m_last.at - std::max(*m_insideSince, m_coarseSettle.since()) >= rest;
 }
 
-/// What friction and load may leave of the way.
+/// The distance that friction and load may leave.
 double LegMeter::restTolerance() const
 {
     return std::max(m_axis.tolerance, m_axis.stepsPerTurn / toleranceFraction);
@@ -217,9 +217,9 @@ bool LegMeter::isStalled(Duration span) const
            minStandTime;
 }
 
-record::SweepLeg LegMeter::finish(Duration end, Duration runStart) const
+results::SweepLeg LegMeter::finish(Duration end, Duration runStart) const
 {
-    record::SweepLeg leg = m_leg;
+    results::SweepLeg leg = m_leg;
     leg.at = m_goalSentAt - runStart;
     leg.span = end - m_goalSentAt;
     leg.meanSpeed = m_speedMeter.mean();
@@ -239,7 +239,7 @@ record::SweepLeg LegMeter::finish(Duration end, Duration runStart) const
     return leg;
 }
 
-void LegMeter::finishRest(record::SweepLeg& leg, Duration end) const
+void LegMeter::finishRest(results::SweepLeg& leg, Duration end) const
 {
     RestCriteria query{
         leg.target, m_axis.tolerance, {}, timeForDistance(m_axis.speed, m_axis.tolerance)};
@@ -257,7 +257,7 @@ void LegMeter::finishRest(record::SweepLeg& leg, Duration end) const
     finishOvershoot(leg, *rest);
 }
 
-void LegMeter::finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const
+void LegMeter::finishOvershoot(results::SweepLeg& leg, const LegRest& rest) const
 {
     const double way = std::abs(leg.target - leg.start);
     const bool hadEnoughTime =
@@ -267,13 +267,13 @@ void LegMeter::finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const
         return;
     const double level = rest.isSteady ? signedError(rest.place) : 0;
     const double beyond = *m_peak - level;
-    double floor = noise;
+    double floor = encoderNoise;
     if (rest.isSteady)
         floor = rest.readings < minNoiseReadings
                     ? maxSpread
-                    : std::clamp(spreadFactor * rest.spread, noise, maxSpread);
+                    : std::clamp(spreadFactor * rest.spread, encoderNoise, maxSpread);
     leg.overshootSteps = beyond > floor ? beyond : 0;
-    if (record::isLongEnough(leg, m_axis.tolerance))
+    if (results::isLongEnough(leg, m_axis.tolerance))
         leg.overshoot = *leg.overshootSteps / way * 100;
 }
 } // namespace jobs

@@ -15,16 +15,16 @@
 //   steady error:   reached − target, at rest only
 //   overshoot:      how far beyond the place of rest it has been in the direction of the way, by
 //                   the mean of 10 ms; none if not more than twice the noise at rest (2 to 3.5
-//                   steps; 3.5 if fewer than ten readings tell it). If it did not come to rest,
-//                   beyond the target. In % of the way: on ways over twice the tolerance
+//                   steps; 3.5 if it comes from fewer than ten readings). If it did not come to
+//                   rest, beyond the target. In % of the way: on ways over twice the tolerance
 //   speeds:         SpeedMeter; moving flag: MovingFlagCheck
 //   following error: how far behind the planned path, at most, by the mean of 10 ms. A reading is
-//                   held against the path as it was one reading earlier (at most 5 ms): so long
-//                   may the goal and the reading have been on the wire
+//                   compared with the path one reading earlier (at most 5 ms), because goal and
+//                   reading may have been on the wire for that time
 //   phase lag:      of a sine, by PhaseMeter, against the path as above
 //   current, load:  magnitudes
-// A leg with a silence of 300 ms or more tells none of this but rest, current and load: the run
-// takes back what was not seen, and where it was silent at its end also where it came to rest. The
+// Of a leg with a silence of 300 ms or more only rest, current and load are known: the run removes
+// the other figures, and those of rest too if the silence was at the end. The
 // goals of a sine move on: time to target, settling, rest and overshoot are not measured there.
 #pragma once
 
@@ -36,7 +36,7 @@
 #include <functional>
 
 namespace jobs {
-/// One reading of one servo, in the units of record/sweep_run.h.
+/// One reading of one servo, in the units of results/sweep_run.h.
 struct SweepSample {
     base::Duration at{}; ///< bus clock
     bool answered = false;
@@ -53,16 +53,16 @@ struct SweepSample {
 class LegMeter {
 public:
     /// `at`: the goal had been sent, bus clock. `start`: where the servo stood then.
-    LegMeter(const record::SweepAxis& axis, int number, int cycle, base::Duration at, double start,
+    LegMeter(const results::SweepAxis& axis, int number, int cycle, base::Duration at, double start,
              double target);
 
-    /// The goal of a sine so long after `at`, and its period. Before the first reading.
+    /// The goal of a sine by the time after `at`, and its period. Before the first reading.
     void followPath(std::function<double(base::Duration since)> path, base::Duration period);
 
     /// A goal of a sine was sent at `at`: until then the servo had nowhere else to go.
     void setGoal(base::Duration at, double goal);
 
-    /// In order of time; what was read before the goal was sent is left out.
+    /// In order of time; readings from before the goal are ignored.
     void add(const SweepSample& sample);
 
     /// Within tolerance (and 2 steps of noise) and within as much, at least 4 steps, of one place,
@@ -77,7 +77,7 @@ public:
     bool isStalled(base::Duration span) const;
 
     /// `end`: the next goal was sent. `runStart` becomes the zero of SweepLeg::at.
-    record::SweepLeg finish(base::Duration end, base::Duration runStart) const;
+    results::SweepLeg finish(base::Duration end, base::Duration runStart) const;
 
 private:
     double restTolerance() const;
@@ -85,16 +85,16 @@ private:
     void addPosition(base::Duration at, double position);
     void detectArrival(base::Duration at, double position);
     void measureFollowingError(base::Duration at, double position);
-    void finishRest(record::SweepLeg& leg, base::Duration end) const;
-    void finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const;
+    void finishRest(results::SweepLeg& leg, base::Duration end) const;
+    void finishOvershoot(results::SweepLeg& leg, const LegRest& rest) const;
     double signedError(double position) const; ///< beyond the target, in the direction of the way
 
     struct Reading {
         base::Duration at{};
         double position = 0;
     };
-    record::SweepAxis m_axis;
-    record::SweepLeg m_leg; ///< as far as it is known already
+    results::SweepAxis m_axis;
+    results::SweepLeg m_leg; ///< as far as it is known already
     base::Duration m_goalSentAt;
     std::function<double(base::Duration)> m_path;
     base::Duration m_period{};                   ///< of m_path

@@ -13,7 +13,7 @@ using std::chrono::milliseconds;
 
 namespace {
 constexpr Duration smoothingWindow = milliseconds(10);
-constexpr double minDistance = 20;
+constexpr double minLegDistance = 20;
 constexpr double middleFrom = 0.1;
 constexpr double middleTo = 0.9;
 constexpr std::size_t minReadings = 3;
@@ -22,7 +22,7 @@ constexpr Duration minWindow = milliseconds(40);
 constexpr Duration longWindow = std::chrono::seconds(2);
 constexpr double windowSteps = 60;
 constexpr double windowFraction = 1.0 / 6;      ///< of a short way
-constexpr double longWindowFraction = 1.0 / 16; ///< of a long way: what noise adds counts for less
+constexpr double longWindowFraction = 1.0 / 16; ///< of a long way, where noise counts less
 constexpr double errorFactor = 1;               ///< standard errors of a slope
 constexpr double maxNoise = 8;       ///< steps; that a fitted line may be steeper than its ends
 constexpr int minPhaseReadings = 10; ///< readings
@@ -135,7 +135,7 @@ SpeedMeter::SpeedMeter(Duration at, double start, double target)
 
 void SpeedMeter::add(Duration at, double position)
 {
-    if (m_distance < minDistance)
+    if (m_distance < minLegDistance)
         return;
     const Point point{at, m_sign * (position - m_start)};
     trackMiddle(point);

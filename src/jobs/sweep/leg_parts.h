@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What LegMeter measures reading by reading, without keeping the readings: stillness, speeds, the
+// What LegMeter measures reading by reading, without keeping the readings: rest, speeds, the
 // moving flag. Parts of it; pure, its thread. Steps of the feedback, steps/s, bus time.
 #pragma once
 
@@ -111,7 +111,7 @@ private:
     std::optional<double> m_top{};
 };
 
-/// Whether a moving flag contradicts the position: it says so for `patience` while the servo stands
+/// Whether a moving flag contradicts the position: it is set for `patience` while the servo stands
 /// (4 steps), or denies it while the servo goes `far` (longer than 100 ms, and from 100 ms after
 /// the goal on: it takes a moment to rise).
 class MovingFlagCheck {

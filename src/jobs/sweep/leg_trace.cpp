@@ -11,7 +11,7 @@ using base::Duration;
 namespace {
 constexpr std::size_t rawCapacity = LegTrace::capacity / 2;
 constexpr std::size_t newest = 4; ///< readings that no block takes yet
-constexpr int tailDivisor = 5;    ///< the last fifth tells where it rests
+constexpr int tailDivisor = 5;    ///< the last fifth gives the resting position
 constexpr std::size_t minTailReadings = 3;
 constexpr double maxTraceNoise = 2;
 constexpr double minBand = 3; ///< a servo that stays within it stands still
@@ -201,7 +201,7 @@ std::optional<LegRest> analyzeRest(const std::vector<LegPoint>& points, const Re
         setRest(rest, points, since);
         return rest;
     }
-    // It may stand just beside, and only its noise be within.
+    // It may stand just outside, with only its noise inside.
     findRestElsewhere(rest, points, query);
     if (rest.isSteady && std::abs(rest.place - query.target) > query.tolerance)
         rest.settledAt.reset();

@@ -31,11 +31,11 @@ private:
     void decimate();
 
     std::vector<LegPoint> m_points;
-    std::size_t m_blockSize = 0; ///< so many readings become two points; 0: none does yet
+    std::size_t m_blockSize = 0; ///< number of readings that become two points; 0: not thinned yet
     std::size_t m_firstRaw = 0;  ///< the first point that is no block's
 };
 
-/// What is asked of the end of a leg.
+/// The settings for evaluating the end of a leg.
 struct RestCriteria {
     double target = 0;
     double tolerance = 0;
@@ -49,7 +49,7 @@ struct LegRest {
     bool isSteady = false; ///< it stood: by three readings, and long enough not to be passing by
     double place = 0;      ///< steady: mean of the last fifth of the time it stood; else the last
     double spread = 0;     ///< steady: largest deviation in that fifth
-    double readings = 0;   ///< steady: so many were in it
+    double readings = 0;   ///< steady: number of readings in it
     bool hasLeft = false;  ///< it was within tolerance and went out again
     std::optional<base::Duration>
         settledAt{}; ///< since when it was within; none: at last it was not

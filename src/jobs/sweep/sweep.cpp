@@ -14,15 +14,15 @@ using base::ErrorCode;
 namespace {
 using Modes = std::vector<std::unique_ptr<TemporarySettings>>;
 
-/// What a servo is, and what the test means for it. `modes` takes what must be put back.
-base::Result<record::SweepServo> prepare(const device::Context& context, device::Servo& servo,
-                                         const SweepRequest& request, std::size_t place,
-                                         Modes& modes)
+/// The servo, and what the test means for it. `modes` receives what must be restored.
+base::Result<results::SweepServo> prepare(const device::Context& context, device::Servo& servo,
+                                          const SweepRequest& request, std::size_t place,
+                                          Modes& modes)
 {
-    record::SweepServo prepared;
+    results::SweepServo prepared;
     prepared.limits = request.limits.at(place);
     auto axis = sweepAxis(context, servo, request.spec, prepared.limits);
-    const bool otherMode = !axis && axis.error().detail == QLatin1StringView("not-position");
+    const bool otherMode = !axis && axis.error().reason == base::Reason::NotInPositionMode;
     if (!axis && !(otherMode && request.switchMode))
         return tl::unexpected(axis.error());
     // The table as the servo keeps it, not as the test has set it.
@@ -43,11 +43,11 @@ base::Result<record::SweepServo> prepare(const device::Context& context, device:
     return prepared;
 }
 
-base::Result<record::SweepRun> prepare(const device::Context& context,
-                                       std::vector<device::Servo>& servos,
-                                       const SweepRequest& request, Modes& modes)
+base::Result<results::SweepRun> prepare(const device::Context& context,
+                                        std::vector<device::Servo>& servos,
+                                        const SweepRequest& request, Modes& modes)
 {
-    record::SweepRun run;
+    results::SweepRun run;
     run.program = request.program;
     run.at = QDateTime::currentDateTimeUtc();
     run.port = context.bus.portName();
@@ -62,6 +62,7 @@ base::Result<record::SweepRun> prepare(const device::Context& context,
     }
     return run;
 }
+
 /// No goal may follow an emergency stop, not even one between two legs.
 device::Context withEmergencyEpoch(const device::Context& outer)
 {
@@ -72,9 +73,9 @@ device::Context withEmergencyEpoch(const device::Context& outer)
 }
 } // namespace
 
-base::Result<record::SweepRun> sweep(const device::Context& outer,
-                                     std::vector<device::Servo>& servos,
-                                     const SweepRequest& request, const SweepCallbacks& callbacks)
+base::Result<results::SweepRun> sweep(const device::Context& outer,
+                                      std::vector<device::Servo>& servos,
+                                      const SweepRequest& request, const SweepCallbacks& callbacks)
 {
     const device::Context context = withEmergencyEpoch(outer);
     if (servos.empty() || request.limits.size() != servos.size())

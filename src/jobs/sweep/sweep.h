@@ -15,9 +15,9 @@
 
 namespace jobs {
 struct SweepRequest {
-    record::SweepSpec spec{};
-    std::vector<record::SweepLimits> limits{}; ///< one a servo
-    QString program{};                         ///< name and version, for the report
+    results::SweepSpec spec{};
+    std::vector<results::SweepLimits> limits{}; ///< one a servo
+    QString program{};                          ///< name and version, for the report
     bool simulated = false;
     /// A servo in a mode without positions is switched for the test, with its EPROM lock closed,
     /// and back at the end: then it stands without torque. See jobs/temporary.h.
@@ -48,20 +48,20 @@ struct SweepCallbacks {
     /// In time order for each servo; `goal` in steps, `leg` 0 outside of the measured part and
     /// while goals are being sent.
     std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
-    std::function<void(std::size_t servo, const record::SweepLeg&)> onLeg{};
+    std::function<void(std::size_t servo, const results::SweepLeg&)> onLeg{};
     /// The goal of a measured leg had been sent at this time of the bus clock.
     std::function<void(std::size_t servo, int leg, base::Duration at)> onGoal{};
     std::function<void(const SweepProgress&)> onProgress{};
     /// The run with all but its legs and figures, once everything has been found possible. An error
     /// keeps it from beginning and becomes the job's.
-    std::function<std::optional<base::Error>(const record::SweepRun&)> onBegin{};
+    std::function<std::optional<base::Error>(const results::SweepRun&)> onBegin{};
     /// At the end, for each servo that could not be left as it was to be.
     std::function<void(const UnreleasedTorque&)> onUnreleasedTorque{};
 };
 
 /// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job
 /// knows of them.
-base::Result<record::SweepRun> sweep(const device::Context& outer,
-                                     std::vector<device::Servo>& servos,
-                                     const SweepRequest& request, const SweepCallbacks& callbacks);
+base::Result<results::SweepRun> sweep(const device::Context& outer,
+                                      std::vector<device::Servo>& servos,
+                                      const SweepRequest& request, const SweepCallbacks& callbacks);
 } // namespace jobs

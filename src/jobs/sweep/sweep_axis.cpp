@@ -2,6 +2,7 @@
 #include "jobs/sweep/sweep_axis.h"
 
 #include "device/motion/move_limits.h"
+#include "jobs/motion_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,8 @@ namespace jobs {
 using base::Duration;
 using base::ErrorCode;
 using catalog::Role;
-using record::SweepPace;
-using record::SweepShape;
+using results::SweepPace;
+using results::SweepShape;
 
 namespace {
 const QString sweepAxisOperation = QStringLiteral("sweep");
@@ -23,7 +24,7 @@ constexpr Duration maxSettingsAge = std::chrono::hours(24);
 /// Friction leaves up to 8 of 4096 steps without I (error-diagnosis row 14); a little more has
 /// arrived.
 constexpr double defaultToleranceFraction = 12.0 / 4096;
-constexpr double minTolerance = 3;
+constexpr double minSettleTolerance = 3;
 
 tl::unexpected<base::Error> refuse(ErrorCode code, const device::Servo& servo, QString detail,
                                    QString key = {})
@@ -41,13 +42,14 @@ double goalFactor(const device::Servo& servo)
 
 class AxisBuilder {
 public:
-    AxisBuilder(const device::Context& context, device::Servo& servo, const record::SweepSpec& spec)
+    AxisBuilder(const device::Context& context, device::Servo& servo,
+                const results::SweepSpec& spec)
         : m_context(context)
         , m_servo(servo)
         , m_spec(spec)
     {}
 
-    base::Result<record::SweepAxis> make(const record::SweepLimits& limits);
+    base::Result<results::SweepAxis> make(const results::SweepLimits& limits);
 
 private:
     base::Result<void> requirePositionMode();
@@ -62,19 +64,15 @@ private:
 
     const device::Context& m_context;
     device::Servo& m_servo;
-    const record::SweepSpec& m_spec;
-    record::SweepAxis m_axis;
+    const results::SweepSpec& m_spec;
+    results::SweepAxis m_axis;
 };
 
-/// Goals that stay where they are put: not relative ones, not a speed.
 base::Result<void> AxisBuilder::requirePositionMode()
 {
-    const auto kind = device::goalKind(m_servo);
-    if (kind == device::GoalKind::Position || kind == device::GoalKind::Turns)
+    if (isInPositionMode(m_servo))
         return {};
-    const catalog::Mode* mode = m_servo.mode();
-    return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("not-position"),
-                  mode != nullptr ? mode->key : QString());
+    return tl::unexpected(notInPositionMode(sweepAxisOperation, m_servo));
 }
 
 base::Result<void> AxisBuilder::requireTimes() const
@@ -105,7 +103,7 @@ base::Result<double> AxisBuilder::parseSteps(const QString& text, bool way) cons
     return way ? std::abs(found) : found;
 }
 
-/// What the device layer would say to this goal, without a byte that moves anything.
+/// The answer of the device layer to this goal, without sending anything that moves the servo.
 base::Result<void> AxisBuilder::checkGoalAllowed(double target)
 {
     const device::MoveCommand order = makeSweepMove(m_servo, m_spec, target);
@@ -118,7 +116,7 @@ base::Result<void> AxisBuilder::checkGoalAllowed(double target)
 base::Result<void> AxisBuilder::parseRange()
 {
     const auto own = m_spec.ranges.find(m_servo.id);
-    const record::SweepRange& range = own != m_spec.ranges.end() ? own->second : m_spec.range;
+    const results::SweepRange& range = own != m_spec.ranges.end() ? own->second : m_spec.range;
     const auto from = parseSteps(range.from);
     if (!from)
         return tl::unexpected(from.error());
@@ -155,7 +153,7 @@ base::Result<void> AxisBuilder::parsePoints()
 {
     if (m_spec.points.size() < 2)
         return refuse(ErrorCode::BadArgument, m_servo, QStringLiteral("no-points"));
-    for (const record::SweepPoint& point : m_spec.points) {
+    for (const results::SweepPoint& point : m_spec.points) {
         const auto place = parseSteps(point.target);
         if (!place)
             return tl::unexpected(place.error());
@@ -212,11 +210,11 @@ base::Result<void> AxisBuilder::readSpeeds()
     return {};
 }
 
-base::Result<record::SweepAxis> AxisBuilder::make(const record::SweepLimits& limits)
+base::Result<results::SweepAxis> AxisBuilder::make(const results::SweepLimits& limits)
 {
     if (const auto fresh = device::readSettings(m_context, m_servo); !fresh)
         return tl::unexpected(fresh.error());
-    // The speed and acceleration it has now are what it moves with where none is given.
+    // Without a given value it moves with its present speed and acceleration.
     const auto rates = device::readRoles(m_context, m_servo, {Role::GoalSpeed, Role::Acceleration});
     if (!rates)
         return tl::unexpected(rates.error());
@@ -235,14 +233,14 @@ base::Result<record::SweepAxis> AxisBuilder::make(const record::SweepLimits& lim
     if (const auto rated = readSpeeds(); !rated)
         return tl::unexpected(rated.error());
     m_axis.tolerance = limits.tolerance.value_or(
-        std::max(minTolerance, m_axis.stepsPerTurn * defaultToleranceFraction));
+        std::max(minSettleTolerance, m_axis.stepsPerTurn * defaultToleranceFraction));
     return m_axis;
 }
 } // namespace
 
-base::Result<record::SweepAxis> sweepAxis(const device::Context& context, device::Servo& servo,
-                                          const record::SweepSpec& spec,
-                                          const record::SweepLimits& limits)
+base::Result<results::SweepAxis> sweepAxis(const device::Context& context, device::Servo& servo,
+                                           const results::SweepSpec& spec,
+                                           const results::SweepLimits& limits)
 {
     return AxisBuilder(context, servo, spec).make(limits);
 }
@@ -260,7 +258,7 @@ std::optional<double> toSteps(double physical, const QString& unit, double steps
 
 double stepsPerTurn(const device::Servo& servo)
 {
-    // Where positions have a unit it says how many steps make a turn (LX: 1500 × 0.24°).
+    // The unit of positions, if there is one, gives the steps of a turn (LX: 1500 × 0.24°).
     const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
     if (position != nullptr && position->unit == QLatin1StringView("deg") && position->scale > 0)
         return 360 / position->scale;
@@ -269,7 +267,7 @@ double stepsPerTurn(const device::Servo& servo)
                                : servo.profile->stepsPerTurn;
 }
 
-device::MoveCommand makeSweepMove(device::Servo& servo, const record::SweepSpec& spec,
+device::MoveCommand makeSweepMove(device::Servo& servo, const results::SweepSpec& spec,
                                   double& target)
 {
     const auto raw = std::llround(target / goalFactor(servo));

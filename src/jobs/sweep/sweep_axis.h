@@ -12,13 +12,13 @@
 #include "results/sweep_spec.h"
 
 namespace jobs {
-base::Result<record::SweepAxis> sweepAxis(const device::Context& context, device::Servo& servo,
-                                          const record::SweepSpec& spec,
-                                          const record::SweepLimits& limits);
+base::Result<results::SweepAxis> sweepAxis(const device::Context& context, device::Servo& servo,
+                                           const results::SweepSpec& spec,
+                                           const results::SweepLimits& limits);
 
 /// The order of a move to `target` (steps of the feedback). Its goal is the nearest the register
 /// can say; `target` becomes that.
-device::MoveCommand makeSweepMove(device::Servo& servo, const record::SweepSpec& spec,
+device::MoveCommand makeSweepMove(device::Servo& servo, const results::SweepSpec& spec,
                                   double& target);
 
 /// Of a position unit or a rate of one in steps: "deg", "rpm", "step/s"; nullopt: no known unit.

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 namespace jobs {
-using record::SweepEnd;
+using results::SweepEnd;
 
 namespace {
 /// One packet where all of them can share it, else one by one.
@@ -24,8 +24,8 @@ device::MoveMethod moveMethodFor(const std::vector<device::Servo>& servos)
 } // namespace
 
 base::Result<void> sendSweepGoals(const device::Context& context,
-                                  std::vector<device::Servo>& servos, const record::SweepSpec& spec,
-                                  std::vector<double>& targets)
+                                  std::vector<device::Servo>& servos,
+                                  const results::SweepSpec& spec, std::vector<double>& targets)
 {
     std::vector<device::MovePlan> plans;
     std::vector<int> ids;
@@ -56,10 +56,10 @@ base::Result<void> releaseReplacedServo(const device::Context& context, device::
     return isOff() ? base::Result<void>{} : sent;
 }
 
-/// What could not be proved. All are told to stop before the first one is watched.
+/// The servos that are not proved to be stopped. All get the stop before the first is checked.
 std::vector<UnreleasedTorque> applyEndStates(const device::Context& context,
                                              std::vector<device::Servo>& servos,
-                                             const record::SweepRun& run,
+                                             const results::SweepRun& run,
                                              const std::vector<ServoEndState>& endStates)
 {
     std::vector<UnreleasedTorque> unconfirmed;
@@ -95,12 +95,12 @@ std::vector<UnreleasedTorque> applyEndStates(const device::Context& context,
 } // namespace
 
 void leaveServosSafe(const device::Context& context, std::vector<device::Servo>& servos,
-                     const record::SweepRun& run, const std::vector<ServoEndState>& endStates,
+                     const results::SweepRun& run, const std::vector<ServoEndState>& endStates,
                      const SweepCallbacks& callbacks)
 {
     if (run.end == SweepEnd::Emergency)
         return;
-    // The user's stop has ended the test, not what makes its end safe.
+    // The user's stop ends the test, not the steps that make its end safe.
     const base::StopToken neverStop;
     const device::Context last{context.bus,     context.catalog,  context.journal, neverStop,
                                context.notices, context.priority, context.hold,    context.epoch};

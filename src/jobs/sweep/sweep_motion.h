@@ -6,21 +6,21 @@
 #include "jobs/sweep/sweep.h"
 
 namespace jobs {
-/// Every servo its goal, together where the family can. `targets` become what was really said.
+/// Sends every servo its goal, together if the family can. `targets` become the sent values.
 base::Result<void> sendSweepGoals(const device::Context& context,
-                                  std::vector<device::Servo>& servos, const record::SweepSpec& spec,
-                                  std::vector<double>& targets);
+                                  std::vector<device::Servo>& servos,
+                                  const results::SweepSpec& spec, std::vector<double>& targets);
 
 /// How a servo is left.
 enum class ServoEndState : std::uint8_t {
-    AsRequested, ///< holding, or without torque, as the order says
-    TorqueOff,   ///< without torque: it is what ended the test
+    AsRequested, ///< holding or without torque, as requested
+    TorqueOff,   ///< without torque: this servo ended the test
     Untouched,   ///< it is another one: not written to, but for torque that a goal has given it
 };
 
-/// After the last leg or an early end; `how`: one a servo. Does what it can when servos do not
-/// answer, and tells SweepCallbacks::onUnreleasedTorque of the rest.
+/// After the last leg or an early end; `how`: one for each servo. Servos that could not be reached
+/// are reported to SweepCallbacks::onUnreleasedTorque.
 void leaveServosSafe(const device::Context& context, std::vector<device::Servo>& servos,
-                     const record::SweepRun& run, const std::vector<ServoEndState>& endStates,
+                     const results::SweepRun& run, const std::vector<ServoEndState>& endStates,
                      const SweepCallbacks& callbacks);
 } // namespace jobs

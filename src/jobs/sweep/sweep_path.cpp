@@ -7,7 +7,7 @@
 
 namespace jobs {
 using base::Duration;
-using record::SweepShape;
+using results::SweepShape;
 
 namespace {
 constexpr double usPerSecond = 1e6;
@@ -48,7 +48,7 @@ std::int64_t indexAwayFrom(std::int64_t last, std::int64_t one, std::int64_t oth
 }
 
 /// Speed, and acceleration or 0: at once. False: not known.
-bool motionLimits(const record::SweepAxis& axis, double& speed, double& acceleration)
+bool motionLimits(const results::SweepAxis& axis, double& speed, double& acceleration)
 {
     speed = axis.speed.value_or(0);
     acceleration = std::max(0.0, axis.acceleration.value_or(0));
@@ -56,12 +56,12 @@ bool motionLimits(const record::SweepAxis& axis, double& speed, double& accelera
 }
 } // namespace
 
-SweepPath::SweepPath(const record::SweepSpec& spec, const record::SweepAxis& axis)
+SweepPath::SweepPath(const results::SweepSpec& spec, const results::SweepAxis& axis)
     : m_spec(spec)
     , m_axis(axis)
 {
     const double range = std::abs(axis.to - axis.from);
-    // What is left of less than a thousandth of a stair is rounding, not another stair.
+    // A remainder of less than a thousandth of a stair is rounding, not another stair.
     if (axis.step > 0)
         m_stairs = int(std::clamp(std::ceil(range / axis.step - 0.001), 1.0, double(maxStairs)));
 }
@@ -164,7 +164,7 @@ double SweepPath::sineTarget(Duration since) const
            (m_axis.to - m_axis.from) * (1 - std::cos(2 * std::numbers::pi * share)) / 2;
 }
 
-std::optional<Duration> travelTime(double way, const record::SweepAxis& axis)
+std::optional<Duration> travelTime(double way, const results::SweepAxis& axis)
 {
     double speed = 0;
     double acceleration = 0;
@@ -181,7 +181,7 @@ std::optional<Duration> travelTime(double way, const record::SweepAxis& axis)
 }
 
 std::optional<double> plannedPosition(double start, double target, Duration since,
-                                      const record::SweepAxis& axis)
+                                      const results::SweepAxis& axis)
 {
     double speed = 0;
     double acceleration = 0;

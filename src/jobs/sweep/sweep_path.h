@@ -21,31 +21,31 @@ struct SweepTarget {
 
 class SweepPath {
 public:
-    SweepPath(const record::SweepSpec& spec, const record::SweepAxis& axis);
+    SweepPath(const results::SweepSpec& spec, const results::SweepAxis& axis);
 
     /// Where the run begins; the way there is no leg.
     double first() const;
-    /// The target of leg `number` (from 1). The same for the same number, whenever asked.
+    /// The target of leg `number` (from 1). Always the same for the same number.
     SweepTarget leg(int number) const;
     int legsPerCycle() const;
 
-    /// Sine: the goal so long after the start: from `from`, half a period later at `to`.
+    /// Sine: the goal at a time after the start: begins at `from`, half a period later at `to`.
     double sineTarget(base::Duration since) const;
 
 private:
     double stairTarget(int place) const;
     double randomTarget(std::int64_t number) const;
 
-    record::SweepSpec m_spec;
-    record::SweepAxis m_axis;
+    results::SweepSpec m_spec;
+    results::SweepAxis m_axis;
     int m_stairs = 1; ///< from one end to the other
 };
 
 /// How long the servo needs for `way` steps: a trapezoid under its speed and acceleration.
 /// nullopt: no speed is known.
-std::optional<base::Duration> travelTime(double way, const record::SweepAxis& axis);
-/// Where it should be `since` after it was told to go from `start` to `target`, at rest till then.
+std::optional<base::Duration> travelTime(double way, const results::SweepAxis& axis);
+/// The planned position `since` after the goal, for a move from rest at `start` to `target`.
 /// nullopt: no speed is known.
 std::optional<double> plannedPosition(double start, double target, base::Duration since,
-                                      const record::SweepAxis& axis);
+                                      const results::SweepAxis& axis);
 } // namespace jobs

@@ -11,14 +11,14 @@
 
 namespace jobs {
 using base::Duration;
-using record::SweepShape;
+using results::SweepShape;
 
 namespace {
 constexpr double margin = 0.02;      ///< of the range, at either end
-constexpr double travelMargin = 1.2; ///< load and supply make a servo slower than its registers say
+constexpr double travelMargin = 1.2; ///< load and supply make a servo slower than its settings
 constexpr Duration settleTime = std::chrono::milliseconds(300);
 constexpr Duration roundTo = std::chrono::milliseconds(100);
-constexpr int maxLegs = 2000; ///< of a cycle that are looked at
+constexpr int maxLegs = 2000; ///< of a cycle that are estimated
 
 Duration roundedUp(double us)
 {
@@ -26,7 +26,7 @@ Duration roundedUp(double us)
 }
 
 /// Of a cycle, and the first one of the next.
-std::vector<double> legDistances(const record::SweepSpec& spec, const record::SweepAxis& axis)
+std::vector<double> legDistances(const results::SweepSpec& spec, const results::SweepAxis& axis)
 {
     const SweepPath path(spec, axis);
     double before = path.first();
@@ -40,7 +40,7 @@ std::vector<double> legDistances(const record::SweepSpec& spec, const record::Sw
     return distances;
 }
 
-double longestLeg(const record::SweepSpec& spec, const record::SweepAxis& axis)
+double longestLeg(const results::SweepSpec& spec, const results::SweepAxis& axis)
 {
     if (spec.shape == SweepShape::Random)
         return std::abs(axis.to - axis.from);
@@ -49,11 +49,11 @@ double longestLeg(const record::SweepSpec& spec, const record::SweepAxis& axis)
 }
 
 /// 0: most moves are as long as that.
-double minMove(const record::SweepSpec& spec, const record::SweepAxis& axis)
+double minMove(const results::SweepSpec& spec, const results::SweepAxis& axis)
 {
     if (spec.shape == SweepShape::Sine)
         return 0;
-    const double minDistance = record::minPlannedTolerances * axis.tolerance;
+    const double minDistance = results::minPlannedTolerances * axis.tolerance;
     const auto distances = legDistances(spec, axis);
     const auto enough = std::count_if(distances.begin(), distances.end(),
                                       [=](double way) { return way >= minDistance; });
@@ -61,30 +61,31 @@ double minMove(const record::SweepSpec& spec, const record::SweepAxis& axis)
 }
 
 /// A sine is fastest in its middle.
-void estimateSine(const record::SweepSpec& spec, SweepEstimate& estimate)
+void estimateSine(const results::SweepSpec& spec, SweepEstimate& estimate)
 {
-    const record::SweepAxis& axis = estimate.axis;
+    const results::SweepAxis& axis = estimate.axis;
     if (!axis.speed)
         return;
     const double way = std::numbers::pi * std::abs(axis.to - axis.from);
-    estimate.tooShort = record::isSineTooFast(spec, axis);
+    estimate.tooShort = results::isSineTooFast(spec, axis);
     estimate.proposedDelay = roundedUp(way / *axis.speed * 1e6 * travelMargin);
 }
 
-bool delayTooShort(const record::SweepSpec& spec, Duration travel)
+bool delayTooShort(const results::SweepSpec& spec, Duration travel)
 {
     const auto shorter = [travel](Duration pause) { return pause < travel; };
     if (spec.shape != SweepShape::Points)
         return shorter(spec.pause);
-    return std::any_of(
-        spec.points.begin(), spec.points.end(),
-        [&](const record::SweepPoint& point) { return shorter(point.pause.value_or(spec.pause)); });
+    return std::any_of(spec.points.begin(), spec.points.end(),
+                       [&](const results::SweepPoint& point) {
+                           return shorter(point.pause.value_or(spec.pause));
+                       });
 }
 } // namespace
 
 base::Result<SweepEstimate> estimateSweep(const device::Context& context, device::Servo& servo,
-                                          const record::SweepSpec& spec,
-                                          const record::SweepLimits& limits)
+                                          const results::SweepSpec& spec,
+                                          const results::SweepLimits& limits)
 {
     const auto axis = sweepAxis(context, servo, spec, limits);
     if (!axis)
@@ -96,14 +97,14 @@ base::Result<SweepEstimate> estimateSweep(const device::Context& context, device
         estimateSine(spec, estimate);
     } else if (estimate.travel) {
         estimate.tooShort =
-            spec.pace == record::SweepPace::Delay && delayTooShort(spec, *estimate.travel);
+            spec.pace == results::SweepPace::Delay && delayTooShort(spec, *estimate.travel);
         estimate.proposedDelay =
             roundedUp(double(estimate.travel->count()) * travelMargin + double(settleTime.count()));
     }
     return estimate;
 }
 
-std::optional<record::SweepRange> proposedRange(const device::Servo& servo)
+std::optional<results::SweepRange> proposedRange(const device::Servo& servo)
 {
     const auto kind = servo.profile ? device::goalKind(servo) : std::nullopt;
     const auto text = [](double raw) { return QString::number(std::llround(raw)); };
@@ -113,12 +114,12 @@ std::optional<record::SweepRange> proposedRange(const device::Servo& servo)
         if (!now)
             return std::nullopt;
         const double quarter = stepsPerTurn(servo) / 4;
-        return record::SweepRange{text(double(*now) - quarter), text(double(*now) + quarter)};
+        return results::SweepRange{text(double(*now) - quarter), text(double(*now) + quarter)};
     }
     const auto span = device::goalSliderRange(servo);
     if (kind != device::GoalKind::Position || !span || span->max <= span->min)
         return std::nullopt;
     const double room = double(span->max - span->min) * margin;
-    return record::SweepRange{text(double(span->min) + room), text(double(span->max) - room)};
+    return results::SweepRange{text(double(span->min) + room), text(double(span->max) - room)};
 }
 } // namespace jobs

@@ -8,23 +8,23 @@
 
 namespace jobs {
 struct SweepEstimate {
-    record::SweepAxis axis;
-    /// Of the longest leg of a cycle; nullopt: nothing tells how fast it goes.
+    results::SweepAxis axis;
+    /// Of the longest leg of a cycle; nullopt: its speed is not known.
     std::optional<base::Duration> travel{};
     /// The servo would be turned round before it arrives, or cannot follow the sine.
     bool tooShort = false;
-    /// Most moves prove nothing (record/sweep_verdict.h): so long, in steps, each must be; 0: they
+    /// Most moves prove nothing (results/sweep_verdict.h): so long, in steps, each must be; 0: they
     /// are long enough.
     double minMove = 0;
     /// Delay, or period of a sine, with room for arriving and settling; 0: not known.
     base::Duration proposedDelay{};
 };
 base::Result<SweepEstimate> estimateSweep(const device::Context& context, device::Servo& servo,
-                                          const record::SweepSpec& spec,
-                                          const record::SweepLimits& limits);
+                                          const results::SweepSpec& spec,
+                                          const results::SweepLimits& limits);
 
 /// Inside the servo's own limits, a little away from them; of a servo that turns on and on, half a
 /// turn about where it is. Raw values. From what has been read of it: nullopt where its mode or its
 /// limits are not known, or it has no positions in this mode.
-std::optional<record::SweepRange> proposedRange(const device::Servo& servo);
+std::optional<results::SweepRange> proposedRange(const device::Servo& servo);
 } // namespace jobs

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/sweep/sweep_reader.h"
 
-#include "device/alarms.h"
 #include "device/motion/turn_count.h"
 #include "jobs/sweep/sweep_axis.h"
+#include "jobs/watch/poll_spans.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::array measuredRoles{
     Role::PresentPosition, Role::PresentSpeed,       Role::PresentLoad, Role::PresentCurrent,
     Role::PresentVoltage,  Role::PresentTemperature, Role::Moving,      Role::Status};
 
-/// So old may the reading before be for a swing over the seam, and so far may it go, in turns.
+/// A swing over the seam: the greatest age of the reading before, and how far it may go, in turns.
 constexpr Duration maxSeamGap = std::chrono::milliseconds(200);
 constexpr double seamTolerance = 0.125;
 } // namespace
@@ -35,13 +35,15 @@ SweepReader::SweepReader(const std::vector<device::Servo>& servos)
         const catalog::Mode* mode = servo.mode();
         source.wraps = basis.steps > 0 && !basis.countsTurns && mode != nullptr;
         source.limited = source.wraps && !mode->limitsZero;
+        std::vector<const catalog::Register*> registers;
         for (const Role role : measuredRoles) {
             const catalog::Register* reg = servo.profile->byRole(role);
             const bool inReply = role == Role::Status && servo.repliesCarryStatus();
             if (reg != nullptr && servo.measures(*reg) && !inReply)
-                source.registers.push_back(reg);
+                registers.push_back(reg);
         }
-        source.spans = pollSpans(*servo.profile, source.registers, {});
+        source.reader = PollReader(registers, pollSpans(*servo.profile, registers, {}));
+        source.reader.updateMeanings(servo);
         m_sources.push_back(std::move(source));
     }
 }
@@ -49,11 +51,8 @@ SweepReader::SweepReader(const std::vector<device::Servo>& servos)
 bus::PollPlan SweepReader::plan() const
 {
     bus::PollPlan plan;
-    for (const Source& source : m_sources) {
-        const catalog::Profile& profile = *source.servo.profile;
-        plan.servos.push_back({source.servo.id, source.spans, profile.syncRead, source.group,
-                               source.servo.protocol, profile.readGap, profile.maxRead});
-    }
+    for (const Source& source : m_sources)
+        plan.servos.push_back(pollServo(source.servo, source.reader.spans(), source.group));
     return plan;
 }
 
@@ -65,49 +64,20 @@ std::optional<SweepReader::Reading> SweepReader::add(const bus::Sample& sample)
     if (found == m_sources.end())
         return std::nullopt;
     Source& source = *found;
-    const std::size_t block = blockIndex(sample, source.spans);
-    if (source.pollRound.startsNewRound(block)) {
-        source.pollRound.reset();
-        source.pending = {};
-    }
-    source.pending.at = sample.at;
-    if (sample.answered)
-        take(source, sample);
-    if (!source.pollRound.take(block, sample))
+    source.reader.takeUnfinishedBefore(sample);
+    const auto reading = source.reader.add(sample, &source.servo);
+    if (!reading)
         return std::nullopt;
-    source.pollRound.reset();
-    return Reading{std::size_t(found - m_sources.begin()), std::exchange(source.pending, {})};
-}
-
-void SweepReader::take(Source& source, const bus::Sample& sample)
-{
-    source.pending.answered = true;
-    device::Servo& servo = source.servo;
-    if (servo.repliesCarryStatus()) {
-        source.pending.status = sample.status;
-    } else {
-        servo.image.store(sample.address, sample.data, sample.at);
-        device::updateStatus(servo, sample.address, int(sample.data.size()));
-        source.pending.status = servo.status;
-    }
-    for (const catalog::Register* reg : source.registers) {
-        const int offset = reg->offset - sample.address;
-        if (offset < 0 || offset + reg->size > int(sample.data.size()))
-            continue;
-        const auto wire =
-            base::ByteView(sample.data).subspan(std::size_t(offset), std::size_t(reg->size));
-        storeValue(source.pending, source, *reg,
-                   catalog::decodeRaw(wire, *reg, servo.meaning(*reg), servo.profile->byteOrder));
-    }
+    return Reading{std::size_t(found - m_sources.begin()), toSample(source, *reading)};
 }
 
 /// A reading is never half a turn away from the one before.
-double SweepReader::unwrap(Source& source, double position)
+double SweepReader::unwrap(Source& source, double position, Duration at)
 {
     if (!source.wraps)
         return position;
     if (source.limited)
-        return unwrapNearSeam(source, position);
+        return unwrapNearSeam(source, position, at);
     if (source.last)
         source.turns += std::round((*source.last - position - source.turns) / source.stepsPerTurn) *
                         source.stepsPerTurn;
@@ -117,10 +87,9 @@ double SweepReader::unwrap(Source& source, double position)
 
 /// Beyond 0 or the last step an encoder goes on from the other end: a swing over the target there
 /// must not look like a jump of a turn. It is a swing only if the reading before was near enough.
-double SweepReader::unwrapNearSeam(Source& source, double position)
+double SweepReader::unwrapNearSeam(Source& source, double position, Duration at)
 {
     const double turn = source.stepsPerTurn;
-    const Duration at = source.pending.at;
     double found = position;
     if (source.last && at - source.lastAt < maxSeamGap) {
         const double near = position + std::round((*source.last - position) / turn) * turn;
@@ -143,35 +112,40 @@ void SweepReader::anchor(std::size_t servo, double position)
     *source.last += turns;
 }
 
-void SweepReader::storeValue(SweepSample& into, Source& source, const catalog::Register& reg,
-                             std::int64_t raw)
+SweepSample SweepReader::toSample(Source& source, const PollReading& reading)
 {
-    const catalog::ValueFormat meaning = source.servo.meaning(reg);
-    const double physical = catalog::toPhysical(raw, meaning);
-    switch (reg.role) {
-    case Role::PresentPosition: // in steps, whatever unit is shown
-        into.position = unwrap(source, double(raw));
-        break;
-    case Role::PresentSpeed:
-        into.speed = toSteps(physical, meaning.unit, source.stepsPerTurn);
-        break;
-    case Role::PresentLoad:
-        into.load = physical;
-        break;
-    case Role::PresentCurrent:
-        into.current = physical;
-        break;
-    case Role::PresentVoltage:
-        into.voltage = physical;
-        break;
-    case Role::PresentTemperature:
-        into.temperature = physical;
-        break;
-    case Role::Moving:
-        into.moving = raw != 0;
-        break;
-    default:
-        break;
+    SweepSample sample;
+    sample.at = reading.at;
+    sample.answered = reading.answered;
+    sample.status = reading.status;
+    for (const PollValue& value : reading.values) {
+        switch (value.reg->role) {
+        case Role::PresentPosition: // in steps, whatever unit is shown
+            sample.position = unwrap(source, double(value.raw), reading.at);
+            break;
+        case Role::PresentSpeed:
+            sample.speed =
+                toSteps(value.physical, source.servo.meaning(*value.reg).unit, source.stepsPerTurn);
+            break;
+        case Role::PresentLoad:
+            sample.load = value.physical;
+            break;
+        case Role::PresentCurrent:
+            sample.current = value.physical;
+            break;
+        case Role::PresentVoltage:
+            sample.voltage = value.physical;
+            break;
+        case Role::PresentTemperature:
+            sample.temperature = value.physical;
+            break;
+        case Role::Moving:
+            sample.moving = value.raw != 0;
+            break;
+        default:
+            break;
+        }
     }
+    return sample;
 }
 } // namespace jobs

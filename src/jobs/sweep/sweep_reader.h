@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readings of a sweep test: a poll plan over its servos, and the polled blocks as samples in
-// the units of record/sweep_run.h. Owned by the job; its thread.
+// The readings of a sweep test: a poll plan of its servos, and the polled blocks as samples in the
+// units of results/sweep_run.h. Owned by the job; its thread.
 #pragma once
 
 #include "device/servo.h"
 #include "jobs/sweep/leg_meter.h"
-#include "jobs/watch/poll_spans.h"
+#include "jobs/watch/poll_reader.h"
 
 namespace jobs {
 class SweepReader {
@@ -19,34 +19,29 @@ public:
         std::size_t servo = 0; ///< place in the list
         SweepSample sample;
     };
-    /// What is finished with this block: none or one.
+    /// The reading that is complete with this block. One that lacks a block is dropped.
     std::optional<Reading> add(const bus::Sample& sample);
 
-    /// Where a servo turns on and on and its feedback shows one turn only, turns are counted from
-    /// the first reading (inside its angle limits: as far as it swings over the seam); from now
-    /// on so that this servo, which has come to rest there, is at `position`.
+    /// Where a servo turns without limits and its feedback shows one turn only, turns are counted
+    /// from the first reading (inside its angle limits: as far as it swings over the seam). From
+    /// now on they are counted in a way that this servo, which rests there, is at `position`.
     void anchor(std::size_t servo, double position);
 
 private:
     struct Source {
-        device::Servo servo; ///< takes the status of servos whose replies carry none
-        double stepsPerTurn = 4096;
-        std::vector<const catalog::Register*> registers;
-        std::vector<bus::PollSpan> spans;
+        device::Servo servo;
+        PollReader reader;
         int group = 0;
-        PollRoundTracker pollRound;
+        double stepsPerTurn = 4096;
         bool wraps = false;   ///< the feedback shows one turn only
-        bool limited = false; ///< and it stays inside it, but for a swing
+        bool limited = false; ///< it stays inside that turn, but for a swing over the seam
         base::Duration lastAt{};
         double turns = 0; ///< steps of the whole ones beside it
         std::optional<double> last{};
-        SweepSample pending;
     };
-    static void take(Source& source, const bus::Sample& sample);
-    static void storeValue(SweepSample& into, Source& source, const catalog::Register& reg,
-                           std::int64_t raw);
-    static double unwrap(Source& source, double position);
-    static double unwrapNearSeam(Source& source, double position);
+    static SweepSample toSample(Source& source, const PollReading& reading);
+    static double unwrap(Source& source, double position, base::Duration at);
+    static double unwrapNearSeam(Source& source, double position, base::Duration at);
 
     std::vector<Source> m_sources;
 };

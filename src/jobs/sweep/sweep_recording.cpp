@@ -32,16 +32,16 @@ double orNan(std::optional<double> value)
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-record::RecordingHeader makeHeader(const record::SweepRun& run)
+recording::RecordingHeader makeHeader(const results::SweepRun& run)
 {
-    record::RecordingHeader head;
+    recording::RecordingHeader head;
     head.started = run.at;
     head.program = run.program;
     head.port = run.port;
     head.baud = run.baud;
     head.simulated = run.simulated;
     for (std::size_t i = 0; i < run.servos.size(); ++i) {
-        const record::SnapshotServo& servo = run.servos[i].parameters.servo;
+        const snapshot::SnapshotServo& servo = run.servos[i].parameters.servo;
         for (const Column& column : columns)
             head.channels.push_back({int(i), servo.id, servo.model, servo.protocol,
                                      QString::fromLatin1(column.key),
@@ -50,9 +50,9 @@ record::RecordingHeader makeHeader(const record::SweepRun& run)
     return head;
 }
 
-record::RecordingRow makeRow(std::size_t servo, const SweepSample& sample, double goal, int leg)
+recording::RecordingRow makeRow(std::size_t servo, const SweepSample& sample, double goal, int leg)
 {
-    record::RecordingRow row{sample.at, int(servo), {}};
+    recording::RecordingRow row{sample.at, int(servo), {}};
     if (!sample.answered) {
         row.values.assign(columns.size(), orNan({}));
         return row;
@@ -76,7 +76,7 @@ SweepRecording::SweepRecording()
     : m_store(chartBudget)
 {}
 
-base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const record::SweepRun& run,
+base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const results::SweepRun& run,
                                                                     const QString& path)
 {
     std::unique_ptr<SweepRecording> made(new SweepRecording);
@@ -85,11 +85,11 @@ base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const record
         made->m_ids.push_back(run.servos[i].parameters.servo.id);
     }
     if (!path.isEmpty()) {
-        record::RecorderSpec spec;
+        recording::RecorderSpec spec;
         spec.path = path;
-        spec.format = record::recordingFormatOf(path);
+        spec.format = recording::recordingFormatOf(path);
         spec.head = makeHeader(run);
-        auto recorder = record::Recorder::start(spec);
+        auto recorder = recording::Recorder::start(spec);
         if (!recorder)
             return tl::unexpected(recorder.error());
         made->m_recorder = std::move(*recorder);
@@ -117,12 +117,12 @@ void SweepRecording::goal(std::size_t servo, int leg, Duration at)
 {
     if (m_recorder)
         m_marks.push_back(
-            {at, record::MarkKind::Move, m_ids.at(servo), QStringLiteral("leg %1").arg(leg)});
+            {at, recording::MarkKind::Move, m_ids.at(servo), QStringLiteral("leg %1").arg(leg)});
 }
 
 /// The first ten minutes whole; after them lowest and highest of each stretch, and every row that
 /// begins a leg, a silence or a fault.
-void SweepRecording::write(std::size_t servo, record::RecordingRow row)
+void SweepRecording::write(std::size_t servo, recording::RecordingRow row)
 {
     Decimator& decimator = m_curves[servo].decimator;
     const double position = row.values[positionColumn];
@@ -132,7 +132,7 @@ void SweepRecording::write(std::size_t servo, record::RecordingRow row)
         enqueue(std::move(row));
         return;
     }
-    const auto same = [&row](const std::optional<record::RecordingRow>& kept) {
+    const auto same = [&row](const std::optional<recording::RecordingRow>& kept) {
         return !kept || (kept->values[0] == row.values[0] && kept->values[1] == row.values[1] &&
                          kept->values.back() == row.values.back());
     };
@@ -160,14 +160,14 @@ void SweepRecording::flushDecimator(Decimator& decimator)
     decimator.high.reset();
 }
 
-void SweepRecording::enqueue(record::RecordingRow row)
+void SweepRecording::enqueue(recording::RecordingRow row)
 {
     m_rows.push_back(std::move(row));
     if (m_rows.size() >= batch)
         enqueue(false);
 }
 
-/// The recorder's thread may be behind: what it has no room for yet stays here.
+/// The recorder's thread may be behind: readings without room there stay here.
 void SweepRecording::enqueue(bool all)
 {
     while (!m_recorder->tryWrite(m_rows, m_marks) && all)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps the readings of a sweep test while it runs: for charts, in memory of bounded size, and in a
-// recording (record/recording.h) that is readable up to the last second whatever happens. In its
+// recording (recording/recording.h) that is readable up to the last second whatever happens. In its
 // channels the goal and the number of the leg stand beside what was measured; leg 0 is the way to
 // the start. Of a run of more than ten minutes the file has 50 readings a second and servo, and
 // every extreme of position between them. The job's thread.
-// Errors: those of record::Recorder::start. A disk that fills up later shows in failure().
+// Errors: those of recording::Recorder::start. A disk that fills up later shows in failure().
 #pragma once
 
 #include "jobs/sweep/leg_meter.h"
@@ -14,7 +14,7 @@ namespace jobs {
 class SweepRecording {
 public:
     /// `path` empty: charts only. `run` as SweepCallbacks::onBegin gives it.
-    static base::Result<std::unique_ptr<SweepRecording>> start(const record::SweepRun& run,
+    static base::Result<std::unique_ptr<SweepRecording>> start(const results::SweepRun& run,
                                                                const QString& path);
 
     void add(std::size_t servo, const SweepSample& sample, double goal, int leg);
@@ -27,33 +27,33 @@ public:
     std::optional<base::Error> failure() const;
     std::uint64_t lost() const; ///< readings that are not in the file
 
-    const record::SampleStore& store() const { return m_store; }
-    record::ChannelId positions(std::size_t servo) const { return m_curves.at(servo).position; }
-    record::ChannelId goals(std::size_t servo) const { return m_curves.at(servo).goal; }
+    const recording::SampleStore& store() const { return m_store; }
+    recording::ChannelId positions(std::size_t servo) const { return m_curves.at(servo).position; }
+    recording::ChannelId goals(std::size_t servo) const { return m_curves.at(servo).goal; }
 
 private:
-    /// Lets through what a thinned file keeps.
+    /// Selects the readings that a thinned file keeps.
     struct Decimator {
         base::Duration until{};
-        std::optional<record::RecordingRow> low{};
-        std::optional<record::RecordingRow> high{};
+        std::optional<recording::RecordingRow> low{};
+        std::optional<recording::RecordingRow> high{};
     };
     struct Curves {
-        record::ChannelId position = -1;
-        record::ChannelId goal = -1;
+        recording::ChannelId position = -1;
+        recording::ChannelId goal = -1;
         Decimator decimator{};
     };
     SweepRecording();
-    void write(std::size_t servo, record::RecordingRow row);
+    void write(std::size_t servo, recording::RecordingRow row);
     void flushDecimator(Decimator& decimator);
-    void enqueue(record::RecordingRow row);
+    void enqueue(recording::RecordingRow row);
     void enqueue(bool all);
 
-    record::SampleStore m_store;
+    recording::SampleStore m_store;
     std::vector<Curves> m_curves;
-    std::unique_ptr<record::Recorder> m_recorder;
-    std::vector<record::RecordingRow> m_rows;
-    std::vector<record::Mark> m_marks;
+    std::unique_ptr<recording::Recorder> m_recorder;
+    std::vector<recording::RecordingRow> m_rows;
+    std::vector<recording::Mark> m_marks;
     std::vector<int> m_ids; ///< of the servos
     std::optional<base::Duration> m_start{};
 };

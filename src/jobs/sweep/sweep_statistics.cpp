@@ -8,8 +8,8 @@
 #include <numeric>
 
 namespace jobs {
-using record::SweepLeg;
-using record::SweepMetric;
+using results::SweepLeg;
+using results::SweepMetric;
 
 namespace {
 using Legs = std::vector<SweepLeg>;
@@ -25,7 +25,7 @@ double mean(const Values& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-/// min and max drop a NaN that is not their first argument; nobody may lose one here.
+/// std::min and std::max drop a NaN that is not their first argument; here it must be kept.
 double findExtreme(const Values& values, const std::function<bool(double, double)>& before)
 {
     double best = values.front();
@@ -150,7 +150,7 @@ Values temperatureRises(const Legs& legs, std::optional<double> startCelsius)
     return values;
 }
 
-/// Among the legs of which it can be said at all.
+/// Among the legs for which it is known.
 template <typename Known, typename Counted>
 void countLegs(SweepMetric& metric, const Legs& legs, Known known, Counted counted)
 {
@@ -165,14 +165,14 @@ using MetricFiller = std::function<void(SweepMetric&)>;
 
 struct Run {
     const Legs& legs;
-    const record::SweepErrors& errors;
+    const results::SweepErrors& errors;
     std::optional<double> startCelsius;
     ReferencePath path;
 };
 
 bool isSampledEnough(const SweepLeg& leg)
 {
-    return 2 * leg.samples >= record::minReadingsPerPeriod;
+    return 2 * leg.samples >= results::minReadingsPerPeriod;
 }
 
 /// Of a sine in legs with enough readings only.
@@ -269,14 +269,14 @@ void addNumbers(std::map<QString, MetricFiller>& fillers, const Run& run)
     of(
         "missed_targets",
         [tolerance = run.path.tolerance](const SweepLeg& leg) {
-            return record::provesArrival(leg, tolerance);
+            return results::provesArrival(leg, tolerance);
         },
         [](const SweepLeg& leg) { return leg.missed; });
     of(
         "alarms", [](const SweepLeg& leg) { return leg.samples > 0; },
         [](const SweepLeg& leg) { return leg.alarms != 0; });
     fillers[QStringLiteral("communication_errors")] = [run](SweepMetric& metric) {
-        const record::SweepErrors& errors = run.errors;
+        const results::SweepErrors& errors = run.errors;
         metric.count = errors.asked;
         if (errors.asked > 0)
             metric.value =
@@ -285,7 +285,7 @@ void addNumbers(std::map<QString, MetricFiller>& fillers, const Run& run)
 }
 } // namespace
 
-std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepErrors& errors,
+std::vector<SweepMetric> sweepMetrics(const Legs& legs, const results::SweepErrors& errors,
                                       std::optional<double> startCelsius, const ReferencePath& path)
 {
     std::map<QString, MetricFiller> fillers;
@@ -295,7 +295,7 @@ std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepError
     addTargets(fillers, run);
     addNumbers(fillers, run);
     std::vector<SweepMetric> metrics;
-    for (const record::SweepMetricKind& kind : record::sweepMetricKinds()) {
+    for (const results::SweepMetricKind& kind : results::sweepMetricKinds()) {
         SweepMetric metric{kind.key, kind.unit};
         if (const auto found = fillers.find(kind.key); found != fillers.end())
             found->second(metric);
@@ -304,9 +304,9 @@ std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepError
     return metrics;
 }
 
-ReferencePath referencePath(const record::SweepSpec& spec, const record::SweepAxis& axis)
+ReferencePath referencePath(const results::SweepSpec& spec, const results::SweepAxis& axis)
 {
-    return {record::followingScale(spec.shape, axis), spec.shape == record::SweepShape::Sine,
+    return {results::followingScale(spec.shape, axis), spec.shape == results::SweepShape::Sine,
             axis.tolerance};
 }
 } // namespace jobs

@@ -50,11 +50,10 @@ int SyncReadGroups::of(const catalog::Profile& profile)
         .first->second;
 }
 
-std::size_t blockIndex(const bus::Sample& sample, const std::vector<bus::PollSpan>& spans)
+bus::PollServo pollServo(const device::Servo& servo, std::vector<bus::PollSpan> spans, int group)
 {
-    const auto span = std::find_if(spans.begin(), spans.end(), [&](const bus::PollSpan& s) {
-        return s.address == sample.address;
-    });
-    return std::size_t(span - spans.begin());
+    const catalog::Profile& profile = *servo.profile;
+    return {servo.id,       std::move(spans), profile.syncRead, group,
+            servo.protocol, profile.readGap,  profile.maxRead};
 }
 } // namespace jobs

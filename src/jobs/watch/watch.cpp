@@ -9,7 +9,7 @@ namespace jobs {
 namespace {
 constexpr base::Duration drainInterval = std::chrono::milliseconds(50);
 constexpr base::Duration quietTime = std::chrono::milliseconds(150);
-/// A line that is busy for so long will not fall silent by being watched.
+/// A line that is busy for longer does not fall silent by being watched.
 constexpr base::Duration busyTimeout = std::chrono::seconds(3);
 
 using OnRow = std::function<base::Result<void>(const WatchRow&)>;
@@ -26,8 +26,8 @@ public:
 
     base::Result<WatchReport> run()
     {
-        // A servo that was silent in a language it does not speak is left alone for a while; then
-        // the first round has everybody.
+        // A servo that did not answer a request of another protocol is left alone for a while.
+        // After that the first round reads all servos.
         const bool several = m_context.catalog.protocolsAt(m_context.bus.baud()).size() > 1;
         const auto listened = m_context.bus.listen(
             several ? std::max(quietTime, m_context.bus.maxReplyLateness()) : base::Duration{});

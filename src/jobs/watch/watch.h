@@ -6,7 +6,7 @@
 // DerivedVoltage are noted once each.
 // Errors: BadArgument (no servo, servo not identified), UnknownRegister (a key no servo has, a
 // servo without any of the keys), NotSupported (it has them, but measures none), LinkLost, and
-// whatever onRow returns.
+// the error that onRow returns.
 #pragma once
 
 #include "device/servo.h"

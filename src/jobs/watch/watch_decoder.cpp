@@ -2,15 +2,13 @@
 #include "jobs/watch/watch_decoder.h"
 
 #include "device/alarms.h"
+#include "jobs/watch/poll_spans.h"
 
 #include <algorithm>
 
 namespace jobs {
 namespace {
 using base::ErrorCode;
-
-/// A row whose other blocks stay out for so long (the servo is held by a job) is given up.
-constexpr base::Duration maxRoundTime = std::chrono::seconds(1);
 
 QStringList feedbackKeys(const std::vector<device::Servo>& servos)
 {
@@ -135,18 +133,19 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo,
         const catalog::ValueFormat meaning = servo.meaning(*reg);
         const auto column =
             std::find(m_columns.begin(), m_columns.end(), WatchColumn{wanted.key, meaning.unit});
-        source.fields.push_back({reg, meaning, std::size_t(column - m_columns.begin())});
+        source.columns[reg] = std::size_t(column - m_columns.begin());
         registers.push_back(reg);
     }
     if (registers.empty())
         return base::fail(known ? ErrorCode::NotSupported : ErrorCode::UnknownRegister,
                           QStringLiteral("watch"), names.join(QLatin1Char(',')), servo.id);
     // An alarm shows in every row, whatever is watched.
+    std::vector<const catalog::Register*> polled = registers;
     const catalog::Register* status = servo.profile->byRole(catalog::Role::Status);
     if (status != nullptr && !servo.repliesCarryStatus())
-        registers.push_back(status);
-    source.spans = pollSpans(*servo.profile, registers, m_period);
-    source.row = emptyRow(servo);
+        polled.push_back(status);
+    source.reader = PollReader(registers, pollSpans(*servo.profile, polled, m_period));
+    source.reader.updateMeanings(servo);
     m_sources[{servo.protocol, servo.id}] = std::move(source);
     return {};
 }
@@ -155,11 +154,8 @@ bus::PollPlan WatchDecoder::plan() const
 {
     bus::PollPlan plan;
     plan.period = m_period;
-    for (const auto& [identity, source] : m_sources) {
-        const catalog::Profile& profile = *source.servo.profile;
-        plan.servos.push_back({source.servo.id, source.spans, profile.syncRead, source.group,
-                               source.servo.protocol, profile.readGap, profile.maxRead});
-    }
+    for (const auto& [identity, source] : m_sources)
+        plan.servos.push_back(pollServo(source.servo, source.reader.spans(), source.group));
     return plan;
 }
 
@@ -169,14 +165,12 @@ std::vector<WatchRow> WatchDecoder::add(const bus::Sample& sample)
     if (found == m_sources.end())
         return {};
     Source& source = found->second;
-    const std::size_t block = blockIndex(sample, source.spans);
-    if (source.round.startsNewRound(block))
-        finishRow(source);
-    source.row.at = sample.at;
-    if (sample.answered)
-        decode(source, sample);
-    if (source.round.take(block, sample))
-        finishRow(source);
+    if (const auto unfinished = source.reader.takeUnfinishedBefore(sample))
+        addRow(source, *unfinished);
+    if (const auto reading = source.reader.add(sample, &source.servo))
+        addRow(source, *reading);
+    if (sample.answered && !source.servo.repliesCarryStatus())
+        deriveAlarms(source);
     return takeReadyRows(sample.at - maxRoundTime);
 }
 
@@ -185,10 +179,13 @@ std::vector<WatchRow> WatchDecoder::flush()
     return takeReadyRows(base::Duration::max());
 }
 
-void WatchDecoder::finishRow(Source& source)
+void WatchDecoder::addRow(const Source& source, const PollReading& reading)
 {
-    WatchRow row = std::exchange(source.row, emptyRow(source.servo));
-    source.round.reset();
+    WatchRow row{reading.at,     source.servo.protocol, source.servo.id,
+                 reading.status, reading.answered,      {}};
+    row.values.resize(m_columns.size());
+    for (const PollValue& value : reading.values)
+        row.values[source.columns.at(value.reg)] = value.physical;
     const auto place =
         std::upper_bound(m_ready.begin(), m_ready.end(), row,
                          [](const WatchRow& a, const WatchRow& b) { return a.at < b.at; });
@@ -200,10 +197,11 @@ std::vector<WatchRow> WatchDecoder::takeReadyRows(base::Duration staleBefore)
 {
     base::Duration until = base::Duration::max();
     for (auto& [identity, source] : m_sources) {
-        if (source.round.open() && source.row.at < staleBefore)
-            finishRow(source);
-        if (source.round.open())
-            until = std::min(until, source.row.at);
+        const auto at = source.reader.unfinishedAt();
+        if (at && *at < staleBefore)
+            addRow(source, source.reader.takeUnfinished());
+        else if (at)
+            until = std::min(until, *at);
     }
     const auto end = std::find_if(m_ready.begin(), m_ready.end(),
                                   [until](const WatchRow& row) { return row.at >= until; });
@@ -213,39 +211,9 @@ std::vector<WatchRow> WatchDecoder::takeReadyRows(base::Duration staleBefore)
     return rows;
 }
 
-WatchRow WatchDecoder::emptyRow(const device::Servo& servo) const
+/// Alarms of a servo that reports none itself.
+void WatchDecoder::deriveAlarms(Source& source)
 {
-    WatchRow row;
-    row.protocol = servo.protocol;
-    row.id = servo.id;
-    row.values.resize(m_columns.size());
-    return row;
-}
-
-void WatchDecoder::decode(Source& source, const bus::Sample& sample)
-{
-    WatchRow& row = source.row;
-    row.answered = true;
-    if (!source.servo.repliesCarryStatus())
-        deriveAlarms(source, sample);
-    row.status = source.servo.repliesCarryStatus() ? sample.status : source.servo.status;
-    for (const Field& field : source.fields) {
-        const int offset = field.reg->offset - sample.address;
-        if (offset < 0 || offset + field.reg->size > int(sample.data.size()))
-            continue;
-        const auto wire =
-            base::ByteView(sample.data).subspan(std::size_t(offset), std::size_t(field.reg->size));
-        const std::int64_t raw =
-            catalog::decodeRaw(wire, *field.reg, field.meaning, source.servo.profile->byteOrder);
-        row.values[field.column] = catalog::toPhysical(raw, field.meaning);
-    }
-}
-
-/// Faults of a servo whose replies carry none: from its status register, or worked out.
-void WatchDecoder::deriveAlarms(Source& source, const bus::Sample& sample)
-{
-    source.servo.image.store(sample.address, sample.data, sample.at);
-    device::updateStatus(source.servo, sample.address, int(sample.data.size()));
     for (device::Notice& alarm : device::derivedAlarms(source.servo)) {
         if (source.reported.insert(alarm.code).second)
             m_alarms.push_back(std::move(alarm));

@@ -4,14 +4,14 @@
 #pragma once
 
 #include "device/notice.h"
-#include "jobs/watch/poll_spans.h"
+#include "jobs/watch/poll_reader.h"
 #include "jobs/watch/watch.h"
 
 #include <map>
 #include <set>
 
 namespace jobs {
-/// What a column shows: families may call one thing by different names, so its role counts too.
+/// What a column shows. Families may use different names for one thing: its role counts too.
 struct WatchKey {
     QString key; ///< the first servo's name for it
     catalog::Role role = catalog::Role::None;
@@ -29,35 +29,26 @@ public:
     /// Rows that were still waiting for a block.
     std::vector<WatchRow> flush();
 
-    /// Derived alarms that came up since the last call, each once a servo.
+    /// Derived alarms that came up since the last call, each once per servo.
     device::Notices takeAlarms() { return std::exchange(m_alarms, {}); }
 
 private:
-    struct Field {
-        const catalog::Register* reg = nullptr;
-        catalog::ValueFormat meaning;
-        std::size_t column = 0;
-    };
     struct Source {
-        device::Servo servo; ///< settings; where replies carry no status, the readings too
-        std::vector<Field> fields;
-        std::vector<bus::PollSpan> spans; ///< as the bus will read them
+        device::Servo servo; ///< settings and readings
+        PollReader reader;
+        std::map<const catalog::Register*, std::size_t> columns;
         int group = 0;
-        PollRoundTracker round; ///< of the pending row
-        WatchRow row;
         std::set<device::NoticeCode> reported;
     };
 
     base::Result<void> addServo(const device::Servo& servo, const std::vector<WatchKey>& keys,
                                 int group);
-    WatchRow emptyRow(const device::Servo& servo) const;
-    void finishRow(Source& source);
+    void addRow(const Source& source, const PollReading& reading);
     std::vector<WatchRow> takeReadyRows(base::Duration staleBefore);
-    void decode(Source& source, const bus::Sample& sample);
-    void deriveAlarms(Source& source, const bus::Sample& sample);
+    void deriveAlarms(Source& source);
 
     std::vector<WatchColumn> m_columns;
-    std::map<std::pair<base::Protocol, int>, Source> m_sources; ///< by language and ID
+    std::map<std::pair<base::Protocol, int>, Source> m_sources; ///< by protocol and ID
     std::vector<WatchRow> m_ready;                              ///< finished, by time
     device::Notices m_alarms;
     base::Duration m_period{};

@@ -5,19 +5,19 @@
 
 namespace session {
 namespace {
-base::Result<void> withoutServo(const base::Result<record::HistoryServo>& servo)
+base::Result<void> withoutServo(const base::Result<history::HistoryServo>& servo)
 {
     return servo ? base::Result<void>() : tl::unexpected(servo.error());
 }
 
 struct Known {
-    std::unique_ptr<record::History> history;
-    std::optional<record::HistoryServo> servo; ///< who stands under that ID
+    std::unique_ptr<history::History> history;
+    std::optional<history::HistoryServo> servo; ///< that has this ID in the history
 };
 
 base::Result<Known> look(const QString& path, const base::ServoIdentity& identity)
 {
-    auto history = record::History::open(path);
+    auto history = history::History::open(path);
     if (!history)
         return tl::unexpected(history.error());
     auto servo = (*history)->log().of(identity);
@@ -26,8 +26,8 @@ base::Result<Known> look(const QString& path, const base::ServoIdentity& identit
     return Known{std::move(*history), std::move(*servo)};
 }
 
-/// `own`: its present name, if it has one, was given to this very servo.
-base::Result<void> giveName(const record::HistoryLog& log, const base::ServoIdentity& identity,
+/// `own`: its present name, if it has one, was given to this servo.
+base::Result<void> giveName(const history::HistoryLog& log, const base::ServoIdentity& identity,
                             const QString& label, bool own)
 {
     const auto known = log.of(identity);
@@ -37,12 +37,12 @@ base::Result<void> giveName(const record::HistoryLog& log, const base::ServoIden
         return {};
     if (*known && !own)
         return withoutServo(log.assignToOther((*known)->number, label));
-    const auto met = log.findOrAdd(identity);
-    if (!met)
-        return tl::unexpected(met.error());
-    const auto named = log.setLabel(met->number, label);
+    const auto servo = log.findOrAdd(identity);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto named = log.setLabel(servo->number, label);
     const bool inUse = !named && named.error().code == base::ErrorCode::BadArgument;
-    return inUse ? withoutServo(log.assignToOther(met->number, label)) : named;
+    return inUse ? withoutServo(log.assignToOther(servo->number, label)) : named;
 }
 } // namespace
 
@@ -70,7 +70,7 @@ base::Result<void> CommissionLabels::setLabel(const device::Servo& servo, const 
     const auto known = look(m_history, identity);
     if (!known)
         return tl::unexpected(known.error());
-    const record::HistoryLog log = known->history->log();
+    const history::HistoryLog log = known->history->log();
     const bool given = known->servo && !m_assigned.isEmpty() && known->servo->label == m_assigned;
     if (const auto named = giveName(log, identity, label, given || !assignToOther); !named)
         return named;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labels of a commissioning line as names in the history. Servos are told by model, firmware and
-// ID there, and all of a bag have the same, so a name is put aside while another servo of the kind
-// stands under the same ID, and taken up again when that one has got its own. Owned by one run of
-// the line; its thread. Fails as record::History does.
+// Labels of a commissioning line as names in the history. The history identifies servos by model,
+// firmware and ID, which are the same for all factory servos of a model. A name is therefore
+// removed while another servo of the kind has the same ID, and restored when that one has its own
+// ID. Owned by one run of the line; its thread. Fails as history::History does.
 #pragma once
 
 #include "device/servo.h"
@@ -17,7 +17,7 @@ public:
         : m_history(std::move(history))
     {}
 
-    /// jobs::CommissionCallbacks::meet
+    /// jobs::CommissionCallbacks::onNewServo
     base::Result<void> servoFound(const device::Servo& servo);
     /// jobs::CommissionCallbacks::name
     base::Result<void> setLabel(const device::Servo& servo, const QString& label, bool another);
@@ -30,6 +30,6 @@ private:
 
     QString m_history;
     std::optional<ParkedLabel> m_parked;
-    QString m_assigned; ///< to the servo at hand
+    QString m_assigned; ///< to the current servo
 };
 } // namespace session

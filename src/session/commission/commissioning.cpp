@@ -20,24 +20,24 @@ struct Commissioning::Live {
     std::atomic<bool> canceled = false; ///< before it began
     std::mutex mutex;
     std::optional<jobs::CommissionView> view{};
-    std::optional<record::CommissionBatch> batch{};
+    std::optional<results::CommissionBatch> batch{};
 
     void show(const jobs::CommissionView& now)
     {
-        answer = jobs::CommissionAnswer::None; // a click belongs to what was shown
+        answer = jobs::CommissionAnswer::None; // an answer belongs to the question that was shown
         const std::lock_guard lock(mutex);
         view = now;
     }
-    void show(const record::CommissionBatch& now)
+    void show(const results::CommissionBatch& now)
     {
         const std::lock_guard lock(mutex);
         batch = now;
     }
 };
 
-Commissioning::Commissioning(Desk& desk, QObject* parent)
+Commissioning::Commissioning(Workbench& workbench, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_post(std::make_shared<GuardedPoster>(m_mainQueue))
 {
     m_drainTimer.setInterval(drainInterval);
@@ -48,13 +48,13 @@ Commissioning::~Commissioning()
 {
     m_post->close();
     if (m_running)
-        m_live->canceled = true; // the desk ends its task when it closes
+        m_live->canceled = true; // the workbench ends its task when it closes
 }
 
 void Commissioning::drain()
 {
     std::optional<jobs::CommissionView> view;
-    std::optional<record::CommissionBatch> batch;
+    std::optional<results::CommissionBatch> batch;
     {
         const std::lock_guard lock(m_live->mutex);
         view.swap(m_live->view);
@@ -76,7 +76,7 @@ base::Result<void> takeTemplate(jobs::CommissionSpec& spec, const QString& file)
 {
     if (file.isEmpty())
         return {};
-    auto snapshot = record::loadSnapshot(file);
+    auto snapshot = snapshot::loadSnapshot(file);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
     spec.settings = std::move(*snapshot);
@@ -88,7 +88,7 @@ base::Result<void> takeTemplate(jobs::CommissionSpec& spec, const QString& file)
 bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPath,
                           const QString& templateFile)
 {
-    if (m_running || m_desk.state() != LinkState::Open)
+    if (m_running || m_workbench.link().state() != LinkState::Open)
         return false;
     m_running = true;
     m_view = {};
@@ -96,7 +96,7 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
     m_batch = {};
     m_filesAccepted = false;
     m_baud = spec.baud;
-    ++m_checkNumber; // what is still being looked at comes too late
+    ++m_checkNumber; // a check that is still running comes too late
     m_live = std::make_shared<Live>();
     const auto live = m_live;
     Task task;
@@ -109,7 +109,7 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
         jobs::CommissionSpec order = spec;
         if (const auto taken = takeTemplate(order, templateFile); !taken)
             return taken;
-        auto batch = record::openCommissionBatch(csvPath);
+        auto batch = results::openCommissionBatch(csvPath);
         if (!batch)
             return tl::unexpected(batch.error());
         batch->program = programName();
@@ -119,7 +119,7 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
         callbacks.onBatch = [&] { live->show(*batch); };
         callbacks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
         callbacks.save = [](const device::Context& with, device::Servo& servo) {
-            return saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
+            return saveSafetySnapshot(with, servo, history::SnapshotReason::Commission);
         };
         CommissionLabels names;
         callbacks.onNewServo = [&names](const device::Servo& servo) {
@@ -135,7 +135,7 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
     task.guard = this;
     task.done = [this](const TaskCompletion& end) { finish(end); };
     m_drainTimer.start();
-    m_desk.perform(0, std::move(task));
+    m_workbench.tasks().perform(0, std::move(task));
     Q_EMIT started();
     return true;
 }
@@ -151,24 +151,24 @@ void Commissioning::finish(const TaskCompletion& end)
     Q_EMIT finished(stopped ? std::nullopt : end.error);
 }
 
-/// Whoever was in the list has been unplugged, or answers elsewhere now.
+/// The servos of the list were disconnected, or have another ID now.
 void Commissioning::restartSearch()
 {
     jobs::ScanSpec spec;
-    std::set<int> rates{m_desk.baud()};
-    if (m_desk.canSetBaud()) {
+    std::set<int> rates{m_workbench.link().baud()};
+    if (m_workbench.link().canSetBaud()) {
         if (m_baud > 0)
             rates.insert(m_baud);
-        for (const ServoRef ref : m_desk.servos())
-            rates.insert(m_desk.servo(ref)->servo.baud);
+        for (const ServoRef ref : m_workbench.registry().order())
+            rates.insert(m_workbench.registry().servo(ref)->servo.baud);
         spec.bauds.assign(rates.begin(), rates.end());
     }
-    m_desk.search(spec);
+    m_workbench.search().start(spec);
 }
 
 namespace {
 struct FileCheckResult {
-    record::CommissionBatch batch;
+    results::CommissionBatch batch;
     CommissionFileCheck files;
 };
 
@@ -177,14 +177,14 @@ FileCheckResult checkFilesAt(const catalog::Catalog& catalog, const QString& csv
 {
     FileCheckResult seen;
     if (!csvPath.isEmpty()) {
-        auto batch = record::openCommissionBatch(csvPath);
+        auto batch = results::openCommissionBatch(csvPath);
         if (batch)
             seen.batch = std::move(*batch);
         else
             seen.files.batchError = batch.error();
     }
     if (!templateFile.isEmpty()) {
-        const auto settings = record::loadSnapshot(templateFile);
+        const auto settings = snapshot::loadSnapshot(templateFile);
         if (settings)
             seen.files.dangerous = dangerousKeys(catalog, *settings);
         else
@@ -199,7 +199,7 @@ void Commissioning::checkFiles(const QString& csvPath, const QString& templateFi
     if (m_running)
         return;
     const int number = ++m_checkNumber;
-    m_fileThread.start([=, this, post = m_post, catalog = m_desk.catalog()] {
+    m_fileThread.start([=, this, post = m_post, catalog = m_workbench.catalog()] {
         auto seen = std::make_shared<FileCheckResult>(checkFilesAt(catalog, csvPath, templateFile));
         post->post([=, this] {
             if (number != m_checkNumber || m_running)
@@ -213,13 +213,13 @@ void Commissioning::checkFiles(const QString& csvPath, const QString& templateFi
     });
 }
 
-QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapshot& settings)
+QStringList dangerousKeys(const catalog::Catalog& catalog, const snapshot::Snapshot& settings)
 {
     const QStringList firmware = settings.servo.firmware.split(QLatin1Char('.'));
     const auto profileOf = [&](const catalog::ModelEntry& model) {
         return catalog.profileFor(model, firmware.value(0).toInt(), firmware.value(1).toInt());
     };
-    // Of a model nobody knows: what is dangerous in any.
+    // Of an unknown model: the registers that are dangerous in any model.
     std::vector<catalog::ProfilePtr> profiles;
     if (const catalog::ModelEntry* model = catalog.model(settings.servo.model)) {
         profiles.push_back(profileOf(*model));
@@ -228,7 +228,7 @@ QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapsho
             profiles.push_back(profileOf(one));
     }
     QStringList keys;
-    for (const record::SnapshotRegister& row : settings.registers) {
+    for (const snapshot::SnapshotRegister& row : settings.registers) {
         const bool dangerous =
             std::any_of(profiles.begin(), profiles.end(), [&row](const catalog::ProfilePtr& one) {
                 const catalog::Register* reg = one ? one->find(row.key) : nullptr;
@@ -250,7 +250,7 @@ QString defaultBatchPath(const QDate& today)
     const QString stem = QStringLiteral("servodesk-batch-%1").arg(today.toString(Qt::ISODate));
     QString path = folder.filePath(stem + QStringLiteral(".csv"));
     const auto foreign = [](const QString& csv) {
-        return QFileInfo::exists(csv) && !QFileInfo::exists(record::commissionStatePath(csv));
+        return QFileInfo::exists(csv) && !QFileInfo::exists(results::commissionStatePath(csv));
     };
     for (int n = 2; foreign(path); ++n)
         path = folder.filePath(QStringLiteral("%1-%2.csv").arg(stem).arg(n));
@@ -262,7 +262,7 @@ void Commissioning::stop()
     if (!m_running)
         return;
     m_live->canceled = true;
-    m_desk.stopTest();
+    m_workbench.tasks().stopTest();
 }
 
 void Commissioning::submitAnswer(jobs::CommissionAnswer answer)
@@ -273,23 +273,26 @@ void Commissioning::submitAnswer(jobs::CommissionAnswer answer)
 
 bool Commissioning::hasHotplugQueue() const
 {
-    return m_desk.connection() != nullptr && m_desk.connection()->hasHotplugQueue();
+    return m_workbench.link().connection() != nullptr &&
+           m_workbench.link().connection()->hasHotplugQueue();
 }
 
 std::size_t Commissioning::pendingServoCount() const
 {
-    return m_desk.connection() != nullptr ? m_desk.connection()->pendingServoCount() : 0;
+    return m_workbench.link().connection() != nullptr
+               ? m_workbench.link().connection()->pendingServoCount()
+               : 0;
 }
 
 void Commissioning::connectNext()
 {
-    if (m_desk.connection() != nullptr)
-        (void)m_desk.connection()->connectNext();
+    if (m_workbench.link().connection() != nullptr)
+        (void)m_workbench.link().connection()->connectNext();
 }
 
 void Commissioning::unplug()
 {
-    if (m_desk.connection() != nullptr)
-        m_desk.connection()->unplugAll();
+    if (m_workbench.link().connection() != nullptr)
+        m_workbench.link().connection()->unplugAll();
 }
 } // namespace session

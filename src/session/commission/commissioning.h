@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commissioning line for the window: starts and stops it, carries the click to it, and has the
-// batch and what the line is doing. When it ends the list of servos is searched for anew, since
-// others stand under those IDs now. Beside Desk, which must outlive it; main thread, never waits.
+// The commissioning line for the window: starts and stops it, passes on the answer of the user, and
+// has the batch and the state of the line. When it ends, the bus is searched again, because other
+// servos have those IDs now. The workbench must outlive it; main thread, never waits.
 #pragma once
 
 #include "jobs/commission/commission.h"
-#include "session/desk.h"
 #include "session/detachable_worker.h"
+#include "session/workbench.h"
 
 #include <QDate>
 
 namespace session {
-/// A file for a new batch, where documents are kept (in the data folder where that has been
-/// chosen): named by the date; one that is another list already is passed over.
+/// A file for a new batch in the documents folder (in the data folder if one was chosen), named by
+/// the date; the name of an existing list is not used.
 QString defaultBatchPath(const QDate& today);
 
 /// Registers of a template that are written only with the user's consent.
-QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapshot& settings);
+QStringList dangerousKeys(const catalog::Catalog& catalog, const snapshot::Snapshot& settings);
 
-/// What is in the files of a line, before it is started.
+/// The content of the files, checked before the line is started.
 struct CommissionFileCheck {
     std::optional<base::Error> batchError{};
     std::optional<base::Error> templateError{};
@@ -29,15 +29,15 @@ class Commissioning final : public QObject {
     Q_OBJECT
 
 public:
-    explicit Commissioning(Desk& desk, QObject* parent = nullptr);
+    explicit Commissioning(Workbench& workbench, QObject* parent = nullptr);
     ~Commissioning() override;
 
-    /// False: it runs already, or no port is open. A template file is loaded by the job: what is
-    /// wrong with it arrives as ended(). `templateFile` empty: as in the spec.
+    /// False: it is running, or no port is open. A template file is loaded by the job: its errors
+    /// arrive with finished(). `templateFile` empty: as in the spec.
     bool start(const jobs::CommissionSpec& spec, const QString& csvPath,
                const QString& templateFile = {});
-    /// Reads both files; no port is needed. looked() follows, of the latest call only: batch() and
-    /// files(). Not while the line runs.
+    /// Reads both files; no port is needed. filesChecked() follows for the latest call only, with
+    /// batch() and files(). Not while the line runs.
     void checkFiles(const QString& csvPath, const QString& templateFile);
     const CommissionFileCheck& files() const { return m_files; }
     void stop();
@@ -45,10 +45,10 @@ public:
     void submitAnswer(jobs::CommissionAnswer answer);
 
     const jobs::CommissionView& view() const { return m_view; } ///< while it runs
-    const record::CommissionBatch& batch() const { return m_batch; }
+    const results::CommissionBatch& batch() const { return m_batch; }
     const QString& csvPath() const { return m_csvPath; } ///< of that batch; empty: none yet
 
-    // --- a simulated bag of servos ---
+    // --- simulated servos that are connected one after the other ---
     bool hasHotplugQueue() const;
     std::size_t pendingServoCount() const;
     void connectNext();
@@ -59,7 +59,7 @@ Q_SIGNALS:
     void started();
     void changed();      ///< view()
     void batchChanged(); ///< batch()
-    /// `error`: why it could not begin or go on.
+    /// `error`: why it could not start or continue.
     void finished(const std::optional<base::Error>& error);
 
 private:
@@ -68,19 +68,19 @@ private:
     void finish(const TaskCompletion& end);
     void restartSearch();
 
-    Desk& m_desk;
+    Workbench& m_workbench;
     bool m_running = false;
     std::shared_ptr<Live> m_live; ///< shared with the job
     jobs::CommissionView m_view;
-    record::CommissionBatch m_batch;
+    results::CommissionBatch m_batch;
     QString m_csvPath;
-    bool m_filesAccepted = false; ///< its files were good: the wire is the line's
+    bool m_filesAccepted = false; ///< its files were good: it has used the bus
     int m_baud = 0;               ///< that servos get; 0: their own
     CommissionFileCheck m_files;
     int m_checkNumber = 0;
     QTimer m_drainTimer;
     MainThreadQueue m_mainQueue;
     std::shared_ptr<GuardedPoster> m_post;
-    DetachableWorker m_fileThread; ///< a file may lie where nobody answers
+    DetachableWorker m_fileThread; ///< a file may be on a drive that hangs
 };
 } // namespace session

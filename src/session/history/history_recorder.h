@@ -1,41 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes down in the history what happens at the bench beside writes and snapshots: alarms that
-// come and go, recordings that have ended. Looks at the alarms once a second: one that flickers
-// costs no more than that. Beside Desk, Scope and HistoryService, which must outlive it; main
-// thread, never waits.
+// Saves in the history what happens besides writes and snapshots: tests and recordings that have
+// ended, alarms that come and go. Checks the alarms once a second. Owned by the workbench; main
+// thread; never waits.
 #pragma once
 
 #include "session/history/history_service.h"
+#include "session/history/reported_alarms.h"
 #include "session/recording/live_data.h"
 
 #include <map>
-#include <set>
 
 namespace session {
 class HistoryRecorder final : public QObject {
     Q_OBJECT
 
 public:
-    HistoryRecorder(Desk& desk, LiveData& liveData, HistoryService& historyService,
-                    QObject* parent = nullptr);
+    explicit HistoryRecorder(Workbench& workbench);
 
-    /// As the clock does; for whoever cannot wait for it.
+    /// Saves alarms that have come or gone, as the timer does.
     void checkNow();
 
 private:
-    /// Of one alarm, as the history has it.
-    struct ReportedAlarm {
-        int times = 0;
-        bool active = false;
-    };
-    void checkServo(const ServoEntry& entry);
-    void recorded(const record::RecorderStatus& status, const QString& path);
+    void recorded(const recording::RecorderStatus& status, const QString& path);
 
-    Desk& m_desk;
+    Workbench& m_workbench;
     LiveData& m_liveData;
     HistoryService& m_historyService;
-    std::map<ServoRef, std::map<QString, ReportedAlarm>> m_reported;
-    std::vector<base::ServoIdentity> m_recorded; ///< whom the running recording is about
+    std::map<ServoRef, ReportedAlarms> m_reported;
+    std::vector<base::ServoIdentity> m_recorded; ///< the servos of the running recording
     QDateTime m_recordedAt;
     QTimer m_checkTimer;
 };

@@ -54,7 +54,7 @@ void HistorySender::set(SendState state)
 
 void HistorySender::setServer(const QString& address, const QString& bench)
 {
-    detachThread({}); // the window waits for nobody
+    detachThread({}); // the window does not wait
     SendState state;
     if (address.trimmed().isEmpty()) {
         set(state);
@@ -63,7 +63,7 @@ void HistorySender::setServer(const QString& address, const QString& bench)
     m_uploader = std::make_shared<HistoryUploader>(m_path, address, bench);
     m_post = std::make_shared<GuardedPoster>(m_mainQueue);
     m_thread = std::make_unique<DetachableWorker>();
-    if (const auto parsed = record::ServerAddress::parse(address))
+    if (const auto parsed = history::ServerAddress::parse(address))
         state.server = parsed->displayText();
     state.phase = SendState::Phase::Waiting;
     set(state);
@@ -97,7 +97,7 @@ void HistorySender::begin()
     m_sendAgain = false;
     m_watch.start(std::min(watchInterval, m_timing.silence));
     m_thread->start([this, sending = m_uploader, post = m_post] {
-        // What was said before another server was set is of no interest; m_post tells.
+        // A report about a server that was replaced since is dropped: m_post differs then.
         const auto sent = sending->send([&](const SendProgress& progress) {
             if (progress.pending > 0)
                 post->post([this, post, progress] {

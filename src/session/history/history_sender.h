@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the copies on the history server up to date while the program runs: after each poke(), and
-// every half minute, since other programs write too. Beside everything else and in nobody's way:
-// main thread, never waits; what it does happens on a thread of its own, and no servo is written by
-// way of it. A server that is away is asked again after 1 s, 2 s … 60 s; what it missed is sent
-// then, if need be at the next start. The destructor waits for at most a second.
+// Keeps the copies on the history server up to date while the program runs: after each
+// notifyChanged(), and every half minute, since other programs write too. Main thread, never waits;
+// it sends on a thread of its own. A server that cannot be reached is tried again after 1 s, 2 s …
+// 60 s, and at the next start; what it missed is sent then. The destructor waits for a second or
+// less.
 #pragma once
 
 #include "session/detachable_worker.h"
@@ -36,7 +36,8 @@ class HistorySender final : public QObject {
 public:
     struct Timing {
         std::chrono::milliseconds checkInterval = std::chrono::seconds(30);
-        std::chrono::milliseconds debounce = std::chrono::milliseconds(500); ///< after a poke
+        std::chrono::milliseconds debounce =
+            std::chrono::milliseconds(500); ///< after notifyChanged()
         std::chrono::milliseconds firstRetry = std::chrono::seconds(1);
         std::chrono::milliseconds lastRetry = std::chrono::seconds(60);
         std::chrono::milliseconds silence = std::chrono::seconds(120); ///< then it counts as hung
@@ -72,7 +73,7 @@ private:
     std::shared_ptr<GuardedPoster> m_post; ///< of the server that is set now
     std::unique_ptr<DetachableWorker> m_thread;
     bool m_running = false;
-    bool m_sendAgain = false; ///< poked while it ran
+    bool m_sendAgain = false; ///< notifyChanged() while it ran
     std::chrono::milliseconds m_retry{};
     QTimer m_next;
     QTimer m_watch;

@@ -28,7 +28,7 @@ base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServe
 {
     const QString address = choice.address.trimmed();
     if (!choice.isFixedByEnvironment) {
-        const auto parsed = record::ServerAddress::parse(address);
+        const auto parsed = history::ServerAddress::parse(address);
         if (!address.isEmpty() && !parsed)
             return tl::unexpected(parsed.error());
         settings.setPageValue(serverKey, address);
@@ -42,7 +42,7 @@ base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServe
 std::optional<base::Error> removeStoredPassword(Settings& settings)
 {
     const QString stored = settings.pageValue(serverKey, QString()).toString();
-    const auto rest = record::ServerAddress::withoutSecrets(stored);
+    const auto rest = history::ServerAddress::withoutSecrets(stored);
     if (!rest)
         return std::nullopt;
     settings.setPageValue(serverKey, *rest);

@@ -7,8 +7,8 @@
 namespace session {
 namespace {
 using Clock = std::chrono::steady_clock;
-constexpr auto watchInterval = std::chrono::milliseconds(500);
-/// Enough for whoever waits for an answer: hanging up ends that. Only connecting takes longer.
+constexpr auto silenceCheckInterval = std::chrono::milliseconds(500);
+/// Enough for a query: closing the connection ends it. Only connecting takes longer.
 constexpr auto shutdownTimeout = std::chrono::milliseconds(100);
 } // namespace
 
@@ -19,7 +19,7 @@ public:
         : m_address(std::move(address))
     {}
 
-    // --- the loose thread ---
+    // --- the detachable thread ---
     void answer(const Query& query, std::optional<std::int64_t> bench)
     {
         m_askedAt = Clock::now().time_since_epoch().count();
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    base::Result<record::History*> open(std::optional<std::int64_t> bench)
+    base::Result<history::History*> open(std::optional<std::int64_t> bench)
     {
         // A kept connection may have been cut since; this is where it shows.
         if (m_history && !m_server->selectBench(bench))
@@ -70,23 +70,23 @@ private:
 
     base::Result<void> connect()
     {
-        const auto address = record::ServerAddress::parse(m_address);
+        const auto address = history::ServerAddress::parse(m_address);
         if (!address)
             return tl::unexpected(address.error());
-        auto server = std::make_unique<record::HistoryServer>(
-            *address, record::HistoryServer::Purpose::Browse);
+        auto server = std::make_unique<history::HistoryServer>(
+            *address, history::HistoryServer::Purpose::Browse);
         {
             const std::lock_guard lock(m_mutex);
             m_server = server.get();
         }
-        m_history = std::make_unique<record::History>(std::move(server));
+        m_history = std::make_unique<history::History>(std::move(server));
         return m_server->connect();
     }
 
     const QString m_address;
     std::mutex m_mutex;
-    record::HistoryServer* m_server = nullptr; ///< the history's; changed under the mutex
-    std::unique_ptr<record::History> m_history;
+    history::HistoryServer* m_server = nullptr; ///< the history's; changed under the mutex
+    std::unique_ptr<history::History> m_history;
     std::atomic<Clock::rep> m_askedAt{0}; ///< 0: nothing is being asked
 };
 
@@ -97,7 +97,7 @@ HistoryServerSource::HistoryServerSource(const QString& address, std::chrono::mi
         if (m_connection->silence() > timeout)
             m_connection->dropConnection();
     });
-    m_watch.start(std::min(watchInterval, timeout));
+    m_watch.start(std::min(silenceCheckInterval, timeout));
 }
 
 /// The connection goes on the thread that made it.

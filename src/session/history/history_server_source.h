@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The copies on a history server, for session::Archive: reads only, of all benches or one. The
+// The copies on a history server, for HistoryService: reads only, of all benches or one. The
 // connection is made by the first question and kept; after one that failed it is made anew. A
-// server that is silent for longer than `patience` counts as hung; the destructor waits for a
-// tenth of a second at most. Main thread; see session/archive_source.h.
+// server that is silent for longer than `timeout` counts as hung; the destructor waits for a
+// tenth of a second or less. Main thread; see history_source.h.
 #pragma once
 
 #include "history/server/history_server.h"

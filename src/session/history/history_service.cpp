@@ -4,14 +4,14 @@
 #include "session/history/history_watcher.h"
 
 namespace session {
-using record::History;
+using history::History;
 
 namespace {
 base::Result<std::vector<ReferenceResult>> compared(const History& history,
-                                                    const record::SweepRun& run)
+                                                    const results::SweepRun& run)
 {
     std::vector<ReferenceResult> results;
-    for (const record::SweepServo& servo : run.servos) {
+    for (const results::SweepServo& servo : run.servos) {
         const auto reference = history.reference(servo.parameters.servo.model);
         if (!reference)
             return tl::unexpected(reference.error());
@@ -25,11 +25,11 @@ base::Result<std::vector<ReferenceResult>> compared(const History& history,
         const auto other = history.sweep((*reference)->run.number);
         if (!other)
             return tl::unexpected(other.error());
-        const record::SweepServo* held = record::servoOf(*other, (*reference)->servo.id);
+        const results::SweepServo* held = results::servoOf(*other, (*reference)->servo.id);
         if (held)
             results.push_back(
                 {servo.parameters.servo.id, (*reference)->run, (*reference)->servo,
-                 record::compareSweeps({QString(), *other, *held}, {QString(), run, servo})});
+                 results::compareSweeps({QString(), *other, *held}, {QString(), run, servo})});
     }
     return results;
 }
@@ -37,7 +37,7 @@ base::Result<std::vector<ReferenceResult>> compared(const History& history,
 /// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
 class HistoryFileSource final : public HistorySource {
 public:
-    HistoryFileSource(QString path, std::shared_ptr<JobThread> thread)
+    HistoryFileSource(QString path, std::shared_ptr<base::JobThread> thread)
         : m_path(std::move(path))
         , m_thread(std::move(thread))
     {}
@@ -53,7 +53,8 @@ public:
 
 private:
     const QString m_path;
-    const std::shared_ptr<JobThread> m_thread; ///< the archive's: what is kept goes in between
+    const std::shared_ptr<base::JobThread>
+        m_thread; ///< the service's: saving takes its turn between queries
 };
 } // namespace
 
@@ -61,7 +62,7 @@ HistoryService::HistoryService(QString path, QObject* parent)
     : QObject(parent)
     , m_path(std::move(path))
     , m_post(std::make_shared<GuardedPoster>(m_mainQueue))
-    , m_thread(std::make_shared<JobThread>())
+    , m_thread(std::make_shared<base::JobThread>())
     , m_source(std::make_unique<HistoryFileSource>(m_path, m_thread))
     , m_watch(std::make_unique<HistoryWatcher>(m_path, *m_thread, m_post))
 {
@@ -71,7 +72,7 @@ HistoryService::HistoryService(QString path, QObject* parent)
 HistoryService::HistoryService(std::unique_ptr<HistorySource> source, QObject* parent)
     : QObject(parent)
     , m_post(std::make_shared<GuardedPoster>(m_mainQueue))
-    , m_thread(std::make_shared<JobThread>())
+    , m_thread(std::make_shared<base::JobThread>())
     , m_source(std::move(source))
 {}
 
@@ -86,15 +87,15 @@ HistoryService::~HistoryService()
         saveNext();
 }
 
-/// On the archive's thread, and at the very end on the main thread.
-record::SavedRun HistoryService::saveNext()
+/// On the service's thread, and at the very end on the main thread.
+history::SavedRun HistoryService::saveNext()
 {
     SaveJob next;
     {
         const std::lock_guard lock(m_mutex);
         next = m_pending.front();
     }
-    record::SavedRun kept = next(m_path);
+    history::SavedRun kept = next(m_path);
     const std::lock_guard lock(m_mutex);
     m_pending.pop_front();
     return kept;
@@ -125,14 +126,14 @@ void HistoryService::saveLater(SaveJob saveJob, Kind kind)
 void HistoryService::saveRun(SharedRun run, const QStringList& files)
 {
     saveLater([run = std::move(run), files](const QString& path) {
-        return record::saveRun(path, *run, files);
+        return history::saveRun(path, *run, files);
     });
 }
 
 void HistoryService::saveRun(SharedStep run, const QStringList& files)
 {
     saveLater([run = std::move(run), files](const QString& path) {
-        return record::saveRun(path, *run, files);
+        return history::saveRun(path, *run, files);
     });
 }
 
@@ -152,11 +153,11 @@ void HistoryService::change(std::function<base::Result<void>(History&)> action)
     });
 }
 
-void HistoryService::list(const record::RunFilter& filter, QObject* context,
-                          Answer<std::vector<record::TestRun>> answer)
+void HistoryService::list(const history::RunFilter& filter, QObject* context,
+                          Answer<std::vector<history::TestRun>> answer)
 {
-    query<std::vector<record::TestRun>>([filter](History& history) { return history.runs(filter); },
-                                        context, std::move(answer));
+    query<std::vector<history::TestRun>>(
+        [filter](History& history) { return history.runs(filter); }, context, std::move(answer));
 }
 
 void HistoryService::load(std::int64_t number, QObject* context, Answer<SharedRun> answer)
@@ -166,7 +167,7 @@ void HistoryService::load(std::int64_t number, QObject* context, Answer<SharedRu
             auto run = history.sweep(number);
             if (!run)
                 return tl::unexpected(run.error());
-            return std::make_shared<const record::SweepRun>(std::move(*run));
+            return std::make_shared<const results::SweepRun>(std::move(*run));
         },
         context, std::move(answer));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The history for the window: asked on a thread of its own, answered on the main thread; never
-// waits, but that the destructor writes down what keep() was given. Beside Desk, in no need of it.
-// Other programs may change the history at any time; whoever shows a list is its viewer meanwhile
-// and asks again at changed().
-// Answers to a `context` that has gone are dropped.
+// The history for the window: queries run on a thread of its own and are answered on the main
+// thread; never waits, except that the destructor saves what is still to be saved. Other programs
+// may change the history at any time: a page that shows a list is its viewer for that time and
+// queries again at changed(). Answers to a `context` that was destroyed are dropped.
 #pragma once
 
+#include "base/job_thread.h"
 #include "history/history.h"
 #include "history/history_export.h"
 #include "history/history_table.h"
@@ -13,7 +13,7 @@
 #include "results/sweep_compare.h"
 #include "session/detachable_worker.h"
 #include "session/history/history_source.h"
-#include "session/job_thread.h"
+#include "session/history/reported_alarms.h"
 #include "session/main_thread_queue.h"
 #include "session/paths.h"
 
@@ -21,17 +21,17 @@
 
 namespace session {
 class HistoryWatcher;
-using SharedRun = std::shared_ptr<const record::SweepRun>;
-using SharedStep = std::shared_ptr<const record::StepRun>;
-using SharedSnapshot = std::shared_ptr<const record::Snapshot>;
+using SharedRun = std::shared_ptr<const results::SweepRun>;
+using SharedStep = std::shared_ptr<const results::StepRun>;
+using SharedSnapshot = std::shared_ptr<const snapshot::Snapshot>;
 
 /// One servo of a run against the reference of its model.
 struct ReferenceResult {
     int servo = -1;
-    record::TestRun run; ///< the reference's
-    record::TestServo reference;
-    record::SweepComparison comparison; ///< A is the reference
-    bool ignored = false;               ///< the reference did not finish: nothing is compared
+    history::TestRun run; ///< the reference's
+    history::TestServo reference;
+    results::SweepComparison comparison; ///< A is the reference
+    bool ignored = false;                ///< the reference did not finish: nothing is compared
 };
 
 class HistoryService final : public QObject {
@@ -47,57 +47,57 @@ public:
     void saveRun(SharedRun run, const QStringList& files = {});
     void saveRun(SharedStep run, const QStringList& files = {});
 
-    // Kept in order; changed() or failed() follow. An alarm that came twice counts once.
-    void saveAlarm(const base::ServoIdentity& identity, const QString& key, bool derived, bool came,
-                   const QDateTime& at);
-    void saveRecording(const record::HistoryRecording& recording,
+    // Saved in order; changed() or failed() follow.
+    void saveAlarm(const base::ServoIdentity& identity, const AlarmChange& change);
+    void saveRecording(const history::HistoryRecording& recording,
                        const std::vector<base::ServoIdentity>& servos);
-    void saveHistorySnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
+    void saveHistorySnapshot(SharedSnapshot snapshot, history::SnapshotReason reason,
                              const QString& file = {});
 
     template <typename T>
     using Answer = std::function<void(const base::Result<T>&)>;
 
-    void list(const record::RunFilter& filter, QObject* context,
-              Answer<std::vector<record::TestRun>> answer);
+    void list(const history::RunFilter& filter, QObject* context,
+              Answer<std::vector<history::TestRun>> answer);
     void load(std::int64_t number, QObject* context, Answer<SharedRun> answer);
     void loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer);
 
-    /// Any other question or action: run on the archive's thread with the history open.
+    /// Any other query or action: runs on the service's thread with the history open.
     template <typename T>
-    void query(std::function<base::Result<T>(record::History&)> query, QObject* context,
+    void query(std::function<base::Result<T>(history::History&)> query, QObject* context,
                Answer<T> answer);
 
-    // Pages: filter.most rows, filter.after for the next. archive_lists.cpp.
-    void servos(const record::HistoryFilter& filter, QObject* context,
-                Answer<std::vector<record::HistoryServo>> answer);
-    void writes(const record::HistoryFilter& filter, QObject* context,
-                Answer<std::vector<record::HistoryWrite>> answer);
-    void countWrites(const record::HistoryFilter& filter, QObject* context,
+    // Pages: filter.limit rows, filter.after for the next. history_service_lists.cpp.
+    void servos(const history::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<history::HistoryServo>> answer);
+    void writes(const history::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<history::HistoryWrite>> answer);
+    void countWrites(const history::HistoryFilter& filter, QObject* context,
                      Answer<std::int64_t> answer);
     void writtenKeys(std::optional<std::int64_t> servo, QObject* context,
                      Answer<QStringList> answer);
-    void snapshots(const record::HistoryFilter& filter, QObject* context,
-                   Answer<std::vector<record::HistorySnapshot>> answer);
+    void snapshots(const history::HistoryFilter& filter, QObject* context,
+                   Answer<std::vector<history::HistorySnapshot>> answer);
     void loadSnapshot(std::int64_t number, QObject* context, Answer<SharedSnapshot> answer);
     /// The catalog's data is shared; the object may go.
     void tableAt(const catalog::Catalog& catalog, std::int64_t servo, const QDateTime& at,
-                 QObject* context, Answer<record::TableState> answer);
-    void alarms(const record::HistoryFilter& filter, QObject* context,
-                Answer<std::vector<record::HistoryAlarm>> answer);
-    void recordings(const record::HistoryFilter& filter, QObject* context,
-                    Answer<std::vector<record::HistoryRecording>> answer);
+                 QObject* context, Answer<history::TableState> answer);
+    void alarms(const history::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<history::HistoryAlarm>> answer);
+    void recordings(const history::HistoryFilter& filter, QObject* context,
+                    Answer<std::vector<history::HistoryRecording>> answer);
     /// CSV takes one kind, JSON any. Answers the rows written.
-    void exportTo(const QString& path, bool csv, const std::vector<record::HistoryKind>& kinds,
-                  const record::HistoryFilter& filter, QObject* context,
+    void exportTo(const QString& path, bool csv, const std::vector<history::HistoryKind>& kinds,
+                  const history::HistoryFilter& filter, QObject* context,
                   Answer<std::int64_t> answer);
     /// Of the servos whose model has a reference that is not this very run.
     void compareWithReference(SharedRun run, QObject* context,
                               Answer<std::vector<ReferenceResult>> answer);
 
-    // A server's: who sends there; whose history is asked for from now on (nullopt: everybody's);
-    // and by whom rows of "writes", "snapshots" … were sent, number → name. A file answers none.
-    void benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer);
+    // Of a server: the benches that send there; the bench whose history is read from now on
+    // (nullopt: all); and the bench that sent each row of "writes", "snapshots" …, number → name.
+    // A file answers none.
+    void benches(QObject* context, Answer<std::vector<history::HistoryBench>> answer);
     void selectBench(std::optional<std::int64_t> bench) { m_source->selectBench(bench); }
     void benchNames(const QString& table, const std::vector<std::int64_t>& numbers,
                     QObject* context, Answer<QMap<qint64, QString>> answer);
@@ -108,10 +108,8 @@ public:
     void setReference(std::int64_t number, int servo, bool reference);
     void remove(const std::vector<std::int64_t>& numbers);
     void setServoLabel(std::int64_t servo, const QString& label);
-    void anotherServo(std::int64_t servo, const QString& label);
     void setSnapshotNote(std::int64_t number, const QString& label, const QString& note);
     void removeSnapshots(const std::vector<std::int64_t>& numbers);
-    void removeRecordings(const std::vector<std::int64_t>& numbers);
 
     /// While there is a viewer, changed() also follows what other programs and connections write
     /// to the file. A server is not watched.
@@ -128,31 +126,31 @@ Q_SIGNALS:
     void failed(const base::Error& error);
 
 private:
-    /// What is to be kept, whatever happens: answers where it went.
-    using SaveJob = std::function<record::SavedRun(const QString& path)>;
-    /// A run has a number that kept() tells; without room for the rest, failed() follows.
+    /// What must be saved in any case; answers where it was saved.
+    using SaveJob = std::function<history::SavedRun(const QString& path)>;
+    /// The number of a run is in runSaved(); for the others failed() follows an error.
     enum class Kind : std::uint8_t { Run, Other };
     void saveLater(SaveJob saveJob, Kind kind = Kind::Run);
-    void change(std::function<base::Result<void>(record::History&)> action);
-    record::SavedRun saveNext();
+    void change(std::function<base::Result<void>(history::History&)> action);
+    history::SavedRun saveNext();
 
     const QString m_path;
     MainThreadQueue m_mainQueue;
     std::mutex m_mutex;
     std::deque<SaveJob> m_pending; ///< what is to be kept and is not yet
     std::shared_ptr<GuardedPoster> m_post;
-    std::shared_ptr<JobThread> m_thread; ///< shared with the source, where that is the file
+    std::shared_ptr<base::JobThread> m_thread; ///< shared with the source, where that is the file
     std::unique_ptr<HistorySource> m_source;
     std::unique_ptr<HistoryWatcher> m_watch; ///< null over a server
 };
 
 template <typename T>
-void HistoryService::query(std::function<base::Result<T>(record::History&)> query, QObject* context,
-                           Answer<T> answer)
+void HistoryService::query(std::function<base::Result<T>(history::History&)> query,
+                           QObject* context, Answer<T> answer)
 {
     const QPointer<QObject> guard(context);
     m_source->start([post = m_post, query = std::move(query), guard,
-                     answer = std::move(answer)](const base::Result<record::History*>& history) {
+                     answer = std::move(answer)](const base::Result<history::History*>& history) {
         auto result = history ? query(**history) : base::Result<T>(tl::unexpected(history.error()));
         post->post([guard, answer, result = std::move(result)] {
             if (guard)

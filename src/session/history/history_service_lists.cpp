@@ -3,18 +3,18 @@
 #include "session/history/history_service.h"
 
 namespace session {
-using record::History;
-using record::HistoryFilter;
+using history::History;
+using history::HistoryFilter;
 
 namespace {
-record::SavedRun
+history::SavedRun
 outcomeOf(const QString& path,
-          const std::function<base::Result<void>(const record::HistoryLog&)>& action)
+          const std::function<base::Result<void>(const history::HistoryLog&)>& action)
 {
     const auto history = History::open(path);
     const auto done =
         history ? action((*history)->log()) : base::Result<void>(tl::unexpected(history.error()));
-    record::SavedRun kept;
+    history::SavedRun kept;
     if (!done)
         kept.trouble = done.error();
     return kept;
@@ -37,37 +37,35 @@ base::Result<void> withoutValue(const base::Result<T>& result)
 }
 } // namespace
 
-void HistoryService::saveAlarm(const base::ServoIdentity& identity, const QString& key,
-                               bool derived, bool came, const QDateTime& at)
+void HistoryService::saveAlarm(const base::ServoIdentity& identity, const AlarmChange& change)
 {
     saveLater(
         [=](const QString& path) {
-            return outcomeOf(path, [&](const record::HistoryLog& log) {
-                return came ? log.recordAlarmStart(identity, key, derived, at)
-                            : log.recordAlarmEnd(identity, key, at);
+            return outcomeOf(path, [&](const history::HistoryLog& log) {
+                return recordAlarm(log, identity, change);
             });
         },
         Kind::Other);
 }
 
-void HistoryService::saveRecording(const record::HistoryRecording& recording,
+void HistoryService::saveRecording(const history::HistoryRecording& recording,
                                    const std::vector<base::ServoIdentity>& servos)
 {
     saveLater(
         [=](const QString& path) {
-            return outcomeOf(path, [&](const record::HistoryLog& log) {
+            return outcomeOf(path, [&](const history::HistoryLog& log) {
                 return withoutValue(log.addRecording(recording, servos));
             });
         },
         Kind::Other);
 }
 
-void HistoryService::saveHistorySnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
+void HistoryService::saveHistorySnapshot(SharedSnapshot snapshot, history::SnapshotReason reason,
                                          const QString& file)
 {
     saveLater(
         [snapshot = std::move(snapshot), reason, file](const QString& path) {
-            return outcomeOf(path, [&](const record::HistoryLog& log) {
+            return outcomeOf(path, [&](const history::HistoryLog& log) {
                 return withoutValue(log.addSnapshot(*snapshot, reason, file));
             });
         },
@@ -75,17 +73,17 @@ void HistoryService::saveHistorySnapshot(SharedSnapshot snapshot, record::Snapsh
 }
 
 void HistoryService::servos(const HistoryFilter& filter, QObject* context,
-                            Answer<std::vector<record::HistoryServo>> answer)
+                            Answer<std::vector<history::HistoryServo>> answer)
 {
-    query<std::vector<record::HistoryServo>>(
+    query<std::vector<history::HistoryServo>>(
         [filter](History& history) { return history.log().servos(filter); }, context,
         std::move(answer));
 }
 
 void HistoryService::writes(const HistoryFilter& filter, QObject* context,
-                            Answer<std::vector<record::HistoryWrite>> answer)
+                            Answer<std::vector<history::HistoryWrite>> answer)
 {
-    query<std::vector<record::HistoryWrite>>(
+    query<std::vector<history::HistoryWrite>>(
         [filter](History& history) { return history.log().writes(filter); }, context,
         std::move(answer));
 }
@@ -105,9 +103,9 @@ void HistoryService::writtenKeys(std::optional<std::int64_t> servo, QObject* con
 }
 
 void HistoryService::snapshots(const HistoryFilter& filter, QObject* context,
-                               Answer<std::vector<record::HistorySnapshot>> answer)
+                               Answer<std::vector<history::HistorySnapshot>> answer)
 {
-    query<std::vector<record::HistorySnapshot>>(
+    query<std::vector<history::HistorySnapshot>>(
         [filter](History& history) { return history.log().snapshots(filter); }, context,
         std::move(answer));
 }
@@ -120,52 +118,52 @@ void HistoryService::loadSnapshot(std::int64_t number, QObject* context,
             auto snapshot = history.log().snapshot(number);
             if (!snapshot)
                 return tl::unexpected(snapshot.error());
-            return std::make_shared<const record::Snapshot>(std::move(*snapshot));
+            return std::make_shared<const snapshot::Snapshot>(std::move(*snapshot));
         },
         context, std::move(answer));
 }
 
 void HistoryService::tableAt(const catalog::Catalog& catalog, std::int64_t servo,
                              const QDateTime& at, QObject* context,
-                             Answer<record::TableState> answer)
+                             Answer<history::TableState> answer)
 {
     // A copy shares what it was loaded with.
-    query<record::TableState>(
+    query<history::TableState>(
         [models = catalog, servo, at](History& history) {
-            return record::tableAt(history.file(), models, servo, at);
+            return history::tableAt(history.file(), models, servo, at);
         },
         context, std::move(answer));
 }
 
 void HistoryService::alarms(const HistoryFilter& filter, QObject* context,
-                            Answer<std::vector<record::HistoryAlarm>> answer)
+                            Answer<std::vector<history::HistoryAlarm>> answer)
 {
-    query<std::vector<record::HistoryAlarm>>(
+    query<std::vector<history::HistoryAlarm>>(
         [filter](History& history) { return history.log().alarms(filter); }, context,
         std::move(answer));
 }
 
 void HistoryService::recordings(const HistoryFilter& filter, QObject* context,
-                                Answer<std::vector<record::HistoryRecording>> answer)
+                                Answer<std::vector<history::HistoryRecording>> answer)
 {
-    query<std::vector<record::HistoryRecording>>(
+    query<std::vector<history::HistoryRecording>>(
         [filter](History& history) { return history.log().recordings(filter); }, context,
         std::move(answer));
 }
 
 void HistoryService::exportTo(const QString& path, bool csv,
-                              const std::vector<record::HistoryKind>& kinds,
+                              const std::vector<history::HistoryKind>& kinds,
                               const HistoryFilter& filter, QObject* context,
                               Answer<std::int64_t> answer)
 {
     query<std::int64_t>(
         [=](History& history) -> base::Result<std::int64_t> {
             if (!csv)
-                return record::exportHistoryJson(history, kinds, filter, path);
+                return history::exportHistoryJson(history, kinds, filter, path);
             if (kinds.size() != 1)
                 return base::fail(base::ErrorCode::BadArgument, QStringLiteral("export"),
                                   QStringLiteral("CSV takes one kind"));
-            return record::exportHistoryCsv(history, kinds.front(), filter, path);
+            return history::exportHistoryCsv(history, kinds.front(), filter, path);
         },
         context, std::move(answer));
 }
@@ -177,7 +175,7 @@ void HistoryService::loadStep(std::int64_t number, QObject* context, Answer<Shar
             auto run = history.step(number);
             if (!run)
                 return tl::unexpected(run.error());
-            return std::make_shared<const record::StepRun>(std::move(*run));
+            return std::make_shared<const results::StepRun>(std::move(*run));
         },
         context, std::move(answer));
 }
@@ -185,12 +183,6 @@ void HistoryService::loadStep(std::int64_t number, QObject* context, Answer<Shar
 void HistoryService::setServoLabel(std::int64_t servo, const QString& label)
 {
     change([=](History& history) { return history.log().setLabel(servo, label); });
-}
-
-void HistoryService::anotherServo(std::int64_t servo, const QString& label)
-{
-    change(
-        [=](History& history) { return withoutValue(history.log().assignToOther(servo, label)); });
 }
 
 void HistoryService::setSnapshotNote(std::int64_t number, const QString& label, const QString& note)
@@ -202,14 +194,6 @@ void HistoryService::removeSnapshots(const std::vector<std::int64_t>& numbers)
 {
     change([numbers](History& history) {
         return eachOf(numbers, [&](std::int64_t one) { return history.log().removeSnapshot(one); });
-    });
-}
-
-void HistoryService::removeRecordings(const std::vector<std::int64_t>& numbers)
-{
-    change([numbers](History& history) {
-        return eachOf(numbers,
-                      [&](std::int64_t one) { return history.log().removeRecording(one); });
     });
 }
 } // namespace session

@@ -3,12 +3,12 @@
 #include "session/history/history_service.h"
 
 namespace session {
-using record::History;
-using record::HistoryServer;
+using history::History;
+using history::HistoryServer;
 
-void HistoryService::benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer)
+void HistoryService::benches(QObject* context, Answer<std::vector<history::HistoryBench>> answer)
 {
-    using Benches = std::vector<record::HistoryBench>;
+    using Benches = std::vector<history::HistoryBench>;
     query<Benches>(
         [](History& history) -> base::Result<Benches> {
             const auto* server = dynamic_cast<const HistoryServer*>(&history.file());

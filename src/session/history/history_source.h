@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where session::Archive asks: the file of this computer, or the copies on a server. Owned by the
-// archive; main thread, never waits. Questions are answered one after the other on a thread of the
+// Where HistoryService reads: the file of this computer, or the copies on a server. Owned by the
+// service; main thread, never waits. Queries are answered one after the other on a thread of the
 // source's, with an open history or the reason why there is none.
 #pragma once
 
@@ -11,12 +11,12 @@
 namespace session {
 class HistorySource {
 public:
-    using Query = std::function<void(const base::Result<record::History*>&)>;
+    using Query = std::function<void(const base::Result<history::History*>&)>;
 
     virtual ~HistorySource() = default;
-    /// The question may outlive the archive: it owns what it uses.
+    /// The query may outlive the service: it owns what it uses.
     virtual void start(Query query) = 0;
-    /// Whose history the next questions are about; nullopt: everybody's. A file has one.
+    /// The bench whose history the next queries read; nullopt: all. A file has one.
     virtual void selectBench(std::optional<std::int64_t> bench) { (void)bench; }
 };
 } // namespace session

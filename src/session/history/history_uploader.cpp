@@ -19,7 +19,7 @@ std::int64_t steadyMs()
         .count();
 }
 
-/// Tells this file from a copy of it on another machine or in another folder, and tells nobody
+/// Differs for a copy of this file on another machine or in another folder, and does not reveal
 /// which machine it is.
 QString originOf(const QString& bench, const QString& path)
 {
@@ -65,12 +65,12 @@ void HistoryUploader::dropConnection()
 void HistoryUploader::disconnect()
 {
     m_copy.reset();
-    std::unique_ptr<record::HistoryServer> gone;
+    std::unique_ptr<history::HistoryServer> gone;
     const std::lock_guard lock(m_mutex);
     gone.swap(m_server);
 }
 
-base::Result<void> HistoryUploader::connect(const record::HistoryChanges& changes)
+base::Result<void> HistoryUploader::connect(const history::HistoryChanges& changes)
 {
     const auto bench = changes.bench();
     if (!bench)
@@ -80,19 +80,20 @@ base::Result<void> HistoryUploader::connect(const record::HistoryChanges& change
     disconnect();
     if (*bench != m_sentBench)
         m_serverRevision.reset();
-    const auto address = record::ServerAddress::parse(m_address);
+    const auto address = history::ServerAddress::parse(m_address);
     if (!address)
         return tl::unexpected(address.error());
     {
         const std::lock_guard lock(m_mutex);
-        m_server =
-            std::make_unique<record::HistoryServer>(*address, record::HistoryServer::Purpose::Send);
+        m_server = std::make_unique<history::HistoryServer>(*address,
+                                                            history::HistoryServer::Purpose::Send);
     }
     resetSilence();
     if (const auto connected = m_server->connect(); !connected)
         return connected;
-    m_copy = std::make_unique<record::HistoryServerWriter>(
-        *m_server, record::HistoryOrigin{*bench, originOf(*bench, m_path), m_bench, programName()});
+    m_copy = std::make_unique<history::HistoryServerWriter>(
+        *m_server,
+        history::HistoryOrigin{*bench, originOf(*bench, m_path), m_bench, programName()});
     resetSilence();
     const auto reached = m_copy->registerBench();
     if (!reached)
@@ -103,7 +104,7 @@ base::Result<void> HistoryUploader::connect(const record::HistoryChanges& change
 }
 
 base::Result<SendProgress>
-HistoryUploader::sendAll(const record::HistoryChanges& changes,
+HistoryUploader::sendAll(const history::HistoryChanges& changes,
                          const std::function<void(const SendProgress&)>& progress)
 {
     SendProgress done;
@@ -132,7 +133,7 @@ HistoryUploader::sendAll(const record::HistoryChanges& changes,
 }
 
 base::Result<SendProgress>
-HistoryUploader::sendOver(const record::HistoryChanges& changes,
+HistoryUploader::sendOver(const history::HistoryChanges& changes,
                           const std::function<void(const SendProgress&)>& progress)
 {
     if (const auto connected = connect(changes); !connected)
@@ -153,13 +154,13 @@ base::Result<SendProgress>
 HistoryUploader::send(const std::function<void(const SendProgress&)>& progress)
 {
     m_waiting = 0;
-    const auto history = record::History::open(m_path);
+    const auto history = history::History::open(m_path);
     if (!history)
         return tl::unexpected(history.error());
-    const record::HistoryChanges changes((*history)->file());
+    const history::HistoryChanges changes((*history)->file());
     const bool kept = m_copy != nullptr;
     auto sent = sendOver(changes, progress);
-    // A connection that was idle may have been cut by whatever lies between.
+    // A connection that was idle may have been cut by a router.
     if (!sent && kept && sent.error().code == base::ErrorCode::LinkLost && !m_aborted) {
         disconnect();
         sent = sendOver(changes, progress);

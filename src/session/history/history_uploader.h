@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sends what the server has not got yet of this bench's history, over a connection that is kept
 // while all goes well. send() on one thread, which it may keep waiting for as long as the server
-// does; abort() and idle() from any. Reads the local file like any other program: nobody who writes
-// there waits for it. Errors of record/history_server.h and record/history_file.h; an error means
-// that what was not sent is sent next time.
+// does; abort(), silenceTime() and dropConnection() from any. Reads the local file like any other
+// program: writers do not wait for it. Errors of history/server/history_server.h and
+// history/history_file.h; an error means that what was not sent is sent next time.
 #pragma once
 
 #include "history/server/history_server_writer.h"
@@ -26,8 +26,8 @@ public:
     /// Connects with nothing to send as well: an empty history proves nothing about the server.
     base::Result<SendProgress> send(const std::function<void(const SendProgress&)>& progress = {});
 
-    /// Rows the server has not got, when send() looked last; nullopt: nobody has asked the server
-    /// yet. The thread of send().
+    /// Rows the server lacked when send() checked last; nullopt: not known yet. The thread of
+    /// send().
     std::optional<std::int64_t> pendingRows() const { return m_waiting; }
 
     /// The thread of send(), as the last thing it does here.
@@ -35,25 +35,24 @@ public:
 
     /// send() ends soon, with an error, unless it is just connecting: that takes its seconds.
     void abort();
-    bool isAborted() const { return m_aborted; }
     /// How long the server has kept send() waiting for one answer.
     std::chrono::milliseconds silenceTime() const;
     /// Ends this wait, as if the connection had broken.
     void dropConnection();
 
 private:
-    base::Result<void> connect(const record::HistoryChanges& changes);
-    base::Result<SendProgress> sendOver(const record::HistoryChanges& changes,
+    base::Result<void> connect(const history::HistoryChanges& changes);
+    base::Result<SendProgress> sendOver(const history::HistoryChanges& changes,
                                         const std::function<void(const SendProgress&)>& progress);
-    base::Result<SendProgress> sendAll(const record::HistoryChanges& changes,
+    base::Result<SendProgress> sendAll(const history::HistoryChanges& changes,
                                        const std::function<void(const SendProgress&)>& progress);
     void resetSilence();
 
     const QString m_path;
     const QString m_address;
     const QString m_bench;
-    std::unique_ptr<record::HistoryServer> m_server; ///< changed under the mutex
-    std::unique_ptr<record::HistoryServerWriter> m_copy;
+    std::unique_ptr<history::HistoryServer> m_server; ///< changed under the mutex
+    std::unique_ptr<history::HistoryServerWriter> m_copy;
     QString m_sentBench;                          ///< the file that m_reached is about
     std::optional<std::int64_t> m_serverRevision; ///< the revision the server had last
     std::optional<std::int64_t> m_waiting;

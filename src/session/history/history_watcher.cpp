@@ -10,11 +10,11 @@ namespace {
 constexpr auto checkInterval = std::chrono::seconds(1);
 }
 
-HistoryWatcher::HistoryWatcher(const QString& path, JobThread& thread,
+HistoryWatcher::HistoryWatcher(const QString& path, base::JobThread& thread,
                                std::shared_ptr<GuardedPoster> post)
     : m_thread(thread)
     , m_post(std::move(post))
-    , m_detector(std::make_shared<record::HistoryChangeDetector>(path))
+    , m_detector(std::make_shared<history::HistoryChangeDetector>(path))
 {
     m_timer.setInterval(checkInterval);
     connect(&m_timer, &QTimer::timeout, this, &HistoryWatcher::ask);
@@ -39,7 +39,8 @@ void HistoryWatcher::setWatched(QObject* viewer, bool viewed)
     connect(viewer, &QObject::destroyed, this, [this, viewer] { setWatched(viewer, false); });
     if (m_viewers.size() == 1) {
         m_timer.start();
-        ask();
+        // The state the viewer is about to read, also while an earlier question has no answer yet.
+        m_thread.start([detector = m_detector] { detector->hasChanged(); });
     }
 }
 

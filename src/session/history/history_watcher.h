@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices what other connections and programs write to the history, while a page shows it. Asks
-// once a second on the thread of session::Archive, which owns it. Main thread, never waits.
+// Notices what other connections and programs write to the history, while a page shows it. Checks
+// once a second on the thread of HistoryService, which owns it. Main thread, never waits.
 #pragma once
 
+#include "base/job_thread.h"
 #include "session/detachable_worker.h"
-#include "session/job_thread.h"
 
 #include <QTimer>
 
 #include <set>
 
-namespace record {
+namespace history {
 class HistoryChangeDetector;
 }
 
@@ -20,10 +20,11 @@ class HistoryWatcher final : public QObject {
 
 public:
     /// The thread must outlive it; a viewer may not.
-    HistoryWatcher(const QString& path, JobThread& thread, std::shared_ptr<GuardedPoster> post);
+    HistoryWatcher(const QString& path, base::JobThread& thread,
+                   std::shared_ptr<GuardedPoster> post);
     ~HistoryWatcher() override;
 
-    /// Nothing is asked without a viewer. What was written before the first one came is not told:
+    /// Nothing is checked without a viewer. What was written before the first one is not reported:
     /// a viewer reads the history when it comes.
     void setWatched(QObject* viewer, bool viewed);
 
@@ -33,9 +34,9 @@ Q_SIGNALS:
 private:
     void ask();
 
-    JobThread& m_thread;
+    base::JobThread& m_thread;
     const std::shared_ptr<GuardedPoster> m_post;
-    const std::shared_ptr<record::HistoryChangeDetector> m_detector; ///< used on that thread
+    const std::shared_ptr<history::HistoryChangeDetector> m_detector; ///< used on that thread
     std::set<const QObject*> m_viewers;
     QTimer m_timer;
     bool m_asking = false;

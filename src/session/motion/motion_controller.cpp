@@ -10,7 +10,7 @@ using base::ErrorCode;
 using device::MoveMethod;
 
 namespace {
-/// So often at least a drag looks whether another program has changed the settings.
+/// Interval at which a drag checks whether another program has changed the settings.
 constexpr base::Duration maxDragSettingsAge = std::chrono::milliseconds(900);
 
 /// The user has stopped it, and knows. Asking for more after a stop is answered ("torque-first").
@@ -32,7 +32,7 @@ QString goalText(const device::Servo& servo, const device::MovePlan& plan)
 }
 } // namespace
 
-/// One wish on its way to the wire.
+/// One request on its way to the wire.
 struct MotionController::PendingMove {
     MoveRequest request;
     std::vector<ServoRef> servos;
@@ -40,17 +40,19 @@ struct MotionController::PendingMove {
     bool marked = true;                                   ///< of a drag only the first
 };
 
-MotionController::MotionController(Desk& desk, QObject* parent)
+MotionController::MotionController(Workbench& workbench, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
 {
-    connect(&desk, &Desk::eventOccurred, this, &MotionController::handleDeskEvent);
-    connect(&desk, &Desk::servoRemoved, this, &MotionController::removeMissing);
-    connect(&desk, &Desk::servosCleared, this, &MotionController::removeMissing);
-    connect(&desk, &Desk::linkChanged, this, [this] {
-        if (m_desk.state() == LinkState::Open)
+    connect(&workbench, &Workbench::eventOccurred, this, &MotionController::handleEvent);
+    connect(&workbench.registry(), &ServoRegistry::servoRemoved, this,
+            &MotionController::removeMissing);
+    connect(&workbench.registry(), &ServoRegistry::servosCleared, this,
+            &MotionController::removeMissing);
+    connect(&workbench.link(), &LinkController::linkChanged, this, [this] {
+        if (m_workbench.link().state() == LinkState::Open)
             return;
-        // Whoever opens the port again finds servos that may have been switched off meanwhile.
+        // When the port is opened again the servos may have been switched off in between.
         m_next.reset();
         m_lastStep.reset();
         m_held.clear();
@@ -59,7 +61,7 @@ MotionController::MotionController(Desk& desk, QObject* parent)
     });
 }
 
-void MotionController::handleDeskEvent(const Event& event)
+void MotionController::handleEvent(const Event& event)
 {
     if (event.kind == Event::Kind::StopVerified) { // these have forgotten what they held
         for (const ServoRef ref : event.stop.off) {
@@ -80,17 +82,20 @@ void MotionController::handleDeskEvent(const Event& event)
 bool MotionController::isStopped() const
 {
     return std::any_of(m_servos.begin(), m_servos.end(), [this](ServoRef ref) {
-        const ServoEntry* known = m_desk.servo(ref);
+        const ServoEntry* known = m_workbench.registry().servo(ref);
         return known != nullptr && known->stopped;
     });
 }
 
 void MotionController::removeMissing()
 {
-    const auto gone = [this](const auto& item) { return m_desk.servo(item.first) == nullptr; };
+    const auto gone = [this](const auto& item) {
+        return m_workbench.registry().servo(item.first) == nullptr;
+    };
     std::erase_if(m_held, gone);
     std::erase_if(m_totalSteps, gone);
-    std::erase_if(m_servos, [this](ServoRef ref) { return m_desk.servo(ref) == nullptr; });
+    std::erase_if(m_servos,
+                  [this](ServoRef ref) { return m_workbench.registry().servo(ref) == nullptr; });
     if (m_servos.empty())
         m_next.reset();
     Q_EMIT changed();
@@ -146,7 +151,7 @@ void MotionController::send(const MoveRequest& request)
     const bool inDrag = request.dragged && std::exchange(m_dragging, request.dragged);
     MoveJob job{request, inDrag ? maxDragSettingsAge : base::Duration::zero(), {}};
     for (const ServoRef ref : m_servos) {
-        const ServoEntry* known = m_desk.servo(ref);
+        const ServoEntry* known = m_workbench.registry().servo(ref);
         const catalog::Mode* mode =
             known != nullptr && known->servo.profile ? known->servo.mode() : nullptr;
         job.expected.push_back({mode != nullptr ? mode->key : QString(), totalSteps(ref)});
@@ -192,15 +197,16 @@ void MotionController::moveEnded(const PendingMove& sending, const TaskCompletio
 
 void MotionController::markMove(ServoRef ref, const device::MovePlan& plan, bool dragged)
 {
-    if (const ServoEntry* known = m_desk.servo(ref))
-        m_desk.markMove(ref, goalText(known->servo, plan), dragged);
+    if (const ServoEntry* known = m_workbench.registry().servo(ref))
+        m_workbench.polling().markMove(ref, goalText(known->servo, plan), dragged);
 }
 
 /// Execute offers what may wait in its servo, and nothing else.
 void MotionController::noteHeld(const std::vector<ServoRef>& servos,
                                 const std::vector<device::MovePlan>& plans)
 {
-    for (std::size_t i = 0; i < plans.size() && m_desk.state() == LinkState::Open; ++i) {
+    for (std::size_t i = 0; i < plans.size() && m_workbench.link().state() == LinkState::Open;
+         ++i) {
         if (plans[i].held.value_or(false))
             m_held[servos[i]] = plans[i];
         else if (plans[i].held)
@@ -322,11 +328,11 @@ void MotionController::previewMode(const QString& mode)
     });
 }
 
-/// By the desk's own safe write: recorded, shown in the table, and taken back by undo.
+/// By the workbench's own safe write: recorded, shown in the table, and taken back by undo.
 void MotionController::setTorqueLimit(std::int64_t raw)
 {
     for (const ServoRef ref : m_servos) {
-        const ServoEntry* known = m_desk.servo(ref);
+        const ServoEntry* known = m_workbench.registry().servo(ref);
         if (known == nullptr || !known->servo.profile)
             continue;
         const device::TorqueLimit limit = device::torqueLimit(*known->servo.profile);
@@ -335,7 +341,7 @@ void MotionController::setTorqueLimit(std::int64_t raw)
         WriteRequest moveOrder;
         moveOrder.items.push_back({limit.reg->key, raw});
         moveOrder.temporary = limit.temporary;
-        m_desk.write(ref, moveOrder);
+        m_workbench.writes().write(ref, moveOrder);
     }
 }
 
@@ -352,11 +358,11 @@ void MotionController::perform(const std::vector<ServoRef>& servos, Task task,
         Q_EMIT changed();
     };
     ++m_running;
-    m_desk.perform(servos.front(), std::move(task));
+    m_workbench.tasks().perform(servos.front(), std::move(task));
     Q_EMIT changed();
 }
 
-/// In a drag the same notice is told once.
+/// In a drag the same notice is shown once.
 void MotionController::reportCompletion(const TaskCompletion& end)
 {
     device::Notices newNotices;

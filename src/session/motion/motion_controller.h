@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drives the servos that were chosen: goals, torque, modes, the torque limit. Beside Desk, on the
-// main thread, never waits. While a goal is on its way to the wire the next one waits here, and a
-// newer one takes its place: a drag never queues up. Nothing is sent that was not asked for; what
+// Drives the servos that were chosen: goals, torque, modes, the torque limit. Beside Workbench, on
+// the main thread, never waits. While a goal is on its way to the wire the next one waits here, and
+// a newer one takes its place: a drag never queues up. Nothing is sent that was not asked for; what
 // is out of the limits is refused with the reason (failed). After an emergency stop everything but
-// torque is refused until torque is switched on again; Desk sees to that.
+// torque is refused until torque is switched on again; Workbench sees to that.
 #pragma once
 
 #include "device/motion/mode.h"
 #include "device/motion/motion.h"
 #include "device/motion/move_limits.h"
-#include "session/desk.h"
+#include "session/workbench.h"
 
 namespace session {
 /// As device::MoveCommand, for each of the chosen servos; a field a servo's family or mode has not
@@ -30,7 +30,7 @@ class MotionController final : public QObject {
     Q_OBJECT
 
 public:
-    explicit MotionController(Desk& desk, QObject* parent = nullptr);
+    explicit MotionController(Workbench& workbench, QObject* parent = nullptr);
 
     /// The first is the one whose limits and mode the page shows. Forgets a goal that waits here.
     void setServos(const std::vector<ServoRef>& servos);
@@ -76,7 +76,7 @@ Q_SIGNALS:
 private:
     struct PendingMove;
 
-    void handleDeskEvent(const Event& event);
+    void handleEvent(const Event& event);
     void removeMissing();
     void send(const MoveRequest& request);
     void markMove(ServoRef ref, const device::MovePlan& plan, bool dragged = false);
@@ -87,7 +87,7 @@ private:
                  std::function<void(const TaskCompletion&)> done);
     void reportCompletion(const TaskCompletion& end);
 
-    Desk& m_desk;
+    Workbench& m_workbench;
     std::vector<ServoRef> m_servos;
     std::optional<MoveRequest> m_next;
     std::optional<MoveRequest> m_lastStep;
@@ -96,7 +96,7 @@ private:
 
     bool m_dragging = false;
     bool m_dragFailed = false;
-    device::Notices m_dragNotices; ///< told in this drag
+    device::Notices m_dragNotices; ///< shown in this drag
 
     std::map<ServoRef, device::MovePlan> m_held; ///< their servo pointers are null
     std::map<ServoRef, std::int64_t> m_totalSteps;

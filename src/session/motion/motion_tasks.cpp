@@ -82,7 +82,7 @@ base::Result<void> forAll(TaskContext& context, Action&& action)
         auto done = action(*servo, index++);
         if (!done && all)
             all = done;
-        // The user's stop and a lost link are everybody's.
+        // The user's stop and a lost link end it for all servos.
         if (!done &&
             (done.error().code == ErrorCode::Preempted || done.error().code == ErrorCode::Stopped ||
              done.error().code == ErrorCode::LinkLost))

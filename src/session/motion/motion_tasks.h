@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Drive has done on the job thread. Each function serves the task's own servo and its others,
-// in their order. Internal to Drive; errors are those of device/motion.h and device/writer.h.
+// What MotionController executes on the job thread. Each function serves the task's own servo and
+// its others, in their order. Internal to MotionController; errors are those of device/motion.h and
+// device/writer.h.
 #pragma once
 
 #include "session/motion/motion_controller.h"
 
 namespace session {
-/// A wish, and what the servos were like when it was made.
+/// A request, and the state of the servos when it was made.
 struct MoveJob {
     struct Expected {
         QString mode; ///< empty: not known

@@ -17,7 +17,7 @@ QString bitName(const device::Servo& servo, int bit)
                 return value.key;
         }
     }
-    return QStringLiteral("bit-%1").arg(bit);
+    return QStringLiteral("bit%1").arg(bit);
 }
 } // namespace
 
@@ -37,7 +37,7 @@ std::vector<ActiveAlarm> activeAlarms(const device::Servo& servo)
 }
 
 std::vector<AlarmLatch::Change> AlarmLatch::update(const std::vector<ActiveAlarm>& now,
-                                                   base::Duration at)
+                                                   base::Duration at, const QDateTime& seen)
 {
     std::vector<Change> changes;
     for (Alarm& alarm : m_alarms) {
@@ -48,6 +48,7 @@ std::vector<AlarmLatch::Change> AlarmLatch::update(const std::vector<ActiveAlarm
             changes.push_back({alarm.what, true});
             ++alarm.count;
             alarm.latestAt = at;
+            alarm.latestSeen = seen;
         }
         alarm.active = still;
     }
@@ -56,7 +57,7 @@ std::vector<AlarmLatch::Change> AlarmLatch::update(const std::vector<ActiveAlarm
                                        [&](const Alarm& alarm) { return alarm.what == one; });
         if (known)
             continue;
-        m_alarms.push_back({one, true, QDateTime::currentDateTime(), at, at, 1});
+        m_alarms.push_back({one, true, seen, seen, at, at, 1});
         changes.push_back({one, true});
     }
     std::erase_if(m_alarms, [](const Alarm& alarm) { return alarm.acknowledged && !alarm.active; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells a servo that has gone silent from a reading that was lost: four lost in a row, or lost ones
+// Distinguishes a servo that went silent from a lost reading: four lost in a row, or lost ones
 // over more than a quarter of a second. Part of a ServoEntry; main thread; bus-clock instants.
 #pragma once
 

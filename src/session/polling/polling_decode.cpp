@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What PollingService makes of the samples that have come.
-#include "device/alarms.h"
+// How PollingService processes the samples.
 #include "session/polling/polling_service.h"
 
 #include <algorithm>
@@ -8,17 +7,15 @@
 namespace session {
 using base::Duration;
 using catalog::Role;
-using record::MarkKind;
+using recording::MarkKind;
 
 namespace {
-/// A round whose other blocks stay out for so long (the servo is held by a job) is given up.
-constexpr Duration maxRoundDuration = std::chrono::seconds(1);
 constexpr double degreesPerSecondPerRpm = 6;
 
-/// As the servo measures it.
+/// As measured by the servo.
 std::optional<double> speedIn(const Reading& reading, const device::Servo& servo)
 {
-    for (const ReadValue& value : reading.values) {
+    for (const jobs::PollValue& value : reading.values) {
         if (value.reg->role == Role::PresentSpeed &&
             servo.meaning(*value.reg).unit == QLatin1StringView("rpm"))
             return value.physical * degreesPerSecondPerRpm;
@@ -27,9 +24,9 @@ std::optional<double> speedIn(const Reading& reading, const device::Servo& servo
 }
 } // namespace
 
-std::vector<record::Mark> latchAlarms(ServoEntry& entry, Duration at)
+std::vector<recording::Mark> latchAlarms(ServoEntry& entry, Duration at)
 {
-    std::vector<record::Mark> marks;
+    std::vector<recording::Mark> marks;
     for (const AlarmLatch::Change& change : entry.alarms.update(activeAlarms(entry.servo), at)) {
         QString text = change.what.key;
         if (change.what.derived)
@@ -41,7 +38,7 @@ std::vector<record::Mark> latchAlarms(ServoEntry& entry, Duration at)
 }
 
 namespace {
-/// The polled table shows who answers.
+/// The polled table shows which model answers.
 bool isDifferentModel(const catalog::Profile& profile, const bus::Sample& sample)
 {
     constexpr std::size_t head = 5; // firmware, byte order, model
@@ -56,18 +53,11 @@ bool isDifferentModel(const catalog::Profile& profile, const bus::Sample& sample
 }
 } // namespace
 
-/// What phase and mode make of the registers may have changed since the batch before.
-void PollingService::updateMeanings(Source& source, const ServoEntry& entry)
-{
-    for (Field& field : source.fields)
-        field.meaning = entry.servo.meaning(*field.reg);
-}
-
 ReadingBatch PollingService::takeBatch(bus::Bus& bus, const EntryLookup& entryLookup)
 {
     m_batch = {};
     m_takenAt = bus.clock().now();
-    // Whoever has been taken to another rate could not answer.
+    // At another baud rate the servo could not answer.
     const bool here = bus.baud() == m_baud;
     std::map<Source*, ServoEntry*> entries;
     for (std::size_t poll = 0; poll < m_polls.size(); ++poll) {
@@ -84,8 +74,10 @@ ReadingBatch PollingService::takeBatch(bus::Bus& bus, const EntryLookup& entryLo
                 const bool same = known != nullptr && known->servo.id == sample.id &&
                                   known->servo.profile == source.target.profile;
                 it->second = same ? known : nullptr;
-                if (same)
-                    updateMeanings(source, *known);
+                for (PollState& state : source.polls) {
+                    if (same)
+                        state.reader.updateMeanings(known->servo);
+                }
             }
             if (it->second != nullptr)
                 takeSample(source, poll, *it->second, sample);
@@ -95,7 +87,7 @@ ReadingBatch PollingService::takeBatch(bus::Bus& bus, const EntryLookup& entryLo
         if (entry == nullptr)
             continue;
         finishBatch(*source, *entry);
-        // Another servo may stand in its place when it is heard again.
+        // Another servo may be in its place when it answers again.
         if (m_batch.changed.count(entry->ref) > 0)
             bus.verifiedIds().remove(entry->servo.protocol, entry->servo.id, m_baud);
     }
@@ -109,58 +101,21 @@ ReadingBatch PollingService::takeBatch(bus::Bus& bus, const EntryLookup& entryLo
 void PollingService::takeSample(Source& source, std::size_t poll, ServoEntry& entry,
                                 const bus::Sample& sample)
 {
-    Round& round = source.rounds[poll];
-    const std::size_t block = jobs::blockIndex(sample, spansOf(source, poll));
-    if (round.cut.startsNewRound(block) ||
-        (round.cut.open() && round.reading.at < sample.at - maxRoundDuration))
-        finishRound(source, poll, entry);
-    round.answered[block] = sample.answered;
-    Reading& reading = round.reading;
-    reading.at = sample.at;
+    PollState& state = source.polls[poll];
+    if (auto unfinished = state.reader.takeUnfinishedBefore(sample))
+        takeReading(source.target, entry, std::move(*unfinished));
+    state.answered[state.reader.blockIndex(sample)] = sample.answered;
     if (sample.answered && isDifferentModel(*source.target.profile, sample))
         entry.silent = true;
-    if (sample.answered && entry.silent) {
-        reading.answered = true; // by whom is not known yet
-    } else if (sample.answered) {
-        device::Servo& servo = entry.servo;
-        servo.image.store(sample.address, sample.data, sample.at);
-        if (servo.repliesCarryStatus())
-            reading.status = sample.status;
-        else
-            device::updateStatus(servo, sample.address, static_cast<int>(sample.data.size()));
-        reading.answered = true;
-        decode(source, reading, sample);
-    } else {
-        reading.error = sample.error;
-    }
-    if (round.cut.take(block, sample))
-        finishRound(source, poll, entry);
+    // After a silence it is not known yet which servo answers.
+    if (auto reading = state.reader.add(sample, entry.silent ? nullptr : &entry.servo))
+        takeReading(source.target, entry, std::move(*reading));
 }
 
-void PollingService::decode(const Source& source, Reading& into, const bus::Sample& sample)
+void PollingService::takeReading(const PollTarget& target, ServoEntry& entry,
+                                 jobs::PollReading polled)
 {
-    const base::ByteView data(sample.data);
-    for (const Field& field : source.fields) {
-        const int offset = field.reg->offset - sample.address;
-        if (offset < 0 || offset + field.reg->size > static_cast<int>(data.size()))
-            continue;
-        const auto wire = data.subspan(static_cast<std::size_t>(offset),
-                                       static_cast<std::size_t>(field.reg->size));
-        const std::int64_t raw =
-            catalog::decodeRaw(wire, *field.reg, field.meaning, source.target.profile->byteOrder);
-        into.values.push_back({field.reg, raw, catalog::toPhysical(raw, field.meaning)});
-    }
-}
-
-void PollingService::finishRound(Source& source, std::size_t poll, ServoEntry& entry)
-{
-    Round& round = source.rounds[poll];
-    round.cut.reset();
-    Reading reading = std::exchange(round.reading, Reading{});
-    reading.values.reserve(source.fields.size());
-    round.reading.values.reserve(source.fields.size());
-    reading.servo = source.target.ref;
-    reading.profile = source.target.profile;
+    Reading reading{std::move(polled), target.ref, target.profile};
     if (!entry.servo.repliesCarryStatus() || !reading.answered)
         reading.status = entry.servo.status;
     updateState(entry, reading);
@@ -171,7 +126,7 @@ void PollingService::finishRound(Source& source, std::size_t poll, ServoEntry& e
     m_batch.readings.push_back(std::move(reading));
 }
 
-/// What a reading tells beside its numbers.
+/// Presence, alarms and turns that follow from a reading.
 void PollingService::updateState(ServoEntry& entry, const Reading& reading)
 {
     if (reading.answered && !entry.silent)
@@ -206,21 +161,21 @@ void PollingService::updateState(ServoEntry& entry, const Reading& reading)
         if (statusChanged || !marks.empty())
             m_batch.changed.insert(entry.ref);
     }
-    for (const ReadValue& value : reading.values) {
+    for (const jobs::PollValue& value : reading.values) {
         if (value.reg->role == Role::PresentPosition)
             entry.turns.reading(value.raw, speedIn(reading, entry.servo), reading.at);
     }
 }
 
-/// Once a servo and batch, however many readings there were.
+/// Once per servo and batch.
 void PollingService::finishBatch(Source& source, ServoEntry& entry)
 {
     entry.firstImage.mergeMissing(entry.servo.image);
     entry.turns.on(device::turnBasis(entry.servo));
     const auto& registers = source.target.profile->registers;
-    for (std::size_t poll = 0; poll < source.rounds.size(); ++poll) {
-        const auto& spans = spansOf(source, poll);
-        for (const auto& [block, answered] : std::exchange(source.rounds[poll].answered, {})) {
+    for (PollState& state : source.polls) {
+        const auto& spans = state.reader.spans();
+        for (const auto& [block, answered] : std::exchange(state.answered, {})) {
             if (block >= spans.size() || (answered && entry.unreadable.empty()))
                 continue;
             const bus::PollSpan& span = spans[block];

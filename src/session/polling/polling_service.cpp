@@ -100,8 +100,8 @@ void PollingService::startPolls(bus::Bus& bus, const std::vector<const ServoEntr
         if (rateHistory.answered.empty() && rateHistory.missed.empty())
             rateHistory.since = bus.clock().now();
         Source& source = m_sources[{target.protocol, target.id}];
-        for (const catalog::Register* reg : target.registers)
-            source.fields.push_back({reg, {}});
+        source.polls[0].reader = jobs::PollReader(target.registers, target.primary);
+        source.polls[1].reader = jobs::PollReader(target.registers, target.secondary);
         source.target = std::move(target);
     }
     if (!plan.primary.servos.empty())
@@ -126,11 +126,6 @@ void PollingService::endPolls(bus::Bus* bus)
     }
     m_sources.clear();
     m_polledServos.clear();
-}
-
-const std::vector<bus::PollSpan>& PollingService::spansOf(const Source& source, std::size_t poll)
-{
-    return poll == 0 ? source.target.primary : source.target.secondary;
 }
 
 void PollingService::count(const Reading& reading)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wishes of everybody who watches, the polls that serve them, and what comes back: decoded,
-// merged into the list, with what it tells of alarms, silence and turns. Owned by Desk; main
-// thread, never waits.
+// The subscriptions, the polls that serve them, and the readings: decoded, merged into the list,
+// with the alarms, silences and turns that follow from them. Owned by Workbench; main thread, never
+// waits.
 #pragma once
 
 #include "bus/bus.h"
-#include "jobs/watch/poll_spans.h"
 #include "recording/trigger.h"
 #include "session/polling/subscription_plan.h"
 
@@ -16,7 +15,7 @@ namespace session {
 /// What has come since the batch before, in time order.
 struct ReadingBatch {
     std::vector<Reading> readings;
-    std::vector<record::Mark> marks;
+    std::vector<recording::Mark> marks;
     std::set<ServoRef> updated; ///< their numbers are new
     std::set<ServoRef> changed; ///< alarms, silence
 };
@@ -24,13 +23,13 @@ struct ReadingBatch {
 class PollingService {
 public:
     void subscribe(const QString& user, const Subscription& subscription); ///< no parts: ends it
-    void limitRate(base::Duration period); ///< no more often than this; 0: as was wished
+    void limitRate(base::Duration period); ///< no more often than this; 0: as subscribed
     void removeServo(ServoRef ref);
     void removeAllServos();
     bool isRunning() const { return m_polls[0] != 0; }
 
-    /// True when the polls must change: other wishes, other servos `present` (those that may be
-    /// asked now), another ID, map or rate.
+    /// True when the polls must change: other subscriptions, other servos `present` (those that may
+    /// be asked now), another ID, map or rate.
     bool isOutdated(const std::vector<const ServoEntry*>& present, int baud) const;
     /// Ends what ran; take() before.
     void startPolls(bus::Bus& bus, const std::vector<const ServoEntry*>& present);
@@ -42,19 +41,13 @@ public:
     PollRate rate(ServoRef ref) const;
 
 private:
-    struct Field {
-        const catalog::Register* reg = nullptr;
-        catalog::ValueFormat meaning;
-    };
-    struct Round { ///< of one of the two polls
-        jobs::PollRoundTracker cut;
-        Reading reading;
+    struct PollState { ///< of one of the two polls
+        jobs::PollReader reader;
         std::map<std::size_t, bool> answered; ///< latest outcome by block, in this batch
     };
     struct Source {
         PollTarget target;
-        std::vector<Field> fields;
-        std::array<Round, 2> rounds;
+        std::array<PollState, 2> polls;
     };
     struct RateHistory {
         std::deque<base::Duration> answered; ///< of the last second
@@ -76,11 +69,8 @@ private:
     void endPolls(bus::Bus* bus);
     bool isSubscribed(ServoRef ref) const;
     std::vector<PolledServo> polledServosOf(const std::vector<const ServoEntry*>& present) const;
-    static const std::vector<bus::PollSpan>& spansOf(const Source& source, std::size_t poll);
-    void updateMeanings(Source& source, const ServoEntry& entry);
     void takeSample(Source& source, std::size_t poll, ServoEntry& entry, const bus::Sample& sample);
-    static void decode(const Source& source, Reading& into, const bus::Sample& sample);
-    void finishRound(Source& source, std::size_t poll, ServoEntry& entry);
+    void takeReading(const PollTarget& target, ServoEntry& entry, jobs::PollReading polled);
     void updateState(ServoEntry& entry, const Reading& reading);
     void finishBatch(Source& source, ServoEntry& entry);
     void count(const Reading& reading);
@@ -97,6 +87,6 @@ private:
     base::Duration m_takenAt{};
 };
 
-/// Latches what the servo's status and measurements say now, and tells the changes as marks.
-std::vector<record::Mark> latchAlarms(ServoEntry& entry, base::Duration at);
+/// Latches the alarms in the servo's status and measurements, and returns the changes as marks.
+std::vector<recording::Mark> latchAlarms(ServoEntry& entry, base::Duration at);
 } // namespace session

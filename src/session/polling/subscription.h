@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read regularly, and what has come of it. Pages and recordings each say their wish; one
-// poll plan on the bus thread covers them all: one block read a servo, or one sync read for all
-// that can. Desk owns the plan and merges every reading into its list. Values; main thread.
+// What is read regularly, and the readings. Pages and recordings subscribe; one poll plan on the
+// bus thread covers all subscriptions: one block read per servo, or one sync read for all servos
+// that support it. Workbench owns the plan and merges every reading into its list. Values; main
+// thread.
 #pragma once
 
-#include "catalog/value.h"
-#include "session/servo_entry.h"
+#include "jobs/watch/poll_reader.h"
+#include "session/servos/servo_entry.h"
 
 #include <QStringList>
 
@@ -20,24 +21,13 @@ struct SubscriptionItem {
 
 struct Subscription {
     std::vector<SubscriptionItem> parts;
-    base::Duration period{}; ///< 0: as fast as the wire allows; the shortest of all wishes counts
+    base::Duration period{}; ///< 0: as fast as the wire allows; the shortest of all counts
 };
 
-struct ReadValue {
-    const catalog::Register* reg = nullptr; ///< of the profile in `Reading`
-    std::int64_t raw = 0;
-    double physical = 0; ///< in the unit the register has now (phase, mode)
-};
-
-/// One reading of one servo. Not answered: no values.
-struct Reading {
+/// One reading of one servo. The clock of the bus is that of the workbench.
+struct Reading : jobs::PollReading {
     ServoRef servo = 0;
     catalog::ProfilePtr profile;
-    base::Duration at{}; ///< desk clock, when the last byte had arrived
-    bool answered = false;
-    base::ErrorCode error = base::ErrorCode::NoReply; ///< meaningful when not answered
-    std::uint8_t status = 0;                          ///< as device::Servo::status
-    std::vector<ReadValue> values;
 };
 
 /// Of the last second.
@@ -50,7 +40,7 @@ struct PollRate {
 /// How talking to one servo goes.
 struct Communication {
     bool answering = false;
-    std::optional<base::Duration> silentSince{}; ///< desk clock
+    std::optional<base::Duration> silentSince{}; ///< workbench clock
     base::Duration age{};                        ///< of what was heard latest
     PollRate rate{};
     std::uint64_t timeouts = 0;     ///< of this ID since the port was opened

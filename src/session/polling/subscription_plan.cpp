@@ -14,7 +14,7 @@ using Spans = std::vector<bus::PollSpan>;
 using Keys = std::set<QString>;
 
 namespace {
-/// A read costs about as much as so many bytes: request, header, the servo's delay.
+/// A read costs about as much as this number of bytes: request, header, the servo's delay.
 constexpr int readCost = 24;
 constexpr base::Duration slowPeriod = std::chrono::milliseconds(500);
 
@@ -44,7 +44,7 @@ void addRole(const device::Servo& servo, Role role, Keys& into)
         into.insert(reg->key);
 }
 
-/// Alarms are seen whatever is watched, also where replies do not carry them.
+/// Alarms are always seen, also where replies do not carry them.
 void addAlarmRegisters(ReadRequirements& requirements)
 {
     const device::Servo& servo = requirements.servo();
@@ -191,8 +191,7 @@ bus::PollServo pollServoOf(const ReadRequirements& requirements, Spans& spans)
 {
     const catalog::Profile& profile = requirements.profile();
     spans = bus::mergeSpans(std::move(spans), profile.readGap, profile.maxRead);
-    return {requirements.servo().id,       spans,           profile.syncRead, requirements.family,
-            requirements.servo().protocol, profile.readGap, profile.maxRead};
+    return jobs::pollServo(requirements.servo(), spans, requirements.family);
 }
 
 base::Duration shortest(const std::vector<Subscription>& subscriptions)
@@ -211,7 +210,7 @@ SubscriptionPlan planSubscriptions(const std::vector<Subscription>& subscription
     plan.primary.period = plan.secondary.period = shortest(subscriptions);
     std::vector<ReadRequirements> allRequirements = requirementsOf(subscriptions, present);
     alignFamilies(allRequirements, plan.primary.period);
-    // Rounds in which nothing is due take no time: somebody has to set the pace.
+    // Rounds in which nothing is due take no time: the period must limit them.
     const bool onlySlow =
         std::all_of(allRequirements.begin(), allRequirements.end(),
                     [](const ReadRequirements& requirements) { return requirements.fast.empty(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From wishes to what the bus reads regularly: the union of all of them, one block a servo where
-// that is possible, one sync read for servos of a family. Pure; main thread.
+// From subscriptions to what the bus reads regularly: the union of all of them, one block per servo
+// where that is possible, one sync read for servos of a family. Pure; main thread.
 #pragma once
 
 #include "bus/poll.h"

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 namespace {
 constexpr std::size_t maxMarks = 20000;
 constexpr auto recorderCheckInterval = 100ms;
-/// So long nothing was read although it used to come more often: a gap, not a line.
+/// Without a reading for this time, although they came more often before: a gap, not a line.
 constexpr Duration minGap = 400ms;
 constexpr int gapIntervals = 5;
 constexpr Duration maxInterval = 2s;
@@ -37,7 +37,7 @@ struct LiveData::Slot {
     QString key;
     const catalog::Register* reg = nullptr; ///< of the source's profile; null: the error
     QString unit;
-    record::ChannelId id = -1;
+    recording::ChannelId id = -1;
     Duration lastAt{};
     Duration interval{}; ///< as it usually comes; 0: not known yet
 };
@@ -50,14 +50,14 @@ struct LiveData::Source {
     bool missing = false;  ///< the latest reading was not answered
 };
 
-LiveData::LiveData(Desk& desk, QObject* parent)
+LiveData::LiveData(Workbench& workbench, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
 {
-    connect(&desk, &Desk::readingsReceived, this,
+    connect(&workbench.polling(), &PollController::readingsReceived, this,
             [this](const std::vector<Reading>& batch) { process(batch); });
-    connect(&desk, &Desk::markAdded, this, &LiveData::addMark);
-    connect(&desk, &Desk::servosCleared, this, &LiveData::resetServos);
+    connect(&workbench.polling(), &PollController::markAdded, this, &LiveData::addMark);
+    connect(&workbench.registry(), &ServoRegistry::servosCleared, this, &LiveData::resetServos);
     m_recorderTimer.setInterval(recorderCheckInterval);
     connect(&m_recorderTimer, &QTimer::timeout, this, &LiveData::checkRecorder);
 }
@@ -106,11 +106,11 @@ void LiveData::setPeriod(Duration period)
     updateSubscription();
 }
 
-/// What is recorded or waited for is read, whatever page is shown and whatever servo is selected.
+/// What is recorded or waited for is read on every page and for every selection.
 void LiveData::updateSubscription()
 {
     const auto state = m_trigger.state();
-    const bool waits = state == record::Trigger::State::Armed;
+    const bool waits = state == recording::Trigger::State::Armed;
     Subscription wish;
     wish.period = m_period;
     for (const LiveChannel& channel : m_channels) {
@@ -127,10 +127,10 @@ void LiveData::updateSubscription()
         }
         wish.parts.push_back({channel.servo, keys, {}});
     }
-    m_desk.subscribe(QStringLiteral("scope"), wish);
+    m_workbench.polling().subscribe(QStringLiteral("scope"), wish);
 }
 
-void LiveData::armTrigger(const record::TriggerSpec& spec)
+void LiveData::armTrigger(const recording::TriggerSpec& spec)
 {
     m_trigger.arm(spec);
     updateSubscription();
@@ -151,7 +151,7 @@ void LiveData::process(const std::vector<Reading>& batch)
         process(reading);
     for (const auto& [ref, source] : m_sources)
         source->fresh = false;
-    m_trigger.advanceTo(m_desk.now());
+    m_trigger.advanceTo(m_workbench.now());
     flushRows();
     if (std::exchange(m_newChannels, false))
         Q_EMIT channelsChanged();
@@ -242,7 +242,7 @@ void LiveData::processValues(Source& source, const Reading& reading, const Servo
     std::optional<double> goal;
     std::optional<double> position;
     const catalog::Register* goalReg = goalRegister(*source.profile);
-    for (const ReadValue& value : reading.values) {
+    for (const jobs::PollValue& value : reading.values) {
         const QString unit = entry.servo.meaning(*value.reg).unit;
         Slot& slot = slotFor(source, reading.servo, value.reg, value.reg->key, unit);
         append(slot, reading.at, value.physical);
@@ -260,7 +260,7 @@ void LiveData::processValues(Source& source, const Reading& reading, const Servo
 void LiveData::process(const Reading& reading)
 {
     Source& source = sourceOf(reading);
-    const ServoEntry* entry = m_desk.servo(reading.servo);
+    const ServoEntry* entry = m_workbench.registry().servo(reading.servo);
     const auto rowSize = m_rowSizes.find(reading.servo);
     if (rowSize != m_rowSizes.end())
         m_row.assign(rowSize->second, missingValue);
@@ -281,14 +281,14 @@ void LiveData::process(const Reading& reading)
         m_rows.push_back({reading.at, reading.servo, m_row});
 }
 
-void LiveData::addMark(const record::Mark& mark)
+void LiveData::addMark(const recording::Mark& mark)
 {
     if (m_marks.size() >= maxMarks)
         m_marks.erase(m_marks.begin(), m_marks.begin() + maxMarks / 4);
-    // A write is told when it has ended, readings may have come since.
-    const auto place =
-        std::upper_bound(m_marks.begin(), m_marks.end(), mark,
-                         [](const record::Mark& a, const record::Mark& b) { return a.at < b.at; });
+    // A write is reported after its end; readings may have come since.
+    const auto place = std::upper_bound(
+        m_marks.begin(), m_marks.end(), mark,
+        [](const recording::Mark& a, const recording::Mark& b) { return a.at < b.at; });
     m_marks.insert(place, mark);
     const auto before = m_trigger.state();
     m_trigger.mark(mark);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The oscilloscope behind the trend charts: keeps every reading of the feed in a sample store, with
-// the marks of what happened, watches for a trigger, and hands rows to a recording. Goes on
-// whatever page is shown. Beside Desk, which must outlive it; main thread, never waits (recordings
-// are written and loaded on threads of their own). Samples live until the list of servos is cleared
-// or clear() is called. What goes wrong with a recording arrives as recordingEnded.
+// The data behind the trend charts: keeps every reading in a sample store, with the marks of
+// events, watches for a trigger, and passes rows to a recording. Goes on
+// while other pages are shown. Owned by Workbench; main thread, never waits
+// (recordings are written and loaded on threads of their own). Samples live until the list of
+// servos is cleared or clear() is called. What goes wrong with a recording arrives as
+// recordingEnded.
 #pragma once
 
 #include "recording/recorder.h"
-#include "session/desk.h"
+#include "session/workbench.h"
 
 #include <map>
 
@@ -19,7 +20,7 @@ QString goalKey(const catalog::Profile& profile); ///< what a chart shows as the
 /// One curve that can be shown. Where a register changes its unit (mode, phase), it goes on as
 /// another channel: no curve mixes units.
 struct LiveChannel {
-    record::ChannelId id = -1;
+    recording::ChannelId id = -1;
     ServoRef servo = 0;
     catalog::ProfilePtr profile;
     QString key;  ///< register key, or errorKey
@@ -29,7 +30,7 @@ struct LiveChannel {
 struct RecordingRequest {
     QString path;
     /// Empty: all that is being read when it begins.
-    std::vector<record::ChannelId> channels{};
+    std::vector<recording::ChannelId> channels{};
     base::Duration length{}; ///< 0: until stopped
 };
 
@@ -37,11 +38,11 @@ class LiveData final : public QObject {
     Q_OBJECT
 
 public:
-    explicit LiveData(Desk& desk, QObject* parent = nullptr);
+    explicit LiveData(Workbench& workbench, QObject* parent = nullptr);
     ~LiveData() override; ///< a running recording is ended and on the disk
 
-    const record::SampleStore& store() const { return m_store; }
-    const std::vector<record::Mark>& marks() const { return m_marks; }
+    const recording::SampleStore& store() const { return m_store; }
+    const std::vector<recording::Mark>& marks() const { return m_marks; }
     const std::vector<LiveChannel>& channels() const { return m_channels; }
     const LiveChannel* find(ServoRef servo, const QString& key) const; ///< the latest one of it
     void clear();
@@ -49,18 +50,17 @@ public:
     /// How often what is recorded and waited for is read; 0: as fast as the wire allows.
     void setPeriod(base::Duration period);
 
-    void armTrigger(const record::TriggerSpec& spec);
+    void armTrigger(const recording::TriggerSpec& spec);
     void disarmTrigger();
-    const record::Trigger& trigger() const { return m_trigger; }
+    const recording::Trigger& trigger() const { return m_trigger; }
 
     /// BadArgument: nothing to record, or one runs already. Otherwise the file is opened beside,
     /// and recordingBegan or recordingFailed (FileUnwritable, DiskFull …) follows.
     base::Result<void> startRecording(const RecordingRequest& request);
     void stopRecording();
     bool isRecording() const { return m_recorder != nullptr || m_beginning; }
-    record::RecorderStatus recordingStatus() const; ///< of the running or the latest one
-    QString recordingPath() const { return m_recordingPath; }
-    std::vector<ServoRef> recordedServos() const; ///< while recording
+    recording::RecorderStatus recordingStatus() const; ///< of the running or the latest one
+    std::vector<ServoRef> recordedServos() const;      ///< while recording
 
 Q_SIGNALS:
     void samplesAdded();    ///< new samples or marks; at most once a batch
@@ -69,13 +69,13 @@ Q_SIGNALS:
     void recordingBegan();
     void recordingFailed(const base::Error& error);
     void recordingChanged(); ///< begun, or its figures (about twice a second)
-    void recordingEnded(const record::RecorderStatus& status, const QString& path);
+    void recordingEnded(const recording::RecorderStatus& status, const QString& path);
 
 private:
     struct Source; ///< the curves of one servo
     struct Slot;   ///< one of them
 
-    // scope.cpp
+    // live_data.cpp
     void process(const std::vector<Reading>& batch);
     void process(const Reading& reading);
     void processValues(Source& source, const Reading& reading, const ServoEntry& entry);
@@ -84,41 +84,41 @@ private:
     Slot& slotFor(Source& source, ServoRef servo, const catalog::Register* reg, const QString& key,
                   const QString& unit);
     void append(Slot& slot, base::Duration at, double value);
-    void addMark(const record::Mark& mark);
+    void addMark(const recording::Mark& mark);
     void resetServos();
     void updateSubscription();
 
     // scope_recording.cpp
     void flushRows();
     void clearColumns();
-    void recorderOpened(base::Result<std::unique_ptr<record::Recorder>> opened);
+    void recorderOpened(base::Result<std::unique_ptr<recording::Recorder>> opened);
     void checkRecorder();
-    void closeRecorder(std::unique_ptr<record::Recorder> recorder);
-    std::vector<record::ChannelId> polledChannels() const;
-    record::RecordingChannel describe(const LiveChannel& channel) const;
+    void closeRecorder(std::unique_ptr<recording::Recorder> recorder);
+    std::vector<recording::ChannelId> polledChannels() const;
+    recording::RecordingChannel describe(const LiveChannel& channel) const;
 
-    Desk& m_desk;
-    record::SampleStore m_store;
-    std::vector<record::Mark> m_marks;
+    Workbench& m_workbench;
+    recording::SampleStore m_store;
+    std::vector<recording::Mark> m_marks;
     std::vector<LiveChannel> m_channels;
     std::map<ServoRef, std::unique_ptr<Source>> m_sources;
     base::Duration m_period{};
     bool m_newChannels = false;
-    record::Trigger m_trigger;
+    recording::Trigger m_trigger;
 
-    std::unique_ptr<record::Recorder> m_recorder;
-    bool m_beginning = false;                           ///< its file is being opened
-    std::uint64_t m_lostAtStart = 0;                    ///< rows, while its file was being opened
-    bool m_ending = false;                              ///< stopRecording() came before it was open
-    std::map<record::ChannelId, std::size_t> m_columns; ///< place in its servo's row
-    std::map<ServoRef, std::size_t> m_rowSizes;         ///< of servos that are recorded
+    std::unique_ptr<recording::Recorder> m_recorder;
+    bool m_beginning = false;        ///< its file is being opened
+    std::uint64_t m_lostAtStart = 0; ///< rows, while its file was being opened
+    bool m_ending = false;           ///< stopRecording() came before it was open
+    std::map<recording::ChannelId, std::size_t> m_columns; ///< place in its servo's row
+    std::map<ServoRef, std::size_t> m_rowSizes;            ///< of servos that are recorded
     std::vector<double> m_row;
-    std::vector<record::RecordingRow> m_rows;
-    std::vector<record::Mark> m_rowMarks;
-    record::RecorderStatus m_lastStatus;
+    std::vector<recording::RecordingRow> m_rows;
+    std::vector<recording::Mark> m_rowMarks;
+    recording::RecorderStatus m_lastStatus;
     QString m_recordingPath;
     QTimer m_recorderTimer;
     MainThreadQueue m_mainQueue;
-    JobThread m_files; ///< opens and closes files; last: its jobs use the others
+    base::JobThread m_files; ///< opens and closes files; last: its jobs use the others
 };
 } // namespace session

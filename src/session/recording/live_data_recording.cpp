@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scope's recordings.
+// The recordings of LiveData.
 #include "session/recording/live_data.h"
 
 #include <QCoreApplication>
@@ -15,30 +15,30 @@ namespace {
 constexpr std::size_t maxPendingRows = 65536;
 /// A channel that was heard from so lately is being read.
 constexpr base::Duration polledWithin = 2s;
-/// So old may a reading be that has not come here yet.
+/// The greatest age of a reading that has not arrived here yet.
 constexpr base::Duration recordingDelay = 250ms;
 } // namespace
 
-std::vector<record::ChannelId> LiveData::polledChannels() const
+std::vector<recording::ChannelId> LiveData::polledChannels() const
 {
-    std::vector<record::ChannelId> ids;
+    std::vector<recording::ChannelId> ids;
     for (const LiveChannel& channel : m_channels) {
         const auto latest = m_store.latest(channel.id);
-        if (latest && m_desk.now() - latest->at < polledWithin)
+        if (latest && m_workbench.now() - latest->at < polledWithin)
             ids.push_back(channel.id);
     }
     return ids;
 }
 
-record::RecordingChannel LiveData::describe(const LiveChannel& channel) const
+recording::RecordingChannel LiveData::describe(const LiveChannel& channel) const
 {
-    record::RecordingChannel column;
+    recording::RecordingChannel column;
     column.servo = channel.servo;
     column.key = channel.key;
     column.unit = channel.unit;
     column.servoName = channel.profile->modelName;
     column.protocol = base::protocolName(channel.profile->protocol);
-    if (const ServoEntry* entry = m_desk.servo(channel.servo))
+    if (const ServoEntry* entry = m_workbench.registry().servo(channel.servo))
         column.servoId = entry->servo.id;
     return column;
 }
@@ -49,18 +49,18 @@ base::Result<void> LiveData::startRecording(const RecordingRequest& request)
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("record"),
                           QStringLiteral("running"));
     const auto requested = request.channels.empty() ? polledChannels() : request.channels;
-    record::RecorderSpec spec;
+    recording::RecorderSpec spec;
     spec.path = request.path;
-    spec.format = record::recordingFormatOf(request.path);
+    spec.format = recording::recordingFormatOf(request.path);
     spec.length = request.length;
     spec.head.started = QDateTime::currentDateTime();
     spec.head.program = QStringLiteral("ServoDesk ") + QCoreApplication::applicationVersion();
-    spec.head.port = m_desk.lastRequest().name;
-    spec.head.baud = m_desk.baud();
-    spec.head.simulated = m_desk.isSimulated();
-    std::map<record::ChannelId, std::size_t> columns;
+    spec.head.port = m_workbench.link().lastRequest().name;
+    spec.head.baud = m_workbench.link().baud();
+    spec.head.simulated = m_workbench.link().isSimulated();
+    std::map<recording::ChannelId, std::size_t> columns;
     std::map<ServoRef, std::size_t> sizes;
-    for (const record::ChannelId id : requested) {
+    for (const recording::ChannelId id : requested) {
         const auto channel = std::find_if(m_channels.begin(), m_channels.end(),
                                           [id](const LiveChannel& one) { return one.id == id; });
         if (channel == m_channels.end())
@@ -80,15 +80,15 @@ base::Result<void> LiveData::startRecording(const RecordingRequest& request)
     m_ending = false;
     m_lostAtStart = 0;
     m_files.start([this, spec] {
-        auto opened = std::make_shared<base::Result<std::unique_ptr<record::Recorder>>>(
-            record::Recorder::start(spec));
+        auto opened = std::make_shared<base::Result<std::unique_ptr<recording::Recorder>>>(
+            recording::Recorder::start(spec));
         m_mainQueue.post([this, opened] { recorderOpened(std::move(*opened)); });
     });
     return {};
 }
 
 /// What was read meanwhile waits in m_rows and is in it.
-void LiveData::recorderOpened(base::Result<std::unique_ptr<record::Recorder>> opened)
+void LiveData::recorderOpened(base::Result<std::unique_ptr<recording::Recorder>> opened)
 {
     m_beginning = false;
     if (!opened) {
@@ -107,10 +107,11 @@ void LiveData::recorderOpened(base::Result<std::unique_ptr<record::Recorder>> op
 }
 
 /// Closing a file may take as long as its disk likes.
-void LiveData::closeRecorder(std::unique_ptr<record::Recorder> recorder)
+void LiveData::closeRecorder(std::unique_ptr<recording::Recorder> recorder)
 {
-    m_files.start(
-        [old = std::shared_ptr<record::Recorder>(std::move(recorder))]() mutable { old.reset(); });
+    m_files.start([old = std::shared_ptr<recording::Recorder>(std::move(recorder))]() mutable {
+        old.reset();
+    });
 }
 
 std::vector<ServoRef> LiveData::recordedServos() const
@@ -138,7 +139,7 @@ void LiveData::stopRecording()
     clearColumns();
 }
 
-record::RecorderStatus LiveData::recordingStatus() const
+recording::RecorderStatus LiveData::recordingStatus() const
 {
     return m_recorder ? m_recorder->status() : m_lastStatus;
 }
@@ -161,13 +162,13 @@ void LiveData::flushRows()
         m_rows.clear();
     }
     if (m_rows.empty())
-        m_recorder->advanceTo(m_desk.now() - recordingDelay);
+        m_recorder->advanceTo(m_workbench.now() - recordingDelay);
 }
 
 void LiveData::checkRecorder()
 {
     flushRows();
-    const record::RecorderStatus status = m_recorder->status();
+    const recording::RecorderStatus status = m_recorder->status();
     if (!status.ended) {
         Q_EMIT recordingChanged();
         return;

@@ -26,7 +26,7 @@ void Replay::load(const QString& path)
     m_thread.start([this, path, stop] {
         const auto into = std::make_shared<ReplayData>();
         into->path = path;
-        auto content = record::loadRecording(path, into->store, *stop, [&](double fraction) {
+        auto content = recording::loadRecording(path, into->store, *stop, [&](double fraction) {
             m_mainQueue.post([this, stop, fraction] {
                 if (m_stop == stop)
                     Q_EMIT progress(fraction);
@@ -34,7 +34,7 @@ void Replay::load(const QString& path)
         });
         m_mainQueue.post([this, stop, into, content = std::move(content)]() mutable {
             if (m_stop != stop)
-                return; // nobody wants it any more
+                return; // it is not needed any more
             m_stop.reset();
             if (!content) {
                 Q_EMIT failed(content.error());

@@ -4,8 +4,8 @@
 // ending it waits for the reader to look at its stop, not for the file.
 #pragma once
 
+#include "base/job_thread.h"
 #include "recording/recording.h"
-#include "session/job_thread.h"
 #include "session/main_thread_queue.h"
 
 #include <memory>
@@ -13,8 +13,8 @@
 namespace session {
 struct ReplayData {
     QString path;
-    record::SampleStore store;
-    record::LoadedRecording content;
+    recording::SampleStore store;
+    recording::LoadedRecording content;
 };
 
 class Replay final : public QObject {
@@ -36,6 +36,6 @@ Q_SIGNALS:
 private:
     MainThreadQueue m_mainQueue;
     std::shared_ptr<base::StopToken> m_stop; ///< of the load that is under way
-    JobThread m_thread;                      ///< last: its job uses the others
+    base::JobThread m_thread;                ///< last: its job uses the others
 };
 } // namespace session

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "jobs/restore/restore_many.h"
-#include "session/servo_entry.h"
+#include "session/servos/servo_entry.h"
 
 #include <QPointer>
 
@@ -16,8 +16,8 @@ struct RestoreCompletion {
 };
 
 struct RestoreRequest {
-    jobs::RestorePlan plan{}; ///< with its ticks; made for the servo as it is in the list
-    bool dangerous = false;   ///< the user's consent to the dangerous rows that are ticked
+    jobs::RestorePlan plan{};  ///< with its ticks; made for the servo as it is in the list
+    device::Consent consent{}; ///< to the dangerous rows that are selected
     jobs::OnFailure onFailure = jobs::OnFailure::Stop;
     QPointer<QObject> guard{};
     std::function<void(const RestoreCompletion&)> done{};
@@ -29,8 +29,8 @@ struct ApplyCompletion {
 };
 
 struct ApplyRequest {
-    record::Snapshot snapshot{};            ///< for `ids`; not looked at with a bundle
-    std::optional<record::Bundle> bundle{}; ///< by the IDs in it
+    snapshot::Snapshot snapshot{};            ///< for `ids`; not looked at with a bundle
+    std::optional<snapshot::Bundle> bundle{}; ///< by the IDs in it
     std::vector<int> ids{};
     jobs::ApplyOptions options{}; ///< beforeWrite is set by the bench
     QPointer<QObject> guard{};

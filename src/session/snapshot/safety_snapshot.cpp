@@ -39,7 +39,7 @@ QString programName()
 }
 
 base::Result<QString> saveSafetySnapshot(const device::Context& context, device::Servo& servo,
-                                         record::SnapshotReason reason)
+                                         history::SnapshotReason reason)
 {
     // A write that is refused has nothing to be saved from.
     const auto may = device::beginWriting(context, servo, QStringLiteral("write"));
@@ -54,14 +54,14 @@ base::Result<QString> saveSafetySnapshot(const device::Context& context, device:
         return tl::unexpected(snapshot.error());
     // A history that cannot be used refuses the write itself; the file is worth having all the
     // same.
-    const auto history = record::History::open(historyFile());
+    const auto history = history::History::open(historyFile());
     if (history) {
         const auto known = (*history)->log().of(servo.identity());
         if (known && *known)
             snapshot->label = (*known)->label;
     }
     const QString path = newFile(folder, servo);
-    if (const auto saved = record::saveSnapshot(*snapshot, path); !saved)
+    if (const auto saved = snapshot::saveSnapshot(*snapshot, path); !saved)
         return tl::unexpected(saved.error());
     if (history)
         (void)(*history)->log().addSnapshot(*snapshot, reason, path);
@@ -71,23 +71,23 @@ base::Result<QString> saveSafetySnapshot(const device::Context& context, device:
 void removeSafetySnapshot(const QString& path)
 {
     QFile::remove(path);
-    const auto history = record::History::open(historyFile());
+    const auto history = history::History::open(historyFile());
     if (!history)
         return;
-    record::HistoryFilter latest;
+    history::HistoryFilter latest;
     latest.limit = 10;
     const auto rows = (*history)->log().snapshots(latest);
-    for (const record::HistorySnapshot& row :
-         rows ? *rows : std::vector<record::HistorySnapshot>()) {
+    for (const history::HistorySnapshot& row :
+         rows ? *rows : std::vector<history::HistorySnapshot>()) {
         if (row.file == path)
             (void)(*history)->log().removeSnapshot(row.number);
     }
 }
 
-void addToHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
+void addToHistory(const snapshot::Snapshot& snapshot, history::SnapshotReason reason,
                   const QString& file)
 {
-    if (const auto history = record::History::open(historyFile()))
+    if (const auto history = history::History::open(historyFile()))
         (void)(*history)->log().addSnapshot(snapshot, reason, file);
 }
 } // namespace session

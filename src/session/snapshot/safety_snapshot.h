@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A servo's table saved without being asked, before something that changes it. The job's thread.
-// Errors of reading and of record::saveSnapshot.
+// Errors of reading and of snapshot::saveSnapshot.
 #pragma once
 
 #include "device/servo.h"
@@ -15,13 +15,13 @@ QString programName();
 /// whole table. Its label is the servo's of the history.
 base::Result<QString>
 saveSafetySnapshot(const device::Context& context, device::Servo& servo,
-                   record::SnapshotReason reason = record::SnapshotReason::Automatic);
+                   history::SnapshotReason reason = history::SnapshotReason::Automatic);
 
 /// Nothing was changed after all: takes the file and its row of the history away again.
 void removeSafetySnapshot(const QString& path);
 
 /// One that was saved to `file`, for the history too. A history that cannot be used does not make
 /// the file worse: it is told nowhere here, but refuses writes.
-void addToHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
+void addToHistory(const snapshot::Snapshot& snapshot, history::SnapshotReason reason,
                   const QString& file);
 } // namespace session

@@ -11,12 +11,14 @@ namespace session {
 namespace {
 base::Result<OpenedFile> openFile(const QString& path)
 {
-    auto snapshot = record::loadSnapshot(path);
+    auto snapshot = snapshot::loadSnapshot(path);
     if (snapshot)
-        return OpenedFile{path, std::make_shared<const record::Snapshot>(std::move(*snapshot)), {}};
+        return OpenedFile{
+            path, std::make_shared<const snapshot::Snapshot>(std::move(*snapshot)), {}};
     if (snapshot.error().code == base::ErrorCode::FileFormat) {
-        if (auto bundle = record::loadBundle(path))
-            return OpenedFile{path, {}, std::make_shared<const record::Bundle>(std::move(*bundle))};
+        if (auto bundle = snapshot::loadBundle(path))
+            return OpenedFile{
+                path, {}, std::make_shared<const snapshot::Bundle>(std::move(*bundle))};
         else if (path.endsWith(QLatin1StringView(".bundle.json")))
             return tl::unexpected(bundle.error());
     }
@@ -24,9 +26,9 @@ base::Result<OpenedFile> openFile(const QString& path)
 }
 } // namespace
 
-Snapshots::Snapshots(Desk& desk, HistoryService& historyService, QObject* parent)
+Snapshots::Snapshots(Workbench& workbench, HistoryService& historyService, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
     , m_historyService(historyService)
 {}
 
@@ -54,9 +56,9 @@ void Snapshots::saveInBackground(std::function<base::Result<void>()> write,
 
 void Snapshots::take(ServoRef servo, const SnapshotRequest& request)
 {
-    if (m_taking || m_desk.servo(servo) == nullptr)
+    if (m_taking || m_workbench.registry().servo(servo) == nullptr)
         return;
-    const auto found = std::make_shared<record::Snapshot>();
+    const auto found = std::make_shared<snapshot::Snapshot>();
     Task task;
     task.name = QStringLiteral("snapshot");
     task.quiet = true;
@@ -78,20 +80,20 @@ void Snapshots::take(ServoRef servo, const SnapshotRequest& request)
         }
         const SharedSnapshot snapshot = found;
         if (request.path.isEmpty()) {
-            m_historyService.saveHistorySnapshot(snapshot, record::SnapshotReason::Manual);
+            m_historyService.saveHistorySnapshot(snapshot, history::SnapshotReason::Manual);
             Q_EMIT snapshotTaken(snapshot, {});
             return;
         }
         saveInBackground(
-            [snapshot, path = request.path] { return record::saveSnapshot(*snapshot, path); },
+            [snapshot, path = request.path] { return snapshot::saveSnapshot(*snapshot, path); },
             [this, snapshot, path = request.path] { Q_EMIT snapshotTaken(snapshot, path); },
             [this, snapshot, path = request.path](bool written) {
-                m_historyService.saveHistorySnapshot(snapshot, record::SnapshotReason::Manual,
+                m_historyService.saveHistorySnapshot(snapshot, history::SnapshotReason::Manual,
                                                      written ? path : QString());
             });
     };
     setTaking(true);
-    m_desk.perform(servo, std::move(task));
+    m_workbench.tasks().perform(servo, std::move(task));
 }
 
 void Snapshots::takeAll(const SnapshotRequest& request)
@@ -99,12 +101,13 @@ void Snapshots::takeAll(const SnapshotRequest& request)
     if (m_taking)
         return;
     const auto servos = std::make_shared<std::vector<device::Servo>>();
-    for (const ServoRef ref : m_desk.servos()) {
-        const ServoEntry* entry = m_desk.servo(ref);
-        if (entry->servo.profile && (!m_desk.canSetBaud() || entry->servo.baud == m_desk.baud()))
+    for (const ServoRef ref : m_workbench.registry().order()) {
+        const ServoEntry* entry = m_workbench.registry().servo(ref);
+        if (entry->servo.profile &&
+            (!m_workbench.link().canSetBaud() || entry->servo.baud == m_workbench.link().baud()))
             servos->push_back(entry->servo);
     }
-    const auto found = std::make_shared<record::Bundle>();
+    const auto found = std::make_shared<snapshot::Bundle>();
     Task task;
     task.name = QStringLiteral("snapshot");
     task.quiet = true;
@@ -126,44 +129,45 @@ void Snapshots::takeAll(const SnapshotRequest& request)
         }
         const SharedBundle bundle = found;
         saveInBackground(
-            [bundle, path = request.path] { return record::saveBundle(*bundle, path); },
+            [bundle, path = request.path] { return snapshot::saveBundle(*bundle, path); },
             [this, bundle, path = request.path] { Q_EMIT bundleTaken(bundle, path); },
             [this, bundle, path = request.path](bool written) {
-                for (const record::Snapshot& one : bundle->servos)
+                for (const snapshot::Snapshot& one : bundle->servos)
                     m_historyService.saveHistorySnapshot(
-                        std::make_shared<const record::Snapshot>(one),
-                        record::SnapshotReason::Bundle, written ? path : QString());
+                        std::make_shared<const snapshot::Snapshot>(one),
+                        history::SnapshotReason::Bundle, written ? path : QString());
             });
     };
     setTaking(true);
-    m_desk.perform(0, std::move(task));
+    m_workbench.tasks().perform(0, std::move(task));
 }
 
 SharedSnapshot Snapshots::currentSnapshot(ServoRef servo) const
 {
-    const ServoEntry* entry = m_desk.servo(servo);
+    const ServoEntry* entry = m_workbench.registry().servo(servo);
     if (entry == nullptr || !entry->servo.profile)
         return nullptr;
-    return std::make_shared<const record::Snapshot>(jobs::snapshotOf(entry->servo, programName()));
+    return std::make_shared<const snapshot::Snapshot>(
+        jobs::snapshotOf(entry->servo, programName()));
 }
 
-SharedSnapshot Snapshots::factorySnapshot(const record::Snapshot& like) const
+SharedSnapshot Snapshots::factorySnapshot(const snapshot::Snapshot& like) const
 {
-    const auto profile = record::profileOf(like, m_desk.catalog());
-    return profile ? std::make_shared<const record::Snapshot>(record::factorySnapshot(*profile))
+    const auto profile = snapshot::profileOf(like, m_workbench.catalog());
+    return profile ? std::make_shared<const snapshot::Snapshot>(snapshot::factorySnapshot(*profile))
                    : nullptr;
 }
 
-base::Result<SharedSnapshot> Snapshots::toTemplate(const record::Snapshot& from,
+base::Result<SharedSnapshot> Snapshots::toTemplate(const snapshot::Snapshot& from,
                                                    const QStringList& keys,
                                                    const SnapshotRequest& request) const
 {
-    auto made = record::makeTemplate(from, keys);
+    auto made = snapshot::makeTemplate(from, keys);
     if (!made)
         return tl::unexpected(made.error());
     made->label = request.label;
     made->note = request.note;
-    return std::make_shared<const record::Snapshot>(std::move(*made));
+    return std::make_shared<const snapshot::Snapshot>(std::move(*made));
 }
 
 void Snapshots::open(const QString& path)
@@ -185,16 +189,16 @@ void Snapshots::save(SharedSnapshot snapshot, const QString& path)
     saveInBackground(
         [snapshot = std::move(snapshot), path] {
             return path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive)
-                       ? record::saveSnapshotCsv(*snapshot, path)
-                       : record::saveSnapshot(*snapshot, path);
+                       ? snapshot::saveSnapshotCsv(*snapshot, path)
+                       : snapshot::saveSnapshot(*snapshot, path);
         },
         [this, path] { Q_EMIT saved(path); });
 }
 
-void Snapshots::save(std::vector<record::RestoreResult> results, const QString& path)
+void Snapshots::save(std::vector<snapshot::RestoreResult> results, const QString& path)
 {
-    saveInBackground(
-        [results = std::move(results), path] { return record::saveRestoreResults(results, path); },
-        [this, path] { Q_EMIT saved(path); });
+    saveInBackground([results = std::move(results),
+                      path] { return snapshot::saveRestoreResults(results, path); },
+                     [this, path] { Q_EMIT saved(path); });
 }
 } // namespace session

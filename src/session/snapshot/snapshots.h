@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Snapshots for the window: taken from a servo or a whole bus, opened and saved as files, kept in
-// the history. Beside Desk and HistoryService, which must outlive it; main thread, never waits.
-// Restoring is the desk's (session/restore_order.h).
+// the history. Beside Workbench and HistoryService, which must outlive it; main thread, never
+// waits. Restoring is RestoreService's.
 #pragma once
 
-#include "session/desk.h"
 #include "session/history/history_service.h"
+#include "session/workbench.h"
 #include "snapshot/bundle.h"
 #include "snapshot/restore_result.h"
 
 namespace session {
-using SharedBundle = std::shared_ptr<const record::Bundle>;
+using SharedBundle = std::shared_ptr<const snapshot::Bundle>;
 
 struct SnapshotRequest {
     QString label{};
@@ -29,7 +29,7 @@ class Snapshots final : public QObject {
     Q_OBJECT
 
 public:
-    Snapshots(Desk& desk, HistoryService& historyService, QObject* parent = nullptr);
+    Snapshots(Workbench& workbench, HistoryService& historyService, QObject* parent = nullptr);
 
     /// Reads the table anew, keeps it in the history and in the file. taken() or failed().
     void take(ServoRef servo, const SnapshotRequest& request);
@@ -41,16 +41,16 @@ public:
     /// What has been read of a servo so far; null: gone, or not known what it is.
     SharedSnapshot currentSnapshot(ServoRef servo) const;
     /// What such a servo leaves the factory with.
-    SharedSnapshot factorySnapshot(const record::Snapshot& like) const;
-    /// Chosen rows only; errors as record::makeTemplate.
-    base::Result<SharedSnapshot> toTemplate(const record::Snapshot& from, const QStringList& keys,
+    SharedSnapshot factorySnapshot(const snapshot::Snapshot& like) const;
+    /// Chosen rows only; errors as snapshot::makeTemplate.
+    base::Result<SharedSnapshot> toTemplate(const snapshot::Snapshot& from, const QStringList& keys,
                                             const SnapshotRequest& request) const;
 
     /// A snapshot, a template or a bundle. opened() or failed().
     void open(const QString& path);
     /// CSV where the name ends so. saved() or failed().
     void save(SharedSnapshot snapshot, const QString& path);
-    void save(std::vector<record::RestoreResult> results, const QString& path);
+    void save(std::vector<snapshot::RestoreResult> results, const QString& path);
 
 Q_SIGNALS:
     void snapshotTaken(const session::SharedSnapshot& snapshot, const QString& path);
@@ -67,7 +67,7 @@ private:
     void saveInBackground(std::function<base::Result<void>()> write, std::function<void()> then,
                           std::function<void(bool written)> keep = {});
 
-    Desk& m_desk;
+    Workbench& m_workbench;
     HistoryService& m_historyService;
     bool m_taking = false;
 };

@@ -17,9 +17,9 @@ using base::ErrorCode;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr auto drainInterval = 50ms;
+constexpr auto responseInterval = 50ms;
 
-bool isSameMotion(const record::StepRun& one, const record::StepRun& other)
+bool isSameMotion(const results::StepRun& one, const results::StepRun& other)
 {
     const double way = std::abs(one.axis.to - one.axis.from);
     return std::abs(way - std::abs(other.axis.to - other.axis.from)) <= 1;
@@ -35,7 +35,7 @@ bool holds(const std::vector<device::WriteItem>& items,
                       });
 }
 
-/// Keys and values that a report says were written, in the order of the order.
+/// Whether the event reports a write of these keys and values.
 bool written(const Event& event, const std::vector<device::WriteItem>& wanted)
 {
     if (!event.report)
@@ -51,36 +51,36 @@ bool written(const Event& event, const std::vector<device::WriteItem>& wanted)
 }
 } // namespace
 
-/// Filled on the job's thread, emptied on the main thread; `run` is looked at when it has ended.
+/// Filled on the job's thread, emptied on the main thread; `run` is read when it has ended.
 struct StepTest::Live {
     std::atomic<bool> canceled = false; ///< before it began
     std::mutex mutex{};
-    std::vector<record::StepResponse> responses{};
+    std::vector<results::StepResponse> responses{};
     std::optional<jobs::SweepProgress> progress{};
-    std::optional<record::StepRun> run{};
-    std::vector<record::StepAdvice> advice{};
+    std::optional<results::StepRun> run{};
+    std::vector<results::StepAdvice> advice{};
     std::vector<jobs::UnreleasedTorque> unreleasedTorque{};
-    std::vector<base::JournalItem> trial{}; ///< what it has changed
+    std::vector<base::JournalItem> trial{}; ///< the changes of the trial
 };
 
-StepTest::StepTest(Desk& desk, QObject* parent)
+StepTest::StepTest(Workbench& workbench, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
+    , m_workbench(workbench)
 {
-    m_drainTimer.setInterval(drainInterval);
+    m_drainTimer.setInterval(responseInterval);
     connect(&m_drainTimer, &QTimer::timeout, this, [this] {
         if (m_job)
             drain(*m_job);
     });
-    connect(&desk, &Desk::eventOccurred, this, &StepTest::happened);
+    connect(&workbench, &Workbench::eventOccurred, this, &StepTest::happened);
 }
 
 bool StepTest::start(const StepTestRequest& request)
 {
-    if (m_running || m_desk.servo(request.servo) == nullptr)
+    if (m_running || m_workbench.registry().servo(request.servo) == nullptr)
         return false;
     if (request.servo != m_servo)
-        clear();
+        clearMeasured();
     m_servo = request.servo;
     m_running = true;
     m_progress = {};
@@ -90,9 +90,10 @@ bool StepTest::start(const StepTestRequest& request)
     m_liveSpec = request.spec;
     m_job = std::make_shared<Live>();
     const auto live = m_job;
-    jobs::StepRequest wanted{request.spec, programName(), m_desk.isSimulated(), request.switchMode};
+    jobs::StepRequest wanted{request.spec, programName(), m_workbench.link().isSimulated(),
+                             request.switchMode};
     jobs::StepCallbacks watch;
-    watch.onResponse = [live](const record::StepResponse& response) {
+    watch.onResponse = [live](const results::StepResponse& response) {
         const std::lock_guard lock(live->mutex);
         live->responses.push_back(response);
     };
@@ -119,7 +120,7 @@ bool StepTest::start(const StepTestRequest& request)
             return tl::unexpected(run.error());
         live->advice = jobs::adviseStep(*run, *context.servo.profile);
         live->run = std::move(*run);
-        if (live->run->end == record::SweepEnd::ServoReplaced) // the list is to learn it
+        if (live->run->end == results::SweepEnd::ServoReplaced) // for the list of servos
             return base::fail(ErrorCode::IdentityMismatch, QStringLiteral("step"), {},
                               context.servo.id);
         return {};
@@ -127,7 +128,7 @@ bool StepTest::start(const StepTestRequest& request)
     task.guard = this;
     task.done = [this, live](const TaskCompletion& end) { finish(*live, end); };
     m_drainTimer.start();
-    m_desk.perform(request.servo, std::move(task));
+    m_workbench.tasks().perform(request.servo, std::move(task));
     return true;
 }
 
@@ -136,12 +137,12 @@ void StepTest::stop()
     if (!m_running)
         return;
     m_job->canceled = true;
-    m_desk.stopTest();
+    m_workbench.tasks().stopTest();
 }
 
 void StepTest::drain(Live& live)
 {
-    std::vector<record::StepResponse> responses;
+    std::vector<results::StepResponse> responses;
     std::optional<jobs::SweepProgress> progress;
     {
         const std::lock_guard lock(live.mutex);
@@ -154,7 +155,7 @@ void StepTest::drain(Live& live)
     }
     if (responses.empty())
         return;
-    for (record::StepResponse& response : responses)
+    for (results::StepResponse& response : responses)
         m_live.push_back(std::move(response));
     Q_EMIT responsesAdded();
 }
@@ -175,17 +176,38 @@ void StepTest::finish(Live& live, const TaskCompletion& end)
     }
     m_runs.push_back(std::move(*live.run));
     m_advice = std::move(live.advice);
-    // The first one of the servo's own values is what the others are held against: it stays.
-    if (m_runs.size() > maxRuns)
-        m_runs.erase(m_runs.begin() + (m_runs.front().spec.trial.empty() ? 1 : 0));
+    // The first one with the servo's own values stays: the others are compared with it.
+    const auto first = m_runs.begin() + std::ptrdiff_t(m_openedNumbers.size());
+    if (std::size_t(m_runs.end() - first) > maxRuns)
+        m_runs.erase(first + (first->spec.trial.empty() ? 1 : 0));
     Q_EMIT finished();
 }
 
-const record::StepRun* StepTest::previousRun() const
+void StepTest::openStored(const std::vector<StoredStep>& stored)
 {
-    const record::StepRun* any = nullptr;
-    for (std::size_t i = m_runs.size(); i-- > 1;) {
-        const record::StepRun& earlier = m_runs[i - 1];
+    m_runs.erase(m_runs.begin(), m_runs.begin() + std::ptrdiff_t(m_openedNumbers.size()));
+    if (m_runs.empty())
+        m_advice = stored.empty()
+                       ? std::vector<results::StepAdvice>()
+                       : jobs::adviseStoredStep(*stored.back().run, m_workbench.catalog());
+    m_openedNumbers.clear();
+    for (const StoredStep& one : stored) {
+        m_runs.insert(m_runs.begin() + std::ptrdiff_t(m_openedNumbers.size()), *one.run);
+        m_openedNumbers.push_back(one.number);
+    }
+    Q_EMIT storedOpened();
+}
+
+const results::StepRun* StepTest::previousRun() const
+{
+    const std::size_t opened = m_openedNumbers.size();
+    for (std::size_t i = std::min(opened, m_runs.size() - (opened > 0 ? 1 : 0)); i-- > 0;) {
+        if (isSameMotion(m_runs[i], m_runs.back()))
+            return &m_runs[i];
+    }
+    const results::StepRun* any = nullptr;
+    for (std::size_t i = m_runs.size(); i-- > opened + 1;) {
+        const results::StepRun& earlier = m_runs[i - 1];
         if (!isSameMotion(earlier, m_runs.back()))
             continue;
         if (earlier.spec.trial.empty())
@@ -197,18 +219,26 @@ const record::StepRun* StepTest::previousRun() const
 
 void StepTest::clear()
 {
+    m_openedNumbers.clear();
     m_runs.clear();
-    m_advice.clear();
+    clearMeasured();
+}
+
+void StepTest::clearMeasured()
+{
+    m_runs.resize(m_openedNumbers.size());
+    m_advice = m_runs.empty() ? std::vector<results::StepAdvice>()
+                              : jobs::adviseStoredStep(m_runs.back(), m_workbench.catalog());
     m_servo = m_running ? m_servo : 0;
 }
 
-void StepTest::accept(ServoRef servo, const std::vector<record::StepGain>& gains)
+void StepTest::accept(ServoRef servo, const std::vector<results::StepGain>& gains)
 {
-    const ServoEntry* entry = m_desk.servo(servo);
+    const ServoEntry* entry = m_workbench.registry().servo(servo);
     if (entry == nullptr || !entry->servo.profile || m_writing)
         return;
     AcceptedGains accepted{servo};
-    for (const record::StepGain& gain : gains) {
+    for (const results::StepGain& gain : gains) {
         const auto now = entry->servo.raw(gain.key);
         if (!now || *now == gain.raw)
             continue;
@@ -219,7 +249,7 @@ void StepTest::accept(ServoRef servo, const std::vector<record::StepGain>& gains
         return;
     m_writing = accepted;
     m_reverting = false;
-    m_desk.write(servo, {accepted.after});
+    m_workbench.writes().write(servo, {accepted.after});
     Q_EMIT acceptedChanged();
 }
 
@@ -239,11 +269,11 @@ void StepTest::revert(ServoRef servo)
         return;
     m_writing = AcceptedGains{servo, {}, items};
     m_reverting = true;
-    m_desk.write(servo, {items});
+    m_workbench.writes().write(servo, {items});
     Q_EMIT acceptedChanged();
 }
 
-/// What was really kept can be taken back; what was taken back is forgotten.
+/// A write that succeeded can be reverted; a reverted one is removed.
 void StepTest::happened(const Event& event)
 {
     if (!m_writing || event.kind != Event::Kind::Written || event.servo != m_writing->servo)
@@ -265,15 +295,15 @@ void StepTest::happened(const Event& event)
 }
 
 namespace {
-base::Result<void> write(const std::vector<record::StepRun>& runs,
-                         const std::vector<record::StepAdvice>& advice, const QString& path,
+base::Result<void> write(const std::vector<results::StepRun>& runs,
+                         const std::vector<results::StepAdvice>& advice, const QString& path,
                          bool chinese)
 {
     const QString end = QFileInfo(path).suffix().toLower();
     if (end == QLatin1StringView("json"))
-        return record::saveStepRuns(runs, advice, path);
+        return results::saveStepRuns(runs, advice, path);
     if (end == QLatin1StringView("csv"))
-        return record::saveStepSamples(runs, path);
+        return results::saveStepSamples(runs, path);
     return report::saveStepHtml(runs, advice, chinese, path);
 }
 } // namespace

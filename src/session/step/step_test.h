@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step-response lab for the window: runs one after the other on one servo, keeps the last few
-// to be laid over each other, keeps accepted gains for good and takes them back. Beside Desk, which
-// must outlive it; main thread, never waits. Trials last as long as their run; only accept() and
-// back() write for good, by the desk's safe write.
+// The step-response test for the window: runs one after the other on one servo, keeps the last few
+// for an overlay, writes accepted gains permanently and reverts them. Beside Workbench, which must
+// outlive it; main thread, never waits. Trials last as long as their run; only accept() and
+// revert() write permanently, with the workbench's safe write.
 #pragma once
 
 #include "jobs/step/step_response.h"
-#include "session/desk.h"
+#include "session/workbench.h"
 
 namespace session {
+/// A run of the history and its number there.
+struct StoredStep {
+    std::int64_t number = 0;
+    std::shared_ptr<const results::StepRun> run{};
+};
+
 struct StepTestRequest {
-    record::StepSpec spec{};
+    results::StepSpec spec{};
     ServoRef servo = 0;
     bool switchMode = false; ///< as jobs::StepRequest
 };
@@ -19,12 +25,13 @@ class StepTest final : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr std::size_t maxRuns = 6;
+    static constexpr std::size_t maxRuns = 6;   ///< measured ones
+    static constexpr std::size_t maxOpened = 2; ///< those of the history
 
-    explicit StepTest(Desk& desk, QObject* parent = nullptr);
+    explicit StepTest(Workbench& workbench, QObject* parent = nullptr);
 
-    /// False: one runs already, or the servo is gone. Else ended() or failed() follow. Runs of
-    /// another servo are forgotten.
+    /// False: a run is under way, or the servo is gone. Otherwise finished() or failed() follows.
+    /// Measured runs of another servo are removed.
     bool start(const StepTestRequest& request);
     void stop();
     bool isRunning() const { return m_running; }
@@ -33,36 +40,43 @@ public:
     {
         return m_unreleasedTorque;
     } ///< as SweepTest
-    /// Of the run that has ended: what its trial has changed and could not put back.
+    /// Of the run that has ended: changes of its trial that could not be restored.
     const std::vector<base::JournalItem>& unrevertedItems() const { return m_unrevertedItems; }
 
-    ServoRef servo() const { return m_servo; } ///< that the runs are of; 0: none yet
-    /// Complete ones, oldest first.
-    const std::vector<record::StepRun>& runs() const { return m_runs; }
-    /// Responses of the running one, as far as they are complete.
-    const std::vector<record::StepResponse>& liveResponses() const { return m_live; }
-    const record::StepSpec& liveSpec() const { return m_liveSpec; }
-    /// What the latest run is to be held against: the latest one before it that went the same way
-    /// with the servo's own values, else any that did; null: none.
-    const record::StepRun* previousRun() const;
-    const std::vector<record::StepAdvice>& advice() const { return m_advice; } ///< to the latest
-    void clear(); ///< all runs; not what was accepted
+    ServoRef servo() const { return m_servo; } ///< of the measured runs; 0: none yet
+    /// Complete ones: first those of the history, then the measured ones, each oldest first.
+    const std::vector<results::StepRun>& runs() const { return m_runs; }
+    /// Shows at most maxOpened runs of the history instead of those that were opened before.
+    void openStored(const std::vector<StoredStep>& stored);
+    /// Numbers in the history of the first ones of runs().
+    const std::vector<std::int64_t>& openedNumbers() const { return m_openedNumbers; }
+    /// Complete responses of the present run.
+    const std::vector<results::StepResponse>& liveResponses() const { return m_live; }
+    const results::StepSpec& liveSpec() const { return m_liveSpec; }
+    /// The run that the latest one is compared with. It made a step of the same size: the latest of
+    /// those opened from the history, else the latest measured one with the servo's own values,
+    /// else any measured one. Null: there is none.
+    const results::StepRun* previousRun() const;
+    const std::vector<results::StepAdvice>& advice() const { return m_advice; } ///< on the latest
+    void clear();         ///< all runs, but not the accepted values
+    void clearMeasured(); ///< keeps those of the history
 
-    /// Writes them for good and remembers what they replace. Nothing without differences.
-    void accept(ServoRef servo, const std::vector<record::StepGain>& gains);
-    /// What back() would write to this servo; empty: nothing was accepted.
+    /// Writes them permanently and remembers the old values. Does nothing without differences.
+    void accept(ServoRef servo, const std::vector<results::StepGain>& gains);
+    /// The values that revert() would write to this servo; empty: nothing was accepted.
     std::vector<device::WriteItem> previousValues(ServoRef servo) const;
     void revert(ServoRef servo);
 
-    /// As its name ends: .html, .json, .csv; saved() or saveFailed() follow.
+    /// The ending sets the format: .html, .json, .csv; saved() or saveFailed() follows.
     void save(const QString& path, bool chinese);
 
 Q_SIGNALS:
     void progressChanged();
-    void responsesAdded(); ///< live() has grown
-    void finished();       ///< runs() has, or its oldest are gone
+    void responsesAdded(); ///< liveResponses() has grown
+    void finished();       ///< runs() has a new one
+    void storedOpened();   ///< openStored() has changed runs()
     void failed(const base::Error& error);
-    void acceptedChanged(); ///< earlier() may be another
+    void acceptedChanged(); ///< previousValues() may have changed
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
 
@@ -77,22 +91,23 @@ private:
     void finish(Live& live, const TaskCompletion& end);
     void happened(const Event& event);
 
-    Desk& m_desk;
+    Workbench& m_workbench;
     bool m_running = false;
     ServoRef m_servo = 0;
     std::shared_ptr<Live> m_job; ///< shared with it
-    std::vector<record::StepRun> m_runs;
-    std::vector<record::StepResponse> m_live;
-    record::StepSpec m_liveSpec;
-    std::vector<record::StepAdvice> m_advice;
+    std::vector<results::StepRun> m_runs;
+    std::vector<std::int64_t> m_openedNumbers;
+    std::vector<results::StepResponse> m_live;
+    results::StepSpec m_liveSpec;
+    std::vector<results::StepAdvice> m_advice;
     jobs::SweepProgress m_progress;
     std::vector<jobs::UnreleasedTorque> m_unreleasedTorque;
     std::vector<base::JournalItem> m_unrevertedItems;
     std::vector<AcceptedGains> m_accepted;    ///< accepted, oldest first
     std::optional<AcceptedGains> m_writing{}; ///< on its way to the servo
-    bool m_reverting = false;                 ///< and it is back() that asked for it
+    bool m_reverting = false;                 ///< revert() has started it
     QTimer m_drainTimer;
     MainThreadQueue m_mainQueue;
-    JobThread m_files; ///< writes reports; last: its work uses the others
+    base::JobThread m_files; ///< writes reports; last: its work uses the others
 };
 } // namespace session

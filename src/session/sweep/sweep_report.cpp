@@ -21,17 +21,17 @@ double secondsOf(base::Duration span)
     return std::chrono::duration<double>(span).count();
 }
 
-report::SweepSeries seriesOf(const record::SweepRun& run, const jobs::SweepRecording& readings,
+report::SweepSeries seriesOf(const results::SweepRun& run, const jobs::SweepRecording& readings,
                              std::size_t servo)
 {
     report::SweepSeries series{run.servos[servo].parameters.servo.id};
-    const record::SampleStore& store = readings.store();
+    const recording::SampleStore& store = readings.store();
     const auto span = store.span(readings.positions(servo));
     if (!span)
         return series;
-    std::vector<record::SampleColumn> columns;
+    std::vector<recording::SampleColumn> columns;
     store.columns(readings.positions(servo), *span, chartColumns, columns);
-    for (const record::SampleColumn& column : columns) {
+    for (const recording::SampleColumn& column : columns) {
         const auto at = [&](base::Duration instant, double position) {
             const auto goal = store.at(readings.goals(servo), instant);
             series.samples.push_back(
@@ -84,14 +84,14 @@ base::Result<void> copySweepReadings(const QString& from, const QString& report)
     return {};
 }
 
-base::Result<void> saveSweepReport(const record::SweepRun& run,
+base::Result<void> saveSweepReport(const results::SweepRun& run,
                                    const jobs::SweepRecording& readings, SweepFormat format,
                                    bool chinese, const QString& path)
 {
     if (format == SweepFormat::Json)
-        return record::saveSweepRun(run, path);
+        return results::saveSweepRun(run, path);
     if (format == SweepFormat::Csv)
-        return record::saveSweepLegs(run, path);
+        return results::saveSweepLegs(run, path);
     std::vector<report::SweepSeries> series;
     for (std::size_t i = 0; i < run.servos.size(); ++i)
         series.push_back(seriesOf(run, readings, i));

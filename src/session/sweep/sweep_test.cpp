@@ -17,14 +17,14 @@ using base::Duration;
 using base::ErrorCode;
 
 namespace {
-constexpr auto drainInterval = 33ms;
+constexpr auto sampleInterval = 33ms;
 constexpr std::size_t storeBudget = std::size_t(32) << 20;
 
 /// "2026-11-22_061500_ID1-2.readings.csv" in the folder of the tests.
-QString readingsFile(const record::SweepRun& run)
+QString readingsFile(const results::SweepRun& run)
 {
     QStringList ids;
-    for (const record::SweepServo& servo : run.servos)
+    for (const results::SweepServo& servo : run.servos)
         ids.append(QString::number(servo.parameters.servo.id));
     const QString stamp = run.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"));
     return QDir(dataFolder())
@@ -44,29 +44,29 @@ struct SweepTest::Live {
     std::atomic<bool> canceled = false; ///< before it began
     std::mutex mutex;
     std::vector<Reading> readings{};
-    std::vector<std::pair<std::size_t, record::SweepLeg>> legs{};
+    std::vector<std::pair<std::size_t, results::SweepLeg>> legs{};
     std::optional<jobs::SweepProgress> progress{};
-    std::optional<record::SweepRun> startedRun{};
+    std::optional<results::SweepRun> startedRun{};
     QString path{}; ///< of the readings
     std::vector<ServoRef> servos{};
 };
 
-/// What the job leaves behind. Filled on its thread, looked at when it has ended.
+/// What the job leaves behind. Filled on its thread, read when it has ended.
 struct SweepTest::Ending {
     std::shared_ptr<jobs::SweepRecording> recording{};
-    std::optional<record::SweepRun> run{};
+    std::optional<results::SweepRun> run{};
     QString path{};
     std::vector<jobs::UnreleasedTorque> unreleasedTorque{};
 };
 
-SweepTest::SweepTest(Desk& desk, QObject* parent)
+SweepTest::SweepTest(Workbench& workbench, QObject* parent)
     : QObject(parent)
-    , m_desk(desk)
-    , m_leftovers(desk, QStringLiteral("sweep-left"))
+    , m_workbench(workbench)
+    , m_leftovers(workbench, QStringLiteral("sweep-left"))
     , m_store(storeBudget)
 {
     connect(&m_leftovers, &TestLeftovers::changed, this, &SweepTest::leftoversChanged);
-    m_drainTimer.setInterval(drainInterval);
+    m_drainTimer.setInterval(sampleInterval);
     connect(&m_drainTimer, &QTimer::timeout, this, &SweepTest::drain);
     m_writer.moveToThread(&m_files);
     m_files.start();
@@ -86,17 +86,17 @@ std::vector<device::Servo*> allOf(const TaskContext& context)
     return all;
 }
 
-SweepPreview previewServo(TaskContext& context, device::Servo& servo, const record::SweepSpec& spec,
-                          const record::SweepLimits& limits)
+SweepPreview previewServo(TaskContext& context, device::Servo& servo,
+                          const results::SweepSpec& spec, const results::SweepLimits& limits)
 {
-    SweepPreview look;
+    SweepPreview preview;
     auto estimate = jobs::estimateSweep(context.device, servo, spec, limits);
     if (estimate)
-        look.estimate = std::move(*estimate);
+        preview.estimate = std::move(*estimate);
     else
-        look.error = estimate.error();
-    look.proposed = jobs::proposedRange(servo);
-    return look;
+        preview.error = estimate.error();
+    preview.proposed = jobs::proposedRange(servo);
+    return preview;
 }
 } // namespace
 
@@ -122,16 +122,16 @@ void SweepTest::preview(const SweepTestRequest& request)
     task.done = [this, found, number, request](const TaskCompletion& end) {
         if (number != m_previewNumber)
             return;
-        if (end.error) // not one of them was asked
+        if (end.error) // no servo was asked
             found->assign(1, SweepPreview{request.servos.front(), {}, end.error});
         Q_EMIT previewReady(*found);
     };
-    m_desk.perform(request.servos.front(), std::move(task));
+    m_workbench.tasks().perform(request.servos.front(), std::move(task));
 }
 
 namespace {
-base::Result<record::SweepRun> drive(TaskContext& context, const jobs::SweepRequest& request,
-                                     const jobs::SweepCallbacks& watch)
+base::Result<results::SweepRun> drive(TaskContext& context, const jobs::SweepRequest& request,
+                                      const jobs::SweepCallbacks& watch)
 {
     const auto all = allOf(context);
     std::vector<device::Servo> servos;
@@ -143,66 +143,94 @@ base::Result<record::SweepRun> drive(TaskContext& context, const jobs::SweepRequ
     return run;
 }
 
-/// For the list of servos: IdentityMismatch of the one that was found exchanged.
-base::Result<void> exchangeIn(const record::SweepRun& run)
+/// For the list of servos: IdentityMismatch of the one that another servo has replaced.
+base::Result<void> replacedServoError(const results::SweepRun& run)
 {
-    if (run.end != record::SweepEnd::ServoReplaced)
+    if (run.end != results::SweepEnd::ServoReplaced)
         return {};
     return base::fail(ErrorCode::IdentityMismatch, QStringLiteral("sweep"), {}, run.endedBy);
 }
 } // namespace
 
-bool SweepTest::start(const SweepTestRequest& request)
+jobs::SweepCallbacks SweepTest::callbacksFor(const std::shared_ptr<Live>& live,
+                                             const std::shared_ptr<Ending>& ending)
 {
-    const auto gone = [this](ServoRef ref) { return m_desk.servo(ref) == nullptr; };
-    if (m_running || request.servos.empty() ||
-        std::any_of(request.servos.begin(), request.servos.end(), gone))
-        return false;
-    m_running = true;
-    ++m_previewNumber; // what is still being looked at does not matter any more
-    m_progress = {};
-    m_leftovers.clear();
-    m_live = std::make_shared<Live>();
-    m_live->servos = request.servos;
-    const auto live = m_live;
-    const auto ending = std::make_shared<Ending>();
-
-    jobs::SweepRequest jobOrder{request.spec, request.limits, programName(), m_desk.isSimulated()};
-    jobOrder.switchMode = request.switchMode;
-    jobs::SweepCallbacks watch;
-    watch.onBegin = [live, ending](const record::SweepRun& run) -> std::optional<base::Error> {
-        ending->path = readingsFile(run);
-        QDir().mkpath(QFileInfo(ending->path).absolutePath());
-        auto made = jobs::SweepRecording::start(run, ending->path);
-        if (!made)
-            return made.error();
-        ending->recording = std::move(*made);
-        const std::lock_guard lock(live->mutex);
-        live->startedRun = run;
-        live->path = ending->path;
-        return std::nullopt;
+    jobs::SweepCallbacks callbacks;
+    callbacks.onBegin = [live, ending](const results::SweepRun& run) {
+        return beginRecording(*live, *ending, run);
     };
-    watch.onSample = [live, ending](std::size_t servo, const jobs::SweepSample& sample, double goal,
-                                    int leg) {
+    callbacks.onSample = [live, ending](std::size_t servo, const jobs::SweepSample& sample,
+                                        double goal, int leg) {
         ending->recording->add(servo, sample, goal, leg);
         const std::lock_guard lock(live->mutex);
         live->readings.push_back(
             {servo, sample.at, sample.answered ? sample.position : std::nullopt, goal});
     };
-    watch.onGoal = [ending](std::size_t servo, int leg, Duration at) {
+    callbacks.onGoal = [ending](std::size_t servo, int leg, Duration at) {
         ending->recording->goal(servo, leg, at);
     };
-    watch.onLeg = [live](std::size_t servo, const record::SweepLeg& leg) {
+    callbacks.onLeg = [live](std::size_t servo, const results::SweepLeg& leg) {
         const std::lock_guard lock(live->mutex);
         live->legs.emplace_back(servo, leg);
     };
-    watch.onUnreleasedTorque = [ending](const jobs::UnreleasedTorque& left) {
+    callbacks.onUnreleasedTorque = [ending](const jobs::UnreleasedTorque& left) {
         ending->unreleasedTorque.push_back(left);
     };
-    watch.onProgress = [live](const jobs::SweepProgress& progress) {
+    callbacks.onProgress = [live](const jobs::SweepProgress& progress) {
         const std::lock_guard lock(live->mutex);
         live->progress = progress;
     };
+    return callbacks;
+}
+
+/// On the job's thread, before anything moves. The error of a readings file that cannot be written.
+std::optional<base::Error> SweepTest::beginRecording(Live& live, Ending& ending,
+                                                     const results::SweepRun& run)
+{
+    ending.path = readingsFile(run);
+    QDir().mkpath(QFileInfo(ending.path).absolutePath());
+    auto recording = jobs::SweepRecording::start(run, ending.path);
+    if (!recording)
+        return recording.error();
+    ending.recording = std::move(*recording);
+    const std::lock_guard lock(live.mutex);
+    live.startedRun = run;
+    live.path = ending.path;
+    return std::nullopt;
+}
+
+/// On the job's thread, until the test has ended.
+base::Result<void> SweepTest::runJob(TaskContext& context, const jobs::SweepRequest& request,
+                                     const std::shared_ptr<Live>& live,
+                                     const std::shared_ptr<Ending>& ending)
+{
+    if (live->canceled)
+        return base::fail(ErrorCode::Stopped, QStringLiteral("sweep"));
+    auto run = drive(context, request, callbacksFor(live, ending));
+    if (ending->recording)
+        ending->recording->finish();
+    if (!run)
+        return tl::unexpected(run.error());
+    ending->run = std::move(*run);
+    return replacedServoError(*ending->run);
+}
+
+bool SweepTest::start(const SweepTestRequest& request)
+{
+    const auto gone = [this](ServoRef ref) { return m_workbench.registry().servo(ref) == nullptr; };
+    if (m_running || request.servos.empty() ||
+        std::any_of(request.servos.begin(), request.servos.end(), gone))
+        return false;
+    m_running = true;
+    ++m_previewNumber; // the result of a preview under way is not wanted any more
+    m_progress = {};
+    m_leftovers.clear();
+    m_live = std::make_shared<Live>();
+    m_live->servos = request.servos;
+    const auto ending = std::make_shared<Ending>();
+    jobs::SweepRequest jobRequest{request.spec, request.limits, programName(),
+                                  m_workbench.link().isSimulated()};
+    jobRequest.switchMode = request.switchMode;
 
     Task task;
     task.name = QStringLiteral("sweep");
@@ -212,21 +240,13 @@ bool SweepTest::start(const SweepTestRequest& request)
     task.holdsTorqueAfterwards = !request.spec.releaseAtEnd;
     task.quiet = true;
     task.otherServos.assign(request.servos.begin() + 1, request.servos.end());
-    task.work = [jobOrder, watch, live, ending](TaskContext& context) -> base::Result<void> {
-        if (live->canceled)
-            return base::fail(ErrorCode::Stopped, QStringLiteral("sweep"));
-        auto run = drive(context, jobOrder, watch);
-        if (ending->recording)
-            ending->recording->finish();
-        if (!run)
-            return tl::unexpected(run.error());
-        ending->run = std::move(*run);
-        return exchangeIn(*ending->run);
+    task.work = [jobRequest, live = m_live, ending](TaskContext& context) {
+        return runJob(context, jobRequest, live, ending);
     };
     task.guard = this;
     task.done = [this, ending](const TaskCompletion& end) { finish(*ending, end); };
     m_drainTimer.start();
-    m_desk.perform(request.servos.front(), std::move(task));
+    m_workbench.tasks().perform(request.servos.front(), std::move(task));
     return true;
 }
 
@@ -235,7 +255,7 @@ void SweepTest::stop()
     if (!m_running)
         return;
     m_live->canceled = true;
-    m_desk.stopTest();
+    m_workbench.tasks().stopTest();
 }
 
 void SweepTest::openCurves()
@@ -255,9 +275,9 @@ void SweepTest::drain()
     if (!m_live)
         return;
     std::vector<Live::Reading> readings;
-    std::vector<std::pair<std::size_t, record::SweepLeg>> legs;
+    std::vector<std::pair<std::size_t, results::SweepLeg>> legs;
     std::optional<jobs::SweepProgress> progress;
-    std::optional<record::SweepRun> startedRun;
+    std::optional<results::SweepRun> startedRun;
     {
         const std::lock_guard lock(m_live->mutex);
         readings.swap(m_live->readings);
@@ -270,7 +290,7 @@ void SweepTest::drain()
     if (startedRun) {
         m_run = std::move(startedRun);
         m_servos = m_live->servos;
-        m_startedAt = readings.empty() ? m_desk.now() : readings.front().at;
+        m_startedAt = readings.empty() ? m_workbench.now() : readings.front().at;
         openCurves();
         Q_EMIT started();
     }
@@ -315,11 +335,11 @@ void SweepTest::finish(Ending& ending, const TaskCompletion& end)
     }
 }
 
-std::vector<record::SweepMetric> SweepTest::metrics(std::size_t servo) const
+std::vector<results::SweepMetric> SweepTest::metrics(std::size_t servo) const
 {
     if (!m_run || servo >= m_run->servos.size())
         return {};
-    const record::SweepServo& tested = m_run->servos[servo];
+    const results::SweepServo& tested = m_run->servos[servo];
     if (!m_running)
         return tested.metrics;
     const auto first = tested.legs.empty() ? std::nullopt : tested.legs.front().temperatureMax;
@@ -333,7 +353,7 @@ void SweepTest::save(const QString& path, bool chinese)
     if (m_running || !m_run || !m_recording || !format)
         return;
     const auto write = [this, path, chinese, format,
-                        run = std::make_shared<record::SweepRun>(*m_run), recording = m_recording,
+                        run = std::make_shared<results::SweepRun>(*m_run), recording = m_recording,
                         readings = m_readingsPath] {
         auto written = saveSweepReport(*run, *recording, *format, chinese, path);
         if (written)

@@ -1,74 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs sweep tests for the window, one at a time, and looks beforehand whether one can be run.
-// Beside Desk, which must outlive it; main thread, never waits. What has been measured is here
-// while it is being measured: legs, curves, figures; the readings go to a file in the data folder
-// at the same time. Positions in steps; times are the desk's clock.
+// Runs sweep tests for the window, one at a time, and checks beforehand whether one can be run.
+// Beside Workbench, which must outlive it; main thread, never waits. Legs, curves and figures are
+// available while the test runs; the readings go to a file in the data folder at the same time.
+// Positions in steps; times are the workbench's clock.
 #pragma once
 
 #include "jobs/sweep/sweep.h"
 #include "jobs/sweep/sweep_proposal.h"
 #include "jobs/sweep/sweep_recording.h"
-#include "session/test_leftovers.h"
+#include "session/writes/test_leftovers.h"
 
 #include <QThread>
 
 namespace session {
 struct SweepTestRequest {
-    record::SweepSpec spec;
+    results::SweepSpec spec;
     std::vector<ServoRef> servos;
-    std::vector<record::SweepLimits> limits; ///< one a servo
-    bool switchMode = false;                 ///< as jobs::SweepRequest
+    std::vector<results::SweepLimits> limits; ///< one a servo
+    bool switchMode = false;                  ///< as jobs::SweepRequest
 };
 
-/// What look() has found out of one servo.
+/// What preview() has found out about one servo.
 struct SweepPreview {
     ServoRef servo = 0;
     std::optional<jobs::SweepEstimate> estimate{};
-    std::optional<base::Error> error{};           ///< why it cannot be run
-    std::optional<record::SweepRange> proposed{}; ///< a range that fits it
+    std::optional<base::Error> error{};            ///< why it cannot be run
+    std::optional<results::SweepRange> proposed{}; ///< a range that fits it
 };
 
 class SweepTest final : public QObject {
     Q_OBJECT
 
 public:
-    explicit SweepTest(Desk& desk, QObject* parent = nullptr);
+    explicit SweepTest(Workbench& workbench, QObject* parent = nullptr);
     ~SweepTest() override;
 
-    /// Reads settings, moves nothing; looked() follows, of the latest order only. Nothing while a
-    /// test runs.
+    /// Reads settings, moves nothing; previewReady() follows, for the latest request only. Does
+    /// nothing while a test runs.
     void preview(const SweepTestRequest& request);
 
-    /// False: one runs already, or a servo is gone. Else began() or failed() follow, then ended().
+    /// False: a test runs already, or a servo is gone. Otherwise started() or failed() follows,
+    /// after started() then finished().
     bool start(const SweepTestRequest& request);
     void stop();
     bool isRunning() const { return m_running; }
 
     /// The running test or the latest one, with the legs there are; null: none yet.
-    const record::SweepRun* run() const { return m_run ? &*m_run : nullptr; }
+    const results::SweepRun* run() const { return m_run ? &*m_run : nullptr; }
     const std::vector<ServoRef>& servos() const { return m_servos; } ///< of run(), in its order
     const jobs::SweepProgress& progress() const { return m_progress; }
-    /// Of the test that has ended: servos that could not be left as they were to be.
+    /// Of the test that has ended: servos whose torque could not be left as requested.
     const std::vector<jobs::UnreleasedTorque>& unreleasedTorque() const
     {
         return m_leftovers.torque();
     }
-    /// Of that test: what it has set and could not put back (NoticeCode::SettingNotRestored).
+    /// Of that test: settings that it changed and could not restore
+    /// (NoticeCode::SettingNotRestored).
     const device::Notices& unrevertedSettings() const { return m_leftovers.settings(); }
-    /// Worked out anew from the legs while it runs; the final ones afterwards.
-    std::vector<record::SweepMetric> metrics(std::size_t servo) const;
+    /// Computed from the legs so far while it runs; the final ones afterwards.
+    std::vector<results::SweepMetric> metrics(std::size_t servo) const;
 
     struct Curves {
-        record::ChannelId position = -1;
-        record::ChannelId goal = -1;
+        recording::ChannelId position = -1;
+        recording::ChannelId goal = -1;
     };
-    const record::SampleStore& store() const { return m_store; }
+    const recording::SampleStore& store() const { return m_store; }
     Curves curves(std::size_t servo) const { return m_curves.at(servo); }
     base::Duration startedAt() const { return m_startedAt; } ///< of its first reading
     QString readingsPath() const { return m_readingsPath; }  ///< empty: could not be written
 
-    /// Of a test that has ended, as its name says, with the readings beside it; saved() or
-    /// saveFailed() follow.
+    /// Of a test that has ended; the ending of the name sets the format, and the readings go beside
+    /// it. saved() or saveFailed() follows.
     void save(const QString& path, bool chinese);
 
 Q_SIGNALS:
@@ -79,8 +81,8 @@ Q_SIGNALS:
     void samplesAdded(); ///< new readings, about 30 times a second
     void legsAdded();    ///< new legs; at most as often
     void finished();
-    void
-    leftoversChanged(); ///< of unreleasedTorque() and unrevertedSettings() something is proved over
+    /// Something in unreleasedTorque() or unrevertedSettings() is proved to be resolved.
+    void leftoversChanged();
     void failed(const base::Error& error); ///< nothing has moved, or it could not come to the start
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
@@ -88,18 +90,25 @@ Q_SIGNALS:
 private:
     struct Live;
     struct Ending;
+    static jobs::SweepCallbacks callbacksFor(const std::shared_ptr<Live>& live,
+                                             const std::shared_ptr<Ending>& ending);
+    static std::optional<base::Error> beginRecording(Live& live, Ending& ending,
+                                                     const results::SweepRun& run);
+    static base::Result<void> runJob(TaskContext& context, const jobs::SweepRequest& request,
+                                     const std::shared_ptr<Live>& live,
+                                     const std::shared_ptr<Ending>& ending);
     void drain();
     void finish(Ending& ending, const TaskCompletion& end);
     void openCurves();
 
-    Desk& m_desk;
+    Workbench& m_workbench;
     bool m_running = false;
     std::shared_ptr<Live> m_live; ///< shared with the job
-    std::optional<record::SweepRun> m_run;
+    std::optional<results::SweepRun> m_run;
     std::vector<ServoRef> m_servos;
     jobs::SweepProgress m_progress;
     TestLeftovers m_leftovers;
-    record::SampleStore m_store;
+    recording::SampleStore m_store;
     std::vector<Curves> m_curves;
     base::Duration m_startedAt{};
     QString m_readingsPath;

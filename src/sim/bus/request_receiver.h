@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that servos of one baud rate and one language hear of the host, and the request frame
-// they are collecting from it. Feetech and LX firmware takes frames byte by byte: a frame with a
-// wrong checksum is gone whole, and an unfinished one is given up after a silence. Modbus-RTU knows
-// frames by the silence around them only: what comes without one belongs to the frame before, and
-// a silence ends the frame, whatever is missing. Owned by VirtualBus; one thread.
+// Everything that servos of one baud rate and one protocol receive from the host, and the request
+// frame they are collecting from it. Feetech and LX firmware takes frames byte by byte: a frame
+// with a wrong checksum is lost as a whole, and an unfinished one is dropped after a silence.
+// Modbus-RTU finds frames by the silence around them only: bytes without one belong to the frame
+// before, and a silence ends the frame, even if it is incomplete. Owned by VirtualBus; one thread.
 #pragma once
 
 #include "protocol/codec.h"
@@ -19,8 +19,9 @@ struct ReceivedFrame {
     Nanos end = 0; ///< when they know; Modbus: after the silence
 };
 
-/// 3.5 characters: what separates Modbus frames. The standard's fixed 1.75 ms above 19200 baud is
-/// longer; servos that answer after 0.3 ms at 115200 show that they do not wait for it.
+/// The silence of 3.5 characters that separates Modbus frames. The standard's fixed 1.75 ms above
+/// 19200 baud is longer; servos that answer after 0.3 ms at 115200 show that they do not wait for
+/// it.
 Nanos modbusSilence(int baud);
 
 class RequestReceiver {
@@ -37,10 +38,10 @@ public:
     };
     std::optional<Event> peek(const WireLine& line) const;
 
-    /// Takes what was just peeked; the frame, if this completes one.
+    /// Takes the event just peeked. Returns the frame if it completes one.
     std::optional<ReceivedFrame> take(const Event& event);
 
-    /// When the silence after what was heard so far will have ended a frame, if nothing follows.
+    /// When a frame ends by the silence after the bytes so far, if nothing follows.
     std::optional<Nanos> silenceEnd() const;
 
 private:
@@ -56,6 +57,6 @@ private:
     base::Bytes m_buffer;
     std::vector<Nanos> m_starts; ///< of the bytes in the buffer
     Nanos m_lastEnd;
-    bool m_framingError = false; ///< Modbus: a byte of this frame was none
+    bool m_framingError = false; ///< Modbus: a byte of this frame was broken
 };
 } // namespace sim

@@ -40,7 +40,7 @@ std::optional<ReceivedByte> UartReceiver::peek(const WireLine& line) const
     return std::nullopt;
 }
 
-// The common case without any bit work: same rate, in step with the speaker, nobody else talking.
+// The common case without any bit work: same rate, in step with the sender, no other sender.
 std::optional<ReceivedByte> UartReceiver::decodeExact(const WireLine& line,
                                                       const Burst& burst) const
 {

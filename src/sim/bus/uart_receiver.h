@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A UART that listens to the wire at its own rate: finds start bits, samples in the middle of its
-// bits, checks the stop bit. Bytes at its own rate with nobody else talking come out exact; at any
-// other rate, or when speakers overlap, it hears what the levels give. Value; one thread.
+// bits, checks the stop bit. Bytes of a single sender at its own rate come out exact; at any other
+// rate, or when senders overlap, it receives what the levels give. Value; one thread.
 #pragma once
 
 #include "sim/bus/wire_line.h"
@@ -13,7 +13,7 @@ struct ReceivedByte {
     std::uint8_t value = 0;
     Nanos start = 0;
     Nanos end = 0;
-    Nanos burstEnd = 0; ///< when the speaker will have finished
+    Nanos burstEnd = 0; ///< when the sender will have finished
     Nanos resume = 0;   ///< where to look for the next start bit
     bool framed = true; ///< false: the stop bit was low
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wire between host and simulated servos: byte times at each speaker's baud rate, half duplex,
+// The wire between host and simulated servos: byte times at each sender's baud rate, half duplex,
 // echo, adapter latency, collisions (overlapping bits combine, low wins) and named faults. Driven
 // by absolute instants, so it runs as fast as the caller's clock. One thread at a time.
 #pragma once
@@ -22,9 +22,10 @@ struct FaultPlan {
     double truncate = 0; ///< the reply ends early
     base::Duration lateBy = std::chrono::milliseconds(30);
     std::vector<int> muteIds; ///< these obey, but never answer
-    /// Asked after each request; a servo for which it is true obeys that one too, and is mute.
+    /// Called after each request; a servo for which it returns true obeys that request too, and is
+    /// mute from then on.
     std::function<bool(const VirtualServo&)> muteWhen;
-    double dropRequest = 0; ///< the request is lost before any servo hears it
+    double dropRequest = 0; ///< the request is lost before any servo receives it
 };
 
 struct WireConfig {
@@ -53,11 +54,11 @@ public:
     /// When the next byte will reach the host, if one is on its way.
     std::optional<base::Duration> nextHostByte() const;
 
-    /// Lets the servos hear what has been written so far, though not beyond `deadline`, and says
-    /// when the next unbroken run of bytes will have reached the host whole. nullopt: not by then.
-    /// This is how a real adapter hands bytes over, and spares a wake-up a byte. While a silence
-    /// may be ending a Modbus frame, or a servo writes its EPROM with requests waiting, it is that
-    /// instant, at which nothing comes: ask again then.
+    /// Lets the servos receive what has been written so far, though not beyond `deadline`. Returns
+    /// when the next unbroken run of bytes will have reached the host as a whole; nullopt: not by
+    /// the deadline. A real adapter hands bytes over in the same way, and it saves a wake-up per
+    /// byte. While a silence may be ending a Modbus frame, or a servo writes its EPROM with
+    /// requests waiting, the result is that instant, at which nothing comes: ask again then.
     std::optional<base::Duration> nextHostRun(base::Duration deadline);
 
     void setHostBaud(int baud); ///< what the host's receiver listens at
@@ -65,16 +66,16 @@ public:
 
     void powerCycle(); ///< all servos on the wire off and on again
 
-    // --- plugs (virtual_bus_plugs.cpp): each servo is on the wire at first ---
+    // --- plugs (virtual_bus_hotplug.cpp): at first each servo is on the wire ---
     bool isPlugged(std::size_t nodeIndex) const; ///< places as in servos()
     void plug(std::size_t nodeIndex);            ///< with power; nothing if it is on the wire
-    void unplug(std::size_t nodeIndex);          ///< in the middle of a word, if it must be
+    void unplug(std::size_t nodeIndex);          ///< even in the middle of a reply
     void unplugAll();
-    /// A bag of servos, to be plugged in one after the other: nobody is on the wire yet.
+    /// Unplugs all servos; connectNext() plugs them in one after the other.
     void makeHotplugQueue();
     bool hasHotplugQueue() const;
     std::size_t pendingServoCount() const; ///< those that have not been on the wire
-    /// Whoever is on the wire comes off, the next of the bag goes on; nullopt: the bag is empty.
+    /// Unplugs the servos on the wire and plugs in the next pending one; nullopt: none is pending.
     std::optional<std::size_t> connectNext();
 
     void cutLink(); ///< from now on nothing passes and SimLink reports LinkLost

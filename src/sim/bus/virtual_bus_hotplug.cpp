@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Servos that come and go: who is plugged has power and listens, who is not has neither.
+// Servos that come and go: a plugged servo has power and listens, an unplugged one does neither.
 #include "sim/bus/virtual_bus_state.h"
 
 #include <algorithm>

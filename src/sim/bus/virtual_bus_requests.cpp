@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a request that was heard to the servo's answer on the wire: at once, in the turn of a SYNC
-// READ, or after what keeps the servo busy.
+// From a received request to the servo's reply on the wire: at once, in its turn of a SYNC READ, or
+// as soon as the servo is not busy any more.
 #include "sim/bus/virtual_bus_state.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ bool isSyncRead(const ReceivedFrame& frame)
            frame.content.instruction == syncReadInstruction;
 }
 
-/// What the servo at this place of a SYNC READ's parameters is asked.
+/// The request to the servo at this place of a SYNC READ's parameters.
 ServoRequest syncReadRequest(const ReceivedFrame& frame, std::size_t index)
 {
     return {true, frame.content.instruction, frame.content.params,
@@ -66,8 +66,8 @@ bool VirtualBus::State::listens(std::size_t nodeIndex, const ReceivedFrame& fram
            !node.servo.isDeaf() && node.deafUntil < frame.start && isSilentBefore(nodeIndex, frame);
 }
 
-// To a Modbus servo a request that follows another servo's reply too closely is part of that reply;
-// its own it does not hear.
+// To a Modbus servo a request that follows another servo's reply too closely is part of that reply.
+// A servo does not receive its own reply.
 bool VirtualBus::State::isSilentBefore(std::size_t nodeIndex, const ReceivedFrame& frame) const
 {
     if (frame.protocol != base::Protocol::Modbus)
@@ -91,7 +91,7 @@ void VirtualBus::State::dispatch(const ReceivedFrame& frame)
     updateReceivers(frame.end);
 }
 
-// What it hears while it writes its EPROM waits until it has.
+// Requests that arrive while it writes its EPROM wait until it has finished.
 bool VirtualBus::State::canAccept(std::size_t nodeIndex, const ReceivedFrame& frame)
 {
     if (!listens(nodeIndex, frame))
@@ -124,7 +124,7 @@ void VirtualBus::State::deliverTo(std::size_t nodeIndex, const ReceivedFrame& fr
         deliver(nodeIndex, request, at, std::nullopt);
 }
 
-// The earliest instant at which a servo has time for what waits in its receive buffer.
+// The earliest instant at which a servo can handle the requests in its receive buffer.
 std::optional<Nanos> VirtualBus::State::requestDue() const
 {
     std::optional<Nanos> first;
@@ -155,8 +155,8 @@ void VirtualBus::State::dispatchQueued(Nanos at)
     updateReceivers(at);
 }
 
-// Each listed servo speaks after the one before it; where one is missing, its time passes unused,
-// and one that is writing its EPROM comes too late.
+// Each listed servo replies after the one before it. The time of a missing servo passes unused, and
+// a servo that is writing its EPROM comes too late.
 void VirtualBus::State::dispatchSyncRead(const ReceivedFrame& frame)
 {
     const base::Bytes& params = frame.content.params;
@@ -198,7 +198,7 @@ void VirtualBus::State::deliverSyncRead(std::size_t nodeIndex, const ReceivedFra
     }
 }
 
-// `id`: what it was asked under. Once muteWhen was true, it stays mute.
+// `id`: the one in the request. Once muteWhen was true, it stays mute.
 bool VirtualBus::State::isMute(const VirtualServo& servo, int id)
 {
     std::vector<int>& mute = config.faults.muteIds;
@@ -210,8 +210,8 @@ bool VirtualBus::State::isMute(const VirtualServo& servo, int id)
     return true;
 }
 
-// When the servo will have spoken; nullopt if it stays silent. `notBefore`: its turn in a SYNC
-// READ.
+// When the servo will have finished its reply; nullopt if it stays silent. `notBefore`: its turn in
+// a SYNC READ.
 std::optional<Nanos> VirtualBus::State::deliver(std::size_t nodeIndex, const ServoRequest& request,
                                                 Nanos at, std::optional<Nanos> notBefore)
 {

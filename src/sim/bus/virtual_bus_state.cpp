@@ -63,7 +63,7 @@ void VirtualBus::State::advanceServos(Nanos to)
     }
 }
 
-// One ear for each rate and language that some servo listens in.
+// One receiver for each rate and protocol that a servo listens to.
 void VirtualBus::State::updateReceivers(Nanos at)
 {
     for (const BusNode& node : nodes) {
@@ -93,7 +93,7 @@ RequestReceiver* VirtualBus::State::nextReceiver(Nanos to, RequestReceiver::Even
     return first;
 }
 
-// The latest instant at which a silence may turn what has been heard so far into a request.
+// The latest instant at which a silence may turn the bytes received so far into a request.
 std::optional<Nanos> VirtualBus::State::silenceEnd() const
 {
     std::optional<Nanos> latest;

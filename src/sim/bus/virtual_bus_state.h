@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inside of VirtualBus: the servos on their places, the line, who hears what and when. All instants
-// are absolute nanoseconds of the caller's clock. One thread.
+// Inside of VirtualBus: the servos on their places, the line, and which servo receives what and
+// when. All instants are absolute nanoseconds of the caller's clock. One thread.
 #pragma once
 
 #include "sim/bus/request_receiver.h"
@@ -15,7 +15,7 @@ inline Nanos toNanos(base::Duration time)
     return std::chrono::nanoseconds(time).count();
 }
 
-// Rounded up, so that a caller who waits until then finds the byte.
+// Rounded up, so that a caller that waits until then finds the byte.
 inline base::Duration toDuration(Nanos time)
 {
     return base::Duration((time + 999) / 1000);

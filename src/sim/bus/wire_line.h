@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shared wire as levels over time: everybody's bursts of bytes, combined as an open line
+// The shared wire as levels over time: the bursts of bytes of all senders, combined as an open line
 // combines them (low wins). Owned by VirtualBus; one thread. Times are nanoseconds, so that byte
 // times at odd rates do not drift. 8N1: a byte takes 10 bits, least significant bit first.
 #pragma once
@@ -16,7 +16,7 @@ using Nanos = std::int64_t;
 constexpr int hostSender = -1;
 constexpr int bitsPerByte = 10;
 
-/// Bytes that one speaker sends without a pause.
+/// Bytes that one sender sends without a pause.
 struct Burst {
     int sender = hostSender; ///< hostSender or a servo's place on the bus
     Nanos start = 0;
@@ -45,7 +45,7 @@ public:
     bool isHigh(Nanos at) const;
     /// The next instant after `at` at which the level may change; nullopt: silence from then on.
     std::optional<Nanos> nextBoundary(Nanos at) const;
-    /// True when nobody but the speaker of `burst` drives the line in [from, to).
+    /// True when only the sender of `burst` drives the line in [from, to).
     bool isUndisturbed(const Burst& burst, Nanos from, Nanos to) const;
 
     void removeBefore(Nanos at);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a servo with defects really brings its shaft while its path leads it to the goal: beside it
-// by rest hysteresis and static error, and past it and back when badly damped. Plain value of one
-// servo; its thread. Steps, step/s, seconds.
+// Where a servo with defects really brings its shaft while its path leads it to the goal: beside
+// the goal by rest hysteresis and static error, past it and back when badly damped. Plain value of
+// one servo; its thread. Steps, step/s, seconds.
 #pragma once
 
 #include "sim/faults/defects.h"
@@ -24,14 +24,15 @@ struct Shaft {
 class DefectTrajectory {
 public:
     void restart(double at);
-    /// What the path is to lead to next, and where it is: before the path's step of time.
+    /// The next goal of the path and the position it starts from. Call it before the path's step of
+    /// time.
     void setGoal(double goal, double from);
 
     /// One step of time, after the path's.
     Setpoint follow(const Defects& defects, const Trajectory& path, double topSpeed,
                     const Shaft& shaft, double seconds);
 
-    /// Past its goal, there or on the way back.
+    /// Past its goal, or on the way back to it.
     bool isSwinging() const { return m_phase == Phase::Overshoot || m_phase == Phase::Returning; }
 
 private:

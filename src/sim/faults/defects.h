@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What may be wrong with a simulated servo, by figures that a test of servos should find again. All
-// as it stands here: a healthy one, which behaves as if this did not exist. Plain value. Steps are
+// What may be wrong with a simulated servo, as numbers that a test of servos should find again. The
+// defaults are a healthy servo, which behaves as if this did not exist. Plain value. Steps are
 // those of its sensor; "reported" is what the position register shows.
 #pragma once
 
@@ -15,7 +15,7 @@ struct Defects {
     /// ServoConfig::gearPlayDegrees, and play before it is hidden by the loop.)
     double restHysteresis = 0; ///< steps
 
-    /// Rests this far beside its goal whatever the load, and reports it: a constant pull.
+    /// Rests this far beside its goal under any load, and reports it: a constant pull.
     double staticError = 0; ///< steps, signed as the position is
 
     /// Badly damped: after a move of W steps it goes W·this/100 (whole steps) beyond its goal,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decides which named fault befalls a reply. Seeded, so that a run with faults can be repeated.
+// Decides which named fault hits a reply. Seeded, so that a run with faults can be repeated.
 // Owned by VirtualBus; one thread. A fault of probability 0 draws no number.
 #pragma once
 
@@ -16,7 +16,7 @@ public:
 
     bool dropsRequest(const FaultPlan& plan) { return occurs(plan.dropRequest); }
 
-    /// Spoils `frame` in place. How much later it is spoken; nullopt: not at all.
+    /// Damages `frame` in place. Returns how much later it is sent; nullopt: not at all.
     std::optional<base::Duration> applyFaults(base::Bytes& frame, const FaultPlan& plan);
 
 private:

@@ -106,7 +106,7 @@ ServoList modbus()
     return {{QStringLiteral("SMSMB"), 1, {}, {}, 180, arm(0.2), nullptr}};
 }
 
-// What a technician tries first, told in the servo's own words: 17 and 18.
+// Registers 17 and 18, which a technician tries first.
 void saveOffset(VirtualServo& servo)
 {
     constexpr std::uint8_t adjust = 17;
@@ -116,7 +116,7 @@ void saveOffset(VirtualServo& servo)
     runFor(servo, std::chrono::milliseconds(50));
 }
 
-// Warmer than the limit it was given, so unloaded until somebody opens a window.
+// Warmer than its limit, so its torque stays off until it cools down.
 void overheat(VirtualServo& servo)
 {
     constexpr int limit = 60;
@@ -138,7 +138,7 @@ ServoList lx()
     };
 }
 
-// Alike but for their health.
+// The same but for their defects.
 ServoList sweep()
 {
     Defects worn;
@@ -153,7 +153,7 @@ ServoList sweep()
     };
 }
 
-// As they come out of their boxes: ID 1, the factory's rate.
+// New from the factory: ID 1, factory baud rate.
 ServoList line()
 {
     const auto fresh = [](const char* model, double volts, double degrees) {
@@ -163,8 +163,8 @@ ServoList line()
             fresh("STS3215", 7.4, 90),  fresh("SCS15", 7.4, 110),   fresh("STS3215", 7.4, 175)};
 }
 
-// One from another rate, one with an alarm, one that has been in use, one of another family, one
-// that speaks another language, and a healthy one.
+// One at another rate, one with an alarm, one that has been in use, one of another family, one with
+// another protocol, and a healthy one.
 ServoList lineTrouble()
 {
     return {
@@ -180,7 +180,7 @@ ServoList lineTrouble()
 struct Preset {
     const char* name;
     ServoList (*servos)();
-    bool hotplug = false; ///< nobody is plugged in yet
+    bool hotplug = false; ///< no servo is plugged in yet
 };
 constexpr Preset presets[] = {{"demo", demo},
                               {"trouble", trouble},

@@ -81,7 +81,8 @@ base::Result<void> PtyDevice::openTerminal(int baud)
     return {};
 }
 
-// Made aside and renamed, so that the name always leads somewhere. Only a link is ever replaced.
+// Made under another name and renamed, so that the link always has a target. Only a link is ever
+// replaced.
 base::Result<void> PtyDevice::makeLink(const QString& link)
 {
     if (link.isEmpty())
@@ -165,8 +166,8 @@ void PtyDevice::countClients()
 #endif
 }
 
-// What a closing port does by itself: unread bytes are gone and the next client may open it, even
-// if this one died while it had it for itself.
+// As a real port does when it is closed: unread bytes are dropped and the next client may open it,
+// even if this one died while it held the port exclusively.
 void PtyDevice::resetForNextClient()
 {
     m_clients = 0;
@@ -190,8 +191,9 @@ base::Bytes PtyDevice::read()
 
 void PtyDevice::write(base::ByteView bytes)
 {
-    // Who asked may have come, and who came before may have left, since wait() last counted:
-    // counted later, the one's answer would be kept back or thrown away as the other's.
+    // A client may have connected, and another one may have left, since wait() last counted.
+    // Without counting again, a reply for the new client would be withheld or dropped with the old
+    // one's.
     countClients();
     if (m_watch >= 0 && m_clients == 0)
         return;

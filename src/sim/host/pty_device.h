@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pseudo-terminal that other programs open like a serial adapter: raw, with the rate its client
-// has set, an optional symbolic link, and the knowledge whether a client has it open. POSIX; where
-// there is no inotify a client counts as always there. One thread, except wake().
+// has set, an optional symbolic link, and whether a client has it open. POSIX; without inotify a
+// client counts as always connected. One thread, except wake().
 #pragma once
 
 #include "base/bytes.h"
@@ -15,7 +15,7 @@
 namespace sim {
 class PtyDevice {
 public:
-    /// `baud` is what a client finds that sets no rate. PortFailed with the system's message.
+    /// `baud` is the rate for a client that sets none. PortFailed with the system's message.
     static base::Result<std::unique_ptr<PtyDevice>> open(const QString& link, int baud);
     ~PtyDevice();
     PtyDevice(const PtyDevice&) = delete;
@@ -24,12 +24,12 @@ public:
     QString path() const { return m_path; }
     int baud() const; ///< as the client has set it; 0: unknown
 
-    /// Waits for bytes, a client's coming or going, or wake(), at most `span`.
+    /// Waits for bytes, for a client that connects or leaves, or for wake(), at most `span`.
     void wait(base::Duration span);
     void wake(); ///< any thread, also from a signal handler; stays in effect
     bool isWoken() const { return m_isWoken; }
 
-    /// What the client has sent and not yet been read.
+    /// The bytes of the client that have not been read yet.
     base::Bytes read();
     /// In one piece. Lost if no client listens or it does not read, as on a closed port.
     void write(base::ByteView bytes);
@@ -43,7 +43,7 @@ private:
     void resetForNextClient();
 
     int m_master = -1;
-    int m_slave = -1; ///< held open, so that a client's leaving does not hang the line up
+    int m_slave = -1; ///< held open, so that the line stays up when a client leaves
     int m_watch = -1;
     int m_wakeRead = -1;
     int m_wakeWrite = -1;

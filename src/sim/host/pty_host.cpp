@@ -22,7 +22,7 @@ void setMinTimerSlack()
 #endif
 }
 
-/// Delays that are asked for are kept; only the wire's own time may be cut short.
+/// Requested delays are kept; only the transmission time itself may be shortened.
 base::Duration leadTime(const WireConfig& wire, bool wireTime)
 {
     const bool delays = wire.adapterLatency > base::Duration{} || wire.faults.late > 0;
@@ -53,7 +53,7 @@ void PtyHost::serve(std::optional<base::Duration> until, const std::function<voi
             continue;
         }
         if (now >= nextTick) {
-            // Idle servos move on in small portions; a reply under way is not cut in two.
+            // Idle servos advance in small steps; a reply under way is not split.
             if (!due)
                 deliver(now);
             housekeeping();

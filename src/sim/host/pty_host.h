@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a VirtualBus in real time behind a pseudo-terminal. A reply becomes readable in one piece
 // when its last byte has passed the wire, as an adapter hands it over. With wire time that instant
-// is kept to some ten microseconds (sleep until shortly before, then spin); without, replies may
-// come up to two milliseconds early, so at once for ordinary frames, though the bus never runs
-// further ahead of the clock than that. The client's own rate setting is the rate it speaks at.
-// One thread, except stop().
+// is met within some ten microseconds (sleep until shortly before, then spin); without, replies may
+// come up to two milliseconds early, which is at once for ordinary frames; the bus never runs
+// further ahead of the clock than that. The client sends at the rate it has set. One thread, except
+// stop().
 #pragma once
 
 #include "sim/bus/virtual_bus.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated bus as a port: "sim:NAME". On a manual clock waiting jumps to the next byte; on the
-// system clock it waits for real, to the microsecond when asked to pace. Bus thread only, but the
-// VirtualBus may be poked by another thread through withBus().
+// system clock it waits for real, to the microsecond when asked to pace. Bus thread only, but
+// another thread may access the VirtualBus through withBus().
 #pragma once
 
 #include "sim/bus/virtual_bus.h"

@@ -18,7 +18,7 @@ void Controller::follow(double position)
     m_defectTrajectory.restart(position);
 }
 
-/// P with the startup force as the least it gives once it gives anything.
+/// P; any duty is at least the startup force.
 double Controller::proportional(const Settings& s, double error) const
 {
     const double duty = s.positionP * error;
@@ -34,7 +34,7 @@ double Controller::holdPosition(const Settings& s, double goal, double topSpeed,
     double duty = m_integral;
     if (error > s.cwDeadZone || error < -s.ccwDeadZone) {
         duty += proportional(s, error) + s.positionD * rate;
-        // No winding up against a limit that is reached already.
+        // No wind-up against a limit that is already reached.
         if (std::abs(duty) < limit || duty * error < 0.0) {
             const double maxIntegral = s.integralLimit > 0.0 ? s.integralLimit : fullDuty;
             m_integral =

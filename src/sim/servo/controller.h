@@ -12,7 +12,7 @@ class Controller {
 public:
     static constexpr double tick = 0.001; ///< s
 
-    /// Torque has just come on at this position: hold here, forget the past.
+    /// Torque has just come on at this position: hold it, without any history.
     void energize(double position);
     /// Torque is off: the goal in use follows the shaft.
     void follow(double position);
@@ -20,11 +20,11 @@ public:
     /// Position and step mode. `limit` is the largest duty allowed now.
     double holdPosition(const Settings& s, double goal, double topSpeed, double position,
                         double limit);
-    /// The same of a servo with defects, in two steps: where it brings its shaft …
+    /// The same for a servo with defects, in two steps: where it brings its shaft …
     Setpoint defectSetpoint(const Settings& s, const Defects& defects, double goal, double topSpeed,
                             const Shaft& shaft);
-    /// … and the duty that does, with `support` as the duty that its load and friction take. No
-    /// dead zone and no I, which would blur or hide what the defects say.
+    /// … and the duty that brings it there, where `support` is the duty that load and friction
+    /// take. It has no dead zone and no I, which would blur or hide the defects.
     double holdDefectSetpoint(const Settings& s, const Setpoint& setpoint, double position,
                               double support, double limit);
     /// Closed-loop speed.

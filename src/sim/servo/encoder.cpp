@@ -47,7 +47,7 @@ std::int64_t Encoder::sample(double angle, std::uint64_t tick)
 
 double Encoder::gaussianNoise(std::uint64_t tick) const
 {
-    constexpr std::uint64_t noiseSeed = 0xA0761D6478BD642FU; // not the noise again
+    constexpr std::uint64_t noiseSeed = 0xA0761D6478BD642FU; // independent of the noise of sample()
     const RandomPair random = randomPair(m_seed ^ noiseSeed, tick);
     return std::sqrt(-2.0 * std::log(1.0 - random.low)) *
            std::cos(2.0 * std::numbers::pi * random.high);

@@ -3,7 +3,7 @@
 // sensors turn endlessly through 4096 steps; the SCS potentiometer has 1024 steps over its range
 // and a dead sector behind it, where it reads its nearer end; LX reads on below 0 and above 1000
 // until the turn is full. Owned by one servo; its thread. Noise is a function of the instant alone,
-// so that a reading does not depend on how often others were taken.
+// so that a reading does not depend on how many were taken before.
 #pragma once
 
 #include "sim/servo/servo_traits.h"
@@ -20,7 +20,7 @@ public:
     /// The latest sample before it was rounded, without noise.
     double unrounded() const { return m_filtered * m_stepsPerRadian; }
 
-    /// What a sensor that does not count turns shows for a counted position.
+    /// What a sensor without a turn count shows for a counted position.
     int withinTurn(std::int64_t encoderCount) const;
     /// Normally distributed with a deviation of 1.
     double gaussianNoise(std::uint64_t tick) const;

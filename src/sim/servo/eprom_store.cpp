@@ -50,8 +50,8 @@ QByteArray toJson(VirtualBus& bus, const std::vector<base::Bytes>& images)
         .toJson();
 }
 
-/// Why it could not be done; the old file stands then. Unlike QSaveFile it does not wait for the
-/// disk, which would keep the servos silent for as long as the disk is busy.
+/// The reason for a failure, which leaves the old file as it was. Unlike QSaveFile, it does not
+/// wait for the disk, which would keep the servos silent for as long as the disk is busy.
 QString replaceFile(const QString& path, const QByteArray& text)
 {
     const QFileInfo existing(path);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The EPROMs of a simulated bus in a file, so that ending and starting the simulator is a power
-// cycle. JSON, one entry a servo in the order of the bus. A file that is damaged, of another kind
-// or for other models is refused whole and never overwritten; writing replaces the file at once or
-// not at all. One thread.
+// cycle. JSON, one entry per servo in the order of the bus. A file that is damaged, of another kind
+// or for other models is refused as a whole and never overwritten; writing replaces the file at
+// once or not at all. One thread.
 #pragma once
 
 #include "base/error.h"

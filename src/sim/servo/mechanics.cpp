@@ -6,8 +6,8 @@
 
 namespace sim {
 namespace {
-/// Semi-implicit: what grows with speed is taken at the end of the step, dry friction may stop a
-/// body but never turn it round.
+/// Semi-implicit: damping is taken at the end of the step, and dry friction may stop a body but
+/// never reverse it.
 double nextSpeed(double speed, double torque, double damping, double friction, double stiction,
                  double inertia, double seconds)
 {
@@ -61,7 +61,7 @@ double Mechanics::effortFor(double acceleration, double speed, double breakaway,
                          breakaway * (m_motorModel.stiction + shaft.stiction) - shaft.drive) /
                         m_motorModel.torqueConstant;
     const double needed = m_motorModel.emfConstant * speed + m_motorModel.resistance * amps;
-    // The supply sags under it.
+    // The supply voltage sags under this current.
     const double first = std::clamp(needed / volts, -1.0, 1.0);
     return std::clamp((needed + environment.supplyOhms * first * first * amps) / volts, -1.0, 1.0);
 }
@@ -76,7 +76,7 @@ double Mechanics::opposingTorque(double direction, const Load& load) const
 }
 
 /// The winding settles far faster than a step, so its current follows at once; the sag of the
-/// supply under that current is solved for in the same breath: i = (d(U − R·I₀) − kω)/(R + r·d²).
+/// supply under that current is solved in the same step: i = (d(U − R·I₀) − kω)/(R + r·d²).
 Mechanics::Torques Mechanics::motorTorques(Bridge bridge, double effort,
                                            const Environment& environment) const
 {

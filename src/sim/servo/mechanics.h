@@ -21,7 +21,7 @@ public:
     void step(Bridge bridge, double effort, const Load& load, const Environment& environment,
               double seconds);
 
-    /// Without the play from now on, or with it again.
+    /// Without gear play from now on, or with it again.
     void setRigid(bool stiff) { m_halfPlay = stiff ? 0.0 : m_initialHalfPlay; }
 
     double angle() const { return m_shaft.angle; } ///< the encoder sits here
@@ -31,8 +31,8 @@ public:
     double supplyVolts(const Environment& environment) const;
     /// The duty, −1…1, that lets this current through the winding at the present speed.
     double dutyFor(double amps, const Environment& environment) const;
-    /// The effort that gives the shaft this motion under this load: what its sense of turning makes
-    /// of dry friction is `breakaway`, the share of it to push against, −1…1.
+    /// The effort that gives the shaft this motion under this load. `breakaway` is the share of dry
+    /// friction to push against, −1…1, signed as the direction.
     double effortFor(double acceleration, double speed, double breakaway, const Load& load,
                      const Environment& environment) const;
     /// N·m that the load sets against turning in this direction (sign); 0: its friction alone.
@@ -47,7 +47,7 @@ private:
         double angle = 0;
         double speed = 0;
     };
-    /// Speed-independent torque and what grows with speed, of one body.
+    /// The torques on one body: independent of its speed, and growing with it.
     struct Torques {
         double drive = 0;
         double damping = 0;

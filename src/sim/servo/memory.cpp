@@ -9,7 +9,7 @@ constexpr std::array<std::uint8_t, 4> imageMagic{'S', 'D', 'E', 2}; // last: ver
 constexpr std::size_t countBytes = 2;
 } // namespace
 
-/// Where the sheet does not say whether a value survives, its area decides.
+/// Where the sheet does not state whether a value survives, its area decides.
 Memory::Kind Memory::kindOf(const catalog::Register& reg)
 {
     using catalog::Persistence;
@@ -138,7 +138,7 @@ base::Bytes Memory::image() const
     return image;
 }
 
-/// What nobody can write, the servo's identity, must be the same.
+/// The read-only part, which is the servo's identity, must be the same.
 bool Memory::setImage(base::ByteView image)
 {
     const std::size_t head = imageMagic.size() + countBytes;

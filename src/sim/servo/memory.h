@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The servo's memory table as bytes: what acts now, what survives power-off, and the copy that 0x06
-// brings back. Knows which bytes exist and how each is kept, not what they mean. Offsets are those
-// of catalog::Register. Owned by one servo; its thread. Writes to read-only and undefined bytes are
-// lost silently; undefined bytes read 0.
+// brings back. Knows which bytes exist and how long each lasts, not what they mean. Offsets are
+// those of catalog::Register. Owned by one servo; its thread. Writes to read-only and undefined
+// bytes are lost silently; undefined bytes read 0.
 #pragma once
 
 #include "base/bytes.h"
@@ -11,7 +11,7 @@
 #include <array>
 
 namespace sim {
-/// What the lock register lets a write keep.
+/// The area in which a write survives power-off, as the lock register allows.
 enum class UnlockedArea : std::uint8_t { Nothing, Eprom, Factory };
 
 class Memory {
@@ -24,27 +24,27 @@ public:
     base::ByteView view(int address, int count) const;
 
     bool isMapped(int address, int count) const; ///< every byte belongs to a register
-    /// And a write from outside does something: no byte is read-only or behind the factory's lock.
+    /// Also, a write from outside has an effect: no byte is read-only or behind the factory lock.
     bool writable(int address, int count, UnlockedArea unlocked) const;
 
-    /// As from outside. EPROM bytes always act, and stay if they are unlocked; bytes of the factory
-    /// block do neither unless they are. True when something was stored.
+    /// A write from outside. EPROM bytes always act, and survive power-off if they are unlocked;
+    /// bytes of the factory block do neither while they are locked. True when something was stored.
     bool write(int address, base::ByteView data, UnlockedArea unlocked);
-    /// What is kept only when asked for (the LX offset). True when there is such a byte.
+    /// Stores bytes that survive only by this command (the LX offset). True when there is one.
     bool save(int address, int count);
 
     /// The servo itself sets a byte of RAM or feedback.
     void set(int address, std::uint8_t value) { m_live[std::size_t(address)] = value; }
-    /// What a byte is after power-on (RAM) or leaves the factory with (EPROM, its back-up too).
+    /// The value of a byte after power-on (RAM), or from the factory (EPROM, its backup too).
     void setInitial(int address, std::uint8_t value);
 
     void powerOn();
     void backup() { m_backup = m_stored; }
-    /// The EPROM but for the byte at `keepAddress` becomes what backup() stored.
+    /// The EPROM becomes what backup() stored, except for the byte at `keepAddress`.
     void restore(int keepAddress);
 
-    /// Everything kept, and its back-up, as one versioned block; a block of another size, version
-    /// or model is refused.
+    /// Everything that survives, and its backup, as one versioned block; a block of another size,
+    /// version or model is refused.
     base::Bytes image() const;
     bool setImage(base::ByteView image);
 

@@ -14,7 +14,7 @@ void Protection::setFault(const Settings& s, StatusBit bit, bool present)
     }
 }
 
-/// A trip that the unload condition does not ask for is still shown for as long as its cause lasts.
+/// A fault that is not in the unload condition is still shown for as long as its cause lasts.
 void Protection::watchOverload(const Settings& s, double duty)
 {
     m_overloadTicks = std::abs(duty) > s.overloadDuty ? m_overloadTicks + 1 : 0;
@@ -42,7 +42,7 @@ void Protection::update(const Settings& s, const Measured& now, bool watchVoltag
 {
     watchOverload(s, now.duty);
     watchCurrent(s, now);
-    // What is judged is what is shown.
+    // Compares the values that the registers show.
     const long volts = std::lround(now.volts);
     setFault(s, VoltageBit, watchVoltage && (volts > s.maxVoltage || volts < s.minVoltage));
     setFault(s, TemperatureBit, std::lround(now.celsius) > s.maxTemperature);

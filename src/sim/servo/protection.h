@@ -31,13 +31,13 @@ public:
     /// A new command that would turn the servo this way (sign) has been written. True when that
     /// released it.
     bool newCommand(const Settings& s, double direction);
-    void torqueOff(const Settings& s); ///< on the host's word
-    void clear(std::uint8_t bits);     ///< by command; a cause that lasts brings them back
+    void torqueOff(const Settings& s); ///< by the host
+    void clear(std::uint8_t bits);     ///< by command; a persisting cause sets them again
     void inject(std::uint8_t bits) { m_injected = bits; }
     void reset() { *this = Protection(); } ///< power-on
 
     std::uint8_t status() const { return std::uint8_t(m_faults | m_injected); }
-    /// A fault that 19 tells to unload the motor for; overload only weakens it.
+    /// A fault for which register 19 releases the torque; overload only weakens it.
     bool mustUnload(const Settings& s) const;
     bool isOvercurrentTripped() const { return m_overcurrent; }
     double dutyLimit(const Settings& s) const;

@@ -1,100 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the servo tells about itself: registers 56–70 and the LED.
-#include "sim/servo/servo_state.h"
+#include "sim/servo/servo_feedback.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sim {
-namespace {
 using catalog::Role;
 
-/// Even in the fine unit the firmware measures speed in steps of 50 step/s, and calls less than
-/// one of them standing still.
-int reportedSpeedSteps(double stepsPerSecond)
-{
-    return std::abs(stepsPerSecond) < minReportedSpeed
-               ? 0
-               : int(std::lround(stepsPerSecond / 50.0)) * 50;
-}
-} // namespace
+ServoFeedback::ServoFeedback(const ServoModel& model, const ServoConfig& config,
+                             RegisterStore& registers, const ServoDrive& drive,
+                             const ServoHealth& health, const Protection& protection)
+    : m_model(model)
+    , m_config(config)
+    , m_registers(registers)
+    , m_drive(drive)
+    , m_health(health)
+    , m_protection(protection)
+{}
 
-/// Signed like the load; the sensor's range ends where its protection's does.
-double VirtualServo::State::sensedCurrent() const
-{
-    constexpr double ampsPerUnit = 0.0065;
-    if (!settings.hasCurrentSensing) {
-        return 0.0;
-    }
-    const double units = -mechanics.motorAmps() * settings.driveSign / ampsPerUnit;
-    return std::clamp<double>(units, -type.maxCurrent, type.maxCurrent);
-}
-
-/// Whole steps, of the register only.
-double VirtualServo::State::readingNoise() const
-{
-    const double deviation = config.defects.positionNoise;
-    return deviation == 0.0 ? 0.0 : std::round(deviation * encoder.gaussianNoise(ticks));
-}
-
-void VirtualServo::State::updateFeedback()
+void ServoFeedback::update()
 {
     const auto put = [this](Role role, double value) {
-        map.put(memory, role, int(std::lround(value)));
+        m_registers.put(role, int(std::lround(value)));
     };
-    double shown = position + readingNoise();
-    if (encoder.isContinuous() && settings.mode == DriveMode::Step) {
-        shown = stepGoal - shown;
-    } else if (encoder.isContinuous() && !settings.fullAngle) {
-        const double turn = traits.turnSteps;
-        shown -= turn * std::floor(shown / turn);
+    put(Role::PresentPosition, shownPosition());
+    put(Role::PresentSpeed, double(shownSpeed()) / m_registers.settings().speedUnit);
+    // Negative duty drives towards larger positions: 44 = 200 turns counter-clockwise with 58
+    // negative and 60 positive.
+    put(Role::PresentLoad, -m_drive.duty());
+    put(Role::PresentVoltage, m_health.watchesVoltage() ? m_health.volts() : 0.0);
+    put(Role::PresentTemperature, m_health.celsius());
+    put(Role::Status, status());
+    put(Role::Moving, movingFlags());
+    put(Role::ActiveGoal, m_drive.pathPosition());
+    put(Role::PresentCurrent, m_drive.sensedCurrent());
+}
+
+double ServoFeedback::shownPosition() const
+{
+    const PositionSensor& sensor = m_drive.sensor();
+    const Settings& settings = m_registers.settings();
+    const double position =
+        sensor.position() + sensor.noise(m_config.defects.positionNoise, m_drive.ticks());
+    if (sensor.isContinuous() && settings.mode == DriveMode::Step) {
+        return m_drive.goal().stepGoal() - position;
     }
-    put(Role::PresentPosition, shown);
-    const int stepsPerSecond = reportedSpeedSteps(reportedSpeed);
-    put(Role::PresentSpeed, double(stepsPerSecond) / settings.speedUnit);
-    // The bridge drives larger positions with negative duty: 44 = 200 turns counter-clockwise with
-    // 58 negative and 60 positive.
-    put(Role::PresentLoad, -duty);
-    const bool showVolts = settings.maxVoltage != 0 || settings.minVoltage != 0;
-    put(Role::PresentVoltage, showVolts ? volts : 0.0);
-    put(Role::PresentTemperature, celsius);
-    put(Role::AsyncFlag, pendingWrite ? 1 : 0);
-    put(Role::Status, reportedStatus());
-    put(Role::Moving, reportedMoving());
-    put(Role::ActiveGoal, controller.path().position);
-    put(Role::PresentCurrent, sensedCurrent());
+    if (sensor.isContinuous() && !settings.fullAngle) {
+        const double turn = m_model.traits.turnSteps;
+        return position - turn * std::floor(position / turn);
+    }
+    return position;
+}
+
+/// The firmware measures speed in steps of 50 step/s even where the register's unit is finer.
+int ServoFeedback::shownSpeed() const
+{
+    constexpr int resolution = int(PositionSensor::speedResolution);
+    const PositionSensor& sensor = m_drive.sensor();
+    return sensor.isStill() ? 0
+                            : int(std::lround(sensor.reportedSpeed() / resolution)) * resolution;
 }
 
 /// Modbus: bit 4 is a state, not a fault.
-int VirtualServo::State::reportedStatus() const
+int ServoFeedback::status() const
 {
     constexpr int torqueOn = 16;
-    return protection.status() | (traits.modbus && settings.torqueSwitch == 1 ? torqueOn : 0);
+    const bool showsTorque = m_model.traits.modbus && m_registers.settings().torqueSwitch == 1;
+    return m_protection.status() | (showsTorque ? torqueOn : 0);
 }
 
 /// HLS has two flags: faster than the threshold, and on the way to the goal.
-int VirtualServo::State::reportedMoving() const
+int ServoFeedback::movingFlags() const
 {
-    if (const auto stuck = config.defects.movingFlagStuck) {
-        const int all = type.movingBits ? 3 : 1;
+    const bool twoFlags = m_model.type.movingBits;
+    if (const auto stuck = m_config.defects.movingFlagStuck) {
+        const int all = twoFlags ? 3 : 1;
         return *stuck ? all : 0;
     }
-    if (!type.movingBits) {
-        return moving ? 1 : 0;
+    if (!twoFlags) {
+        return m_drive.isMoving() ? 1 : 0;
     }
-    return (std::abs(reportedSpeed) < minReportedSpeed ? 0 : 1) | (moving ? 2 : 0);
+    return (m_drive.sensor().isStill() ? 0 : 1) | (m_drive.isMoving() ? 2 : 0);
 }
 
-/// A fault that its condition names blinks it; without one it shines if there is a condition, on LX
-/// as its own register says.
-bool VirtualServo::State::led() const
+/// It blinks with a fault that the LED condition names. Without such a fault it is on if there is a
+/// condition; on LX servos its own register decides.
+bool ServoFeedback::isLedOn() const
 {
-    if (!isRunning()) {
-        return false;
+    if ((m_protection.status() & m_registers.settings().ledCondition) != 0) {
+        return m_drive.ticks() / 250 % 2 == 0;
     }
-    if ((protection.status() & settings.ledCondition) != 0) {
-        return ticks / 250 % 2 == 0;
-    }
-    return settings.led;
+    return m_registers.settings().led;
 }
 } // namespace sim

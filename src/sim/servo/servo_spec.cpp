@@ -18,7 +18,7 @@ tl::unexpected<base::Error> invalidServo(const QString& item, const QString& why
                       QStringLiteral("%1: %2").arg(item, why));
 }
 
-/// A firmware that each simulated series was seen with, or that its map asks for. LX says nothing.
+/// A firmware that each simulated series was seen with, or that its map requires. LX reports none.
 struct Firmware {
     const char* series;
     int major;
@@ -56,7 +56,7 @@ bool supportsBaud(const catalog::Profile& profile, int baud)
                        [baud](const auto& value) { return value.key == QString::number(baud); });
 }
 
-/// The middle of what the model may be fed, or what is usual where its sheet says nothing.
+/// The middle of the model's supply range, or a typical value where its sheet states none.
 double supplyOf(const catalog::Profile& profile)
 {
     if (!profile.minVoltage || !profile.maxVoltage)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From "which servo, how set up" to servos on a bus: shared by the presets and the list syntax.
+// Builds the servos of a bus from their specifications, for the presets and the list syntax.
 // Fails with BadArgument when the catalog has no such model, it has no map to simulate, or the
 // model does not know the rate.
 #pragma once

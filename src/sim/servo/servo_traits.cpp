@@ -64,7 +64,7 @@ std::vector<ModeRule> modesOf(const catalog::Profile& profile)
     return rules;
 }
 
-/// As the sheet of the position has it; without, the usual range of a potentiometer.
+/// As the position register states it; otherwise the typical range of a potentiometer.
 double degreesPerStep(const catalog::Profile& profile)
 {
     const catalog::Register* position = profile.byRole(Role::PresentPosition);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a family's firmware reads its registers, taken from the profile once: sensor, units, phase
-// bits, modes. What no sheet states is decided here and said. Pure values; any thread.
+// bits, modes. What no sheet states is decided here, with a comment. Pure values; any thread.
 #pragma once
 
 #include "catalog/profile.h"

@@ -30,9 +30,9 @@ constexpr KnownModel knownTypes[] = {
     {"HTS-35H", 11.1, 35.0, 55.0, 2.9, 0.15},
 };
 
-/// What a series is like, and the factory values its sheet leaves open: seen on one of its servos
-/// where there are reports, typical otherwise. Of SMCL and SCS2 no bit of the phase is known, of
-/// Modbus no factory value at all.
+/// Typical data of a series, and the factory values that its sheet leaves open: reported of one of
+/// its servos, or typical. For SMCL and SCS2 no bit of the phase is known, for Modbus no factory
+/// value at all.
 struct SeriesData {
     const char* key;
     double stallTorque; ///< N·m
@@ -45,7 +45,7 @@ struct SeriesData {
     int positionD;
     int unloadCondition;
     int ledCondition;
-    int startupForce; ///< so much that a servo without I overcomes its friction
+    int startupForce; ///< enough for a servo without I to overcome its friction
 };
 constexpr SeriesData seriesData[] = {
     {"STS", 1.91, 55.0, 2.4, 0.15, 4.0, 12, 32, 32, 44, 45, 0},
@@ -58,7 +58,7 @@ constexpr SeriesData seriesData[] = {
     {"LX", 17.0 * newtonMetersPerKgCm, 60.0, 2.4, 0.12, 4.5, 0, 60, 8, 0, 7, 0},
 };
 
-/// LX servos of the 11.1 V class carry it in their names only.
+/// LX servos of the 11.1 V class are known by their names only.
 bool hasHighVoltageName(const catalog::Profile& profile)
 {
     const QString& name = profile.modelName;
@@ -90,7 +90,7 @@ double maxSupplyVoltage(double nominal, const catalog::Profile& profile)
     return profile.maxVoltage.value_or(7.4) > 8.0 ? 9.0 : 8.0;
 }
 
-/// A sheet says it, or the table has a register for it.
+/// The sheet states it, or the table has a register for it.
 bool sensesCurrent(const catalog::Profile& profile)
 {
     return profile.currentSensing != catalog::CurrentSensing::No &&
@@ -147,7 +147,7 @@ ServoType servoType(const catalog::Profile& profile)
         }
     }
     type.maxVoltage = maxSupplyVoltage(type.nominalVolts, profile);
-    // A small case sheds less heat: scale with the copper loss it was built for.
+    // A small case gives off less heat: scale with its rated copper loss.
     const double stallWatts = type.nominalVolts * type.stallAmps;
     type.thermalResistance = 14.0 * std::sqrt(18.0 / stallWatts);
     return type;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a kind of servo is made of: motor and gear figures at the output shaft, heat, and the
-// factory values its register sheet leaves open. Pure values; any thread. Figures are those of the
-// makers' data sheets where they exist, of the series otherwise; nothing in the tests rests on one
-// of them.
+// The physical data of a kind of servo: motor and gear at the output shaft, heat, and the factory
+// values that its register sheet leaves open. Pure values; any thread. The numbers are those of the
+// makers' data sheets where they exist, of the series otherwise; no test depends on one of them.
 #pragma once
 
 #include "sim/servo/servo_traits.h"
@@ -20,7 +19,7 @@ struct ServoType {
     double thermalTime = 240.0;      ///< s
     bool currentSensing = true;
     int maxCurrent = 511;    ///< what its current register can show
-    bool movingBits = false; ///< the moving register has a flag for each sense of the word
+    bool movingBits = false; ///< the moving register has two flags
     double maxVoltage = 8.0; ///< limits it leaves the factory with
     double minVoltage = 4.0;
     int phase = 12; ///< register 18: step/s, goal speed 0 = maximum
@@ -37,6 +36,18 @@ struct ServoType {
 };
 
 ServoType servoType(const catalog::Profile& profile);
+
+/// Everything about a servo that its register map decides.
+struct ServoModel {
+    explicit ServoModel(catalog::ProfilePtr servoProfile)
+        : profile(std::move(servoProfile))
+        , traits(traitsOf(*profile))
+        , type(servoType(*profile))
+    {}
+    catalog::ProfilePtr profile;
+    ServoTraits traits;
+    ServoType type;
+};
 
 /// The electric motor and its gear, from the data-sheet figures.
 struct MotorModel {

@@ -34,7 +34,7 @@ struct Reader {
         return catalog::valueFormat(reg, profile,
                                     [this](const QString& key) { return byKey(key); });
     }
-    /// With what the mode makes of the register.
+    /// In the meaning that the present mode gives the register.
     int decoded(Role role) const
     {
         const catalog::Register* reg = profile.byRole(role);
@@ -44,7 +44,7 @@ struct Reader {
         return int(catalog::decodeRaw(memory.view(reg->offset, reg->size), *reg, meaning(*reg),
                                       profile.byteOrder));
     }
-    /// A percentage as duty, whatever the register counts in.
+    /// A percentage as duty, in any unit of the register.
     int duty(Role role, int fallback) const
     {
         return map.at(role).exists() ? int(std::lround(map.physical(memory, role) * 10.0))
@@ -87,7 +87,7 @@ void readPhase(Settings& s, const Reader& read, const ServoType& type)
     s.resolution = std::max(1, read(Role::AngleResolution, 1));
 }
 
-/// What moves it and how far. LX: the speed belongs to motor mode, a move has a time only.
+/// Goals and limits of a motion. LX: the speed belongs to motor mode, a move has a time only.
 void readGoals(Settings& s, const Reader& read, const ServoType& type)
 {
     s.maxSpeed = maximumSpeed(type, read.traits);
@@ -106,7 +106,7 @@ void readGoals(Settings& s, const Reader& read, const ServoType& type)
     s.goalTime = read(Role::GoalTime);
     s.acceleration = read(Role::Acceleration) * stepsPerAcceleration;
     if (s.mode == DriveMode::Pwm) {
-        // Positive PWM turns counter-clockwise on Feetech servos; LX does not say: forward.
+        // Positive PWM turns counter-clockwise on Feetech servos; LX does not state it: forward.
         const int pwm = std::clamp(read.decoded(s.command), -1000, 1000);
         s.pwm = read.traits.lx ? -pwm : pwm;
     }
@@ -165,7 +165,8 @@ void readProtection(Settings& s, const Reader& read)
     s.unloadCondition = read(Role::UnloadCondition);
     s.ledCondition = read(Role::LedCondition);
     s.led = s.ledCondition != 0;
-    // What a family has no register for it does not watch: HLS overload, SCS overcurrent.
+    // A family watches nothing without a register for it: no overload in HLS, no overcurrent in
+    // SCS.
     s.overloadDuty = read.duty(Role::OverloadTorque, unreachable);
     s.overloadTime = read.milliseconds(Role::ProtectionTime, unreachable);
     s.holdDuty = std::min(read.duty(Role::ProtectionTorque, unreachable), 1000);

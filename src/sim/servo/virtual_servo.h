@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One simulated servo: register semantics (locks, modes, protections, power cycle) on top of the
-// mechanics. Hears decoded requests of its own language only; bytes, timing and collisions are the
-// wire's business. Owned by a VirtualBus; one thread. Behavior follows the sheets: a locked EPROM
-// write acts but is lost at power-off, the lock closes at every power-on, an LX servo keeps what it
-// is told, and so on.
+// One simulated servo: the firmware (ServoFirmware) and the request handler of its protocol. It
+// receives decoded requests of its own protocol only; bytes, timing and collisions belong to the
+// wire. Owned by a VirtualBus; one thread. Behavior follows the sheets: a write to the locked EPROM
+// acts but is lost at power-off, the lock closes at every power-on, an LX servo stores every write.
 #pragma once
 
 #include "base/bytes.h"
@@ -16,7 +15,7 @@
 #include <optional>
 
 namespace sim {
-/// What is bolted to the output shaft and how good the servo is. SI units, output side.
+/// What is attached to the output shaft. SI units, output side.
 struct Load {
     double inertia = 2e-4;         ///< kg·m²
     double viscousFriction = 0.0;  ///< N·m·s/rad, of the load
@@ -29,31 +28,31 @@ struct Load {
     bool operator==(const Load&) const = default;
 };
 
-/// Electrical and thermal surroundings.
+/// Power supply and ambient temperature.
 struct Environment {
     double supplyVolts = 7.4;
     double supplyOhms = 0.05;
     double ambientCelsius = 25.0;
 };
 
-/// Where firmware is reported to behave in more than one way. The defaults are what the programs of
-/// the field rely on; each of the others has been reported or cannot be ruled out, so a host has to
+/// Points where firmware is reported to behave in more than one way. The defaults are what existing
+/// programs rely on; each alternative has been reported or cannot be ruled out, so a host has to
 /// cope with it as well.
 struct FirmwareBehavior {
-    /// Hears nothing while it writes its EPROM. Default: it answers when the value is written, and
-    /// requests that arrive meanwhile wait in its receive buffer. The write time is in no sheet;
-    /// LeRobot and the vendor's ProgramEprom write back to back and lose nothing.
+    /// Receives nothing while it writes its EPROM. Default: it answers when the value is written,
+    /// and requests that arrive meanwhile wait in its receive buffer. No sheet states the write
+    /// time; LeRobot and the vendor's ProgramEprom write back to back and lose nothing.
     bool deafWhileWriting = false;
     /// The status packet of an ID change carries the new ID (fanhao375/microduck-replica PR 28).
     /// Default: the old one, which lerobot's setup_motor and the vendor's Python SDK expect.
     bool acknowledgesWithNewId = false;
-    /// Torque on runs to the goal register although no goal was written since power-up. Default:
-    /// holds where it stands. lerobot's connect() switches torque on without a goal on every start
-    /// of STS servos, and no thread reports a slam; taken to be alike in the other families.
+    /// Torque on runs to the goal register although no goal was written since power-on. Default:
+    /// it holds its position. lerobot's connect() switches torque on without a goal on every start
+    /// of STS servos, and no report mentions a jump; assumed for the other families as well.
     bool runsToOldGoal = false;
-    /// A new rate holds from the next power-up on. Default: at once (both are reported).
+    /// A new rate acts from the next power-on. Default: at once (both are reported).
     bool baudAfterRestart = false;
-    /// Feetech: Answers a broadcast PING in turn, 3 ms per ID, which is what lerobot's
+    /// Feetech: answers a broadcast PING in turn, 3 ms per ID, which is what lerobot's
     /// broadcast_ping waits for (3 ms × 252 + 16 ms). Default: at once; several servos collide.
     bool staggersBroadcastPing = false;
 };
@@ -73,7 +72,7 @@ struct ServoConfig {
     std::uint64_t seed = 1;
 };
 
-/// A request as it reached the servo: instruction, Modbus function or LX command, and what stands
+/// A request as it reached the servo: instruction, Modbus function or LX command, and the bytes
 /// between it and the checksum. SYNC READ and SYNC WRITE carry their whole parameter list; the
 /// servo finds its own part.
 struct ServoRequest {
@@ -105,34 +104,34 @@ public:
 
     const catalog::Profile& profile() const;
 
-    int id() const;   ///< it listens to, now
-    int baud() const; ///< it listens at, now
+    int id() const;
+    int baud() const;
     /// Whether a request to this ID is meant for it: HLS servos obey a second ID for some.
     AddressMatch addressMatch(int id, std::uint8_t instruction) const;
     bool isDeaf() const; ///< off, rebooting, or writing its EPROM if that makes it deaf
-    /// How long the latest request keeps it from the next one, because it writes its EPROM.
+    /// How long the latest request delays the next one, because the servo writes its EPROM.
     base::Duration writeTime() const;
     base::Duration replyDelay() const;
 
-    /// Carries the request out at the servo's present time; nullopt: it stays silent. The answer
+    /// Carries the request out at the servo's present time; nullopt: it stays silent. The reply
     /// leaves after replyDelay() at the rate the request came at, even if the request changed it.
     std::optional<ServoReply> handle(const ServoRequest& request);
 
-    /// Mechanics, protections and timers. dt up to a few ms; 1 ms is usual.
+    /// Mechanics, protections and timers. dt up to a few ms; typically 1 ms.
     void step(base::Duration dt);
 
     void powerOff();
     void powerOn();
     bool powered() const;
 
-    /// The EPROM as it would survive a power-off, for --state files. Throws nothing; a block of the
-    /// wrong size is refused (false).
+    /// The EPROM as it would survive a power-off, for --state files. False: a block of the wrong
+    /// size is refused.
     base::Bytes epromImage() const;
     bool setEpromImage(base::ByteView image);
 
-    /// Test and preset access, by register key; bypasses the wire but acts the same.
+    /// Access for tests and presets, by register key; without the wire, with the same effect.
     std::int64_t raw(const QString& key) const;
-    void poke(const QString& key, std::int64_t raw); ///< not what it measures itself
+    void poke(const QString& key, std::int64_t raw); ///< no register that the servo measures
     double shaftDegrees() const; ///< true output angle, unbounded, clockwise positive
     bool ledOn() const;
     Load& load();

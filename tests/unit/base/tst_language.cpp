@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holds names and texts to the terms of the field: words that were replaced do not come back into
 // the sources, the translations or the documents.
+#include "support/test_main.h"
+#include "support/test_paths.h"
+
 #include <QDirIterator>
 #include <QRegularExpression>
 #include <QtTest>
@@ -51,6 +54,7 @@ private slots:
     void replacedNames_data();
     void replacedNames();
     void americanSpelling();
+    void textsArePlain();
 };
 
 void TestLanguage::filesAreFound()
@@ -115,5 +119,20 @@ void TestLanguage::americanSpelling()
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 
-QTEST_GUILESS_MAIN(TestLanguage)
+/// What a user reads: phrases that took a second reading.
+void TestLanguage::textsArePlain()
+{
+    const QRegularExpression banned(
+        QStringLiteral("<source>[^<]*\\b(nobody|somebody|everybody|anybody|usual|of late|gone on "
+                       "with|so many|so much|come to it|is none|paces|put back|left alone|left "
+                       "out|proven|on the wire|switch(ed|es)? (on|off)|take torque "
+                       "off|takes torque off|said nothing|what became of)\\b"),
+        QRegularExpression::CaseInsensitiveOption);
+    const QString texts = QStringLiteral(SOURCE_DIR "/translations/servodesk_zh_CN.ts");
+    QVERIFY(contentOf(texts).count(QStringLiteral("<source>")) > 2000);
+    const QStringList found = matches({texts}, banned);
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+}
+
+SERVODESK_GUILESS_TEST(TestLanguage)
 #include "tst_language.moc"

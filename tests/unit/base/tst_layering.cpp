@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holds the sources against the table of layers in CONTRIBUTING.md: who includes whom, which Qt
 // modules, and whether src/CMakeLists.txt links the same.
+#include "support/test_main.h"
+#include "support/test_paths.h"
+
 #include <QDirIterator>
 #include <QLibraryInfo>
 #include <QRegularExpression>
@@ -337,6 +340,39 @@ private Q_SLOTS:
         QCOMPARE(wrongIncludes(source, protocol, m_layers, exists).size(), complaints);
     }
 
+    /// A consent is made where it was asked for, and nowhere else.
+    void consentIsMadeWhereItIsAskedFor()
+    {
+        const QHash<QString, QStringList> places{
+            {QStringLiteral("Consent::confirmed("), {QStringLiteral("ui/")}},
+            {QStringLiteral("Consent::byOption("), {QStringLiteral("src/cli/")}},
+            {QStringLiteral("Consent::ofEarlierChange("),
+             {QStringLiteral("src/jobs/"), QStringLiteral("src/session/writes/")}},
+            {QStringLiteral("Consent::byTask("),
+             {QStringLiteral("src/device/motion/"), QStringLiteral("src/jobs/")}}};
+        int found = 0;
+        for (const char* top : {"src", "ui"}) {
+            QDirIterator files(m_root + u'/' + QLatin1String(top), {QStringLiteral("*.cpp")},
+                               QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext()) {
+                const QString path = files.next();
+                const QString relative = QDir(m_root).relativeFilePath(path);
+                const QString source = contentOf(path);
+                for (auto place = places.begin(); place != places.end(); ++place) {
+                    if (!source.contains(place.key()))
+                        continue;
+                    ++found;
+                    const bool allowed =
+                        std::any_of(place->begin(), place->end(), [&](const QString& folder) {
+                            return relative.startsWith(folder);
+                        });
+                    QVERIFY2(allowed, qPrintable(relative + u' ' + place.key()));
+                }
+            }
+        }
+        QVERIFY(found >= 10);
+    }
+
     void qtModulesAreChecked()
     {
         QCOMPARE(modulesOf(QStringLiteral("QString")), QStringList(QStringLiteral("Core")));
@@ -350,5 +386,5 @@ private:
     QList<Layer> m_layers;
 };
 
-QTEST_GUILESS_MAIN(TestLayering)
+SERVODESK_GUILESS_TEST(TestLayering)
 #include "tst_layering.moc"

@@ -3,6 +3,7 @@
 // On the manual clock. Nothing waits for ever, nothing that comes is taken for an answer, what
 // makes a servo safe is said all the same, stops get through, and what is kept is bounded.
 #include "bus/bus_core.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -302,5 +303,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusFlood)
+SERVODESK_GUILESS_TEST(TestBusFlood)
 #include "tst_bus_flood.moc"

@@ -5,6 +5,7 @@
 #include "bus/poll_planner.h"
 #include "bus/round_trip_histogram.h"
 #include "bus/trace_ring.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -314,5 +315,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusParts)
+SERVODESK_GUILESS_TEST(TestBusParts)
 #include "tst_bus_parts.moc"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polling inside the bus: what goes onto the wire, when, and what an absent servo costs the others.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -373,5 +375,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusPolls)
+SERVODESK_GUILESS_TEST(TestBusPolls)
 #include "tst_bus_polls.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several languages on one line: each request is spoken in its own, with the silence it needs, and
 // nothing that came for one is taken for the answer to another.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -619,5 +621,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusProtocols)
+SERVODESK_GUILESS_TEST(TestBusProtocols)
 #include "tst_bus_protocols.moc"

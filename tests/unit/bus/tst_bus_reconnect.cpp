@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A link that dies and comes back while its return is awaited: silence meanwhile, the stop first
 // afterwards, and lost for good when it stays away. On a manual clock.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -269,5 +271,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusReconnect)
+SERVODESK_GUILESS_TEST(TestBusReconnect)
 #include "tst_bus_reconnect.moc"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stop, emergency and holds on one thread; what another thread would do is done from a wait.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -268,5 +270,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusStop)
+SERVODESK_GUILESS_TEST(TestBusStop)
 #include "tst_bus_stop.moc"

@@ -3,6 +3,8 @@
 // 50 ms, below right after the computed end of the reply that is running; never after a deadline,
 // and never into a reply. On the manual clock, so the figures are exact. And: what was asked for
 // before the stop says nothing after it, however late it gets to its first word.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -205,5 +207,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusStopTiming)
+SERVODESK_GUILESS_TEST(TestBusStopTiming)
 #include "tst_bus_stop_timing.moc"

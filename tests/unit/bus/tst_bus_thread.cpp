@@ -2,6 +2,7 @@
 // The bus on its own thread, with callers on others, on the system clock.
 #include "bus/bus_thread.h"
 #include "protocol/codec.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -520,5 +521,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusThread)
+SERVODESK_GUILESS_TEST(TestBusThread)
 #include "tst_bus_thread.moc"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One transaction: what it answers, how long it waits, when it repeats, and who may speak when.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -548,5 +550,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusTransact)
+SERVODESK_GUILESS_TEST(TestBusTransact)
 #include "tst_bus_transact.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Late replies and echoes: nothing that came for an earlier request, or from the host itself, is
 // ever taken for an answer.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -389,5 +391,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLateReplies)
+SERVODESK_GUILESS_TEST(TestLateReplies)
 #include "tst_late_replies.moc"

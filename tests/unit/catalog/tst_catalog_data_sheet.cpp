@@ -2,6 +2,8 @@
 // The built-in maps against the register sheets (tests/data/catalog), and the texts that every
 // register must carry.
 #include "catalog/catalog.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
 
 #include <QFile>
 #include <QtTest>
@@ -326,5 +328,5 @@ void TestCatalogDataSheet::warningThresholds()
     QCOMPARE(*sts->byRole(Role::OvercurrentTime)->warnAbove, 254);
 }
 
-QTEST_GUILESS_MAIN(TestCatalogDataSheet)
+SERVODESK_GUILESS_TEST(TestCatalogDataSheet)
 #include "tst_catalog_data_sheet.moc"

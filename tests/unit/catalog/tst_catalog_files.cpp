@@ -2,6 +2,7 @@
 // Files of the user's own: what they add and replace, and what bad rows and hostile files cost.
 #include "catalog/catalog.h"
 #include "catalog/value.h"
+#include "support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -441,5 +442,5 @@ void TestCatalogFiles::seriesWithoutItsMap()
     QVERIFY(!profile->writable);
 }
 
-QTEST_GUILESS_MAIN(TestCatalogFiles)
+SERVODESK_GUILESS_TEST(TestCatalogFiles)
 #include "tst_catalog_files.moc"

@@ -2,6 +2,7 @@
 // Which map, name and limits a servo gets for what its first five bytes say.
 #include "catalog/catalog.h"
 #include "catalog/value.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -438,7 +439,7 @@ void TestCatalogLookup::scsReservedRowsAreReadOnly()
         const Register* reg = profile->at(address);
         QVERIFY(reg);
         QVERIFY2(!reg->writable(), qPrintable(reg->key));
-        QVERIFY(reg->help.en.contains(QStringLiteral("not for editing")));
+        QVERIFY(reg->help.en.contains(QStringLiteral("cannot be edited")));
     }
     QVERIFY(!profile->byRole(Role::PositionI));
     QVERIFY(!profile->byRole(Role::TorqueLimit));
@@ -517,5 +518,5 @@ void TestCatalogLookup::flags()
     QCOMPARE(addresses(scs, bothZero), (QList<int>{9, 11}));
 }
 
-QTEST_GUILESS_MAIN(TestCatalogLookup)
+SERVODESK_GUILESS_TEST(TestCatalogLookup)
 #include "tst_catalog_lookup.moc"

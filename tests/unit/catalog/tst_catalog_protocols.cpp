@@ -3,6 +3,7 @@
 // together, numbers worked by hand, and what bad rows of such maps cost.
 #include "catalog/catalog.h"
 #include "catalog/value.h"
+#include "support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -283,8 +284,8 @@ void TestCatalogProtocols::workedValues_data()
     row(Modbus, "position_offset", -2047, "F801", "-179.91°");
     row(Modbus, "acceleration", 10, "000A", "88 °/s²");
     row(Modbus, "goal_speed", 50, "0032", "36.6 rpm");
-    row(Modbus, "lock", 128, "0080", "factory block open");
-    row(Modbus, "fault_reset", 4, "0004", "present position becomes 2048");
+    row(Modbus, "lock", 128, "0080", "factory block unlocked");
+    row(Modbus, "fault_reset", 4, "0004", "set present position to 2048");
     row(Modbus, "servo_status", 0x21, "0021", "voltage + overload");
     row(Modbus, "servo_status", 0x10, "0010", "torque is on");
     const Identity hls{3, 46, 0, 10, 10};
@@ -510,5 +511,5 @@ void TestCatalogProtocols::seriesUsesItsMapsProtocol()
     QVERIFY(unknown.warnings.front().detail.contains(QStringLiteral("morse")));
 }
 
-QTEST_GUILESS_MAIN(TestCatalogProtocols)
+SERVODESK_GUILESS_TEST(TestCatalogProtocols)
 #include "tst_catalog_protocols.moc"

@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "catalog/raw_range.h"
 #include "catalog/value.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -117,5 +118,5 @@ void TestCatalogRoundTrip::everyRawWordIsShownUnchanged()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCatalogRoundTrip)
+SERVODESK_GUILESS_TEST(TestCatalogRoundTrip)
 #include "tst_catalog_roundtrip.moc"

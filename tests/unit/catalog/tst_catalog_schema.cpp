@@ -2,6 +2,8 @@
 // The schema is what a user writes a file by: the built-in files must obey it, and the loader must
 // know the members and words that it promises. Checked with the part of JSON Schema that it uses.
 #include "catalog/catalog.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -197,5 +199,5 @@ void TestCatalogSchema::loaderKnowsEveryRole()
     QVERIFY(loaded.warnings.empty());
 }
 
-QTEST_GUILESS_MAIN(TestCatalogSchema)
+SERVODESK_GUILESS_TEST(TestCatalogSchema)
 #include "tst_catalog_schema.moc"

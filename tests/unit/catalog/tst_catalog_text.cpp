@@ -2,6 +2,7 @@
 // Values as text: what a technician sees, and what may be typed.
 #include "catalog/catalog.h"
 #include "catalog/value.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -217,5 +218,5 @@ void TestCatalogText::halfStepIsTheLargestRounding()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCatalogText)
+SERVODESK_GUILESS_TEST(TestCatalogText)
 #include "tst_catalog_text.moc"

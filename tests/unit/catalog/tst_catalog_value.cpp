@@ -3,6 +3,7 @@
 // written.
 #include "catalog/catalog.h"
 #include "catalog/value.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -351,5 +352,5 @@ void TestCatalogValue::refusalsStateTheExpectedRange()
                 .detail.contains(QStringLiteral("deg")));
 }
 
-QTEST_GUILESS_MAIN(TestCatalogValue)
+SERVODESK_GUILESS_TEST(TestCatalogValue)
 #include "tst_catalog_value.moc"

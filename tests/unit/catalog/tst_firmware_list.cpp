@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newer firmware is hinted at only where it is known for that very kind of servo.
 #include "catalog/catalog.h"
+#include "support/test_main.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -136,5 +137,5 @@ void TestFirmwareList::mistakesSkipTheirRow()
     QVERIFY(!loaded.catalog.newerFirmware(*loaded.catalog.resolve({3, 10, 0, 9, 3})));
 }
 
-QTEST_GUILESS_MAIN(TestFirmwareList)
+SERVODESK_GUILESS_TEST(TestFirmwareList)
 #include "tst_firmware_list.moc"

@@ -4,6 +4,7 @@
 #include "history/history.h"
 #include "session/paths.h"
 #include "support/temporary_data_folder.h"
+#include "support/test_main.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -34,10 +35,10 @@ QDateTime after(qint64 ms)
 /// "overheat 0-200", oldest first; "overheat 0-" is not gone.
 QStringList kept()
 {
-    const auto history = record::History::open(session::historyFile());
+    const auto history = history::History::open(session::historyFile());
     const auto alarms = (*history)->log().alarms({});
     QStringList all;
-    for (const record::HistoryAlarm& alarm : *alarms) {
+    for (const history::HistoryAlarm& alarm : *alarms) {
         const auto ms = [](const QDateTime& at) {
             return at.isValid() ? QString::number(after(0).msecsTo(at)) : QString();
         };
@@ -114,5 +115,5 @@ void TestAlarmLog::servosWithoutAlarmsAreOmitted()
     QVERIFY(!QFile::exists(session::historyFile()));
 }
 
-QTEST_GUILESS_MAIN(TestAlarmLog)
+SERVODESK_GUILESS_TEST(TestAlarmLog)
 #include "tst_alarm_log.moc"

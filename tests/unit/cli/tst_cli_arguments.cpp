@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of the command line into values, commands and options.
+// Parsing the command line: values, commands and options.
 #include "cli/input/arguments.h"
 #include "cli/parser.h"
+#include "support/test_main.h"
 #include "text/language.h"
 
 #include <QRegularExpression>
@@ -232,5 +233,5 @@ void TestCliArguments::everyCommandIsDescribed()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCliArguments)
+SERVODESK_GUILESS_TEST(TestCliArguments)
 #include "tst_cli_arguments.moc"

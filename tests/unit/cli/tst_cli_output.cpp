@@ -3,6 +3,7 @@
 #include "cli/exit_code.h"
 #include "cli/output/json.h"
 #include "cli/output/table.h"
+#include "support/test_main.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -203,5 +204,5 @@ void TestCliOutput::reportExitCodes()
     QCOMPARE(int(cli::exitCode(report)), exit);
 }
 
-QTEST_GUILESS_MAIN(TestCliOutput)
+SERVODESK_GUILESS_TEST(TestCliOutput)
 #include "tst_cli_output.moc"

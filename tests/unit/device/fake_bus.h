@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bus on paper: carries out requests on paper servos at once, in the language each request names,
-// and loses, refuses or cuts what the test asks for. Errors are those a real bus gives. The codecs
-// still judge every request, so nothing passes here that has no bytes. Single thread.
+// A fake bus: executes requests on fake servos at once, in the protocol of each request, and loses,
+// refuses or cuts what the test selects. Errors are those of a real bus. The codecs still check
+// every request, so nothing passes here that has no bytes. Single thread.
 #pragma once
 
 #include "bus/bus.h"
@@ -22,9 +22,9 @@ public:
     std::deque<Servo> servos;
     std::vector<Request> requests;    ///< every request that went out, in order
     bool dropAcknowledgments = false; ///< writes are carried out, their answers are lost
-    int lostWrites = 0;               ///< so many writes never arrive
-    int ignoredWrites = 0;            ///< so many are acknowledged and do nothing
-    int cutAfter = -1;                ///< so many requests still pass, then the link is gone
+    int lostWrites = 0;               ///< number of writes that never arrive
+    int ignoredWrites = 0;            ///< number of writes that are acknowledged without effect
+    int cutAfter = -1;                ///< number of requests until the link is lost; −1: never
     bool bridge = false;              ///< a port without a rate of its own
     bool emergencyPending =
         false; ///< torque goes off everywhere and the request ends with Preempted
@@ -253,7 +253,7 @@ private:
     std::map<Servo*, std::pair<int, base::Bytes>> m_held;
 };
 
-/// Keeps what it is told, and can refuse.
+/// Keeps its entries, and can refuse.
 class Journal final : public base::Journal {
 public:
     base::Result<QString> begin(const base::Intent& intent) override
@@ -286,7 +286,7 @@ public:
     std::map<QString, std::vector<std::int64_t>> facts;
 };
 
-/// A bus, a journal, and what a manoeuvre needs around them.
+/// A bus, a journal, and the rest of the context of an operation.
 struct DeviceFixture {
     Bus bus;
     Journal journal;
@@ -305,14 +305,14 @@ struct DeviceFixture {
 
     device::Context context() { return {bus, models(), journal, stop, notices}; }
     Servo& fake(std::size_t index = 0) { return bus.servos[index]; }
-    /// As the program knows it after reading its settings; nothing is said any more.
+    /// As the program knows it after reading its settings.
     device::Servo servo(std::size_t index = 0)
     {
         const Servo& there = fake(index);
         auto found = device::identify(context(), there.id, there.profile->protocol);
         if (!found || !device::readSettings(context(), *found))
             qFatal("servo %d does not answer", there.id);
-        // That nobody else answers has been looked at before (tst_write_duplicate_id does that).
+        // The check for a second servo has been done (tst_write_duplicate_id tests it).
         bus.verifiedIds().add(found->protocol, found->id, bus.baud());
         bus.requests.clear();
         notices.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A servo on paper: a memory table that behaves as the sheet of its family says, without wire or
+// A fake servo: a memory table that behaves as the sheet of its family states, without wire or
 // physics. What it holds and what would survive a power-off are kept apart. Single thread.
 #pragma once
 
@@ -45,7 +45,7 @@ struct Servo {
     bool repliesStoredMove = true; ///< LX: answers command 8
     bool goalEnergizes = true;     ///< a goal switches torque on (Feetech, Modbus)
     bool baudNeedsRestart = false;
-    int requestsUntilReady = 0;    ///< so many requests go unheard after a reboot
+    int requestsUntilReady = 0;    ///< number of requests that are lost after a reboot
     std::map<int, int> exceptions; ///< Modbus: write offset → reason it is refused with
     Table now;
     Table kept;
@@ -102,6 +102,7 @@ struct Servo {
     std::int64_t persistentRaw(const QString& key) const { return rawIn(kept, reg(key)); }
     std::int64_t raw(catalog::Role role) const { return rawIn(now, *profile->byRole(role)); }
     bool has(catalog::Role role) const { return profile->byRole(role) != nullptr; }
+    bool isLockClosed() const { return !has(catalog::Role::Lock) || raw(catalog::Role::Lock) == 1; }
 
     void poke(const QString& key, std::int64_t value) { set(reg(key), value, false); }
     /// As if it had been written and kept.

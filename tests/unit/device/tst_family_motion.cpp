@@ -2,6 +2,7 @@
 // Torque, modes, moves and halts in every family: nothing moves by surprise, and what a family
 // lacks is refused before the wire.
 #include "device/motion/motion.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
@@ -23,7 +24,7 @@ QString text(const char* word)
     return QString::fromLatin1(word);
 }
 
-/// What was said besides reading: "W16:F4 01 00 00" = write at offset 16; H halt, A action.
+/// The requests besides reads: "W16:F4 01 00 00" = write at offset 16; H halt, A action.
 QStringList requests(const DeviceFixture& fixture)
 {
     QStringList words;
@@ -349,7 +350,7 @@ void TestFamilyMotion::modbusModesTakeEffect()
     QCOMPARE(fixture.fake().raw(text("max_angle_limit")), std::int64_t(4095));
 }
 
-/// Nothing is said of a torque that is still on.
+/// No notice about torque that is still on.
 void TestFamilyMotion::refusedTorqueOffIsReported()
 {
     DeviceFixture fixture(text("SMSMB"));
@@ -704,7 +705,7 @@ void TestFamilyMotion::haltEndsTheMotion()
     QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(1));
 }
 
-/// The stop command is not acknowledged; the shaft shows that it was not heard.
+/// The stop command is not acknowledged; the shaft shows that it was lost.
 void TestFamilyMotion::aMovingShaftIsHeld()
 {
     DeviceFixture fixture(text("LX"));
@@ -820,5 +821,5 @@ void TestFamilyMotion::cancelingTheWaitReportsPendingMoves()
     QCOMPARE(fixture.noticeCount(NoticeCode::StillMoving), 1);
 }
 
-QTEST_GUILESS_MAIN(TestFamilyMotion)
+SERVODESK_GUILESS_TEST(TestFamilyMotion)
 #include "tst_family_motion.moc"

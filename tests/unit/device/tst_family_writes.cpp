@@ -2,6 +2,7 @@
 // The safe write in every family: what is called kept survives power-off, a neighbor in the same
 // block never changes, the lock ends closed, and what cannot be right is refused before the wire.
 #include "device/writer.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
@@ -30,11 +31,6 @@ std::vector<int> hasWriteTo(const DeviceFixture& fixture, const catalog::Registe
             values.push_back(request.data.empty() ? -1 : request.data.back());
     }
     return values;
-}
-
-bool lockClosed(const fake::Servo& servo)
-{
-    return !servo.has(Role::Lock) || servo.raw(Role::Lock) == 1;
 }
 } // namespace
 
@@ -117,14 +113,15 @@ void TestFamilyWrites::savedSurvivesPowerOff()
     QFETCH(int, value);
     DeviceFixture fixture(family);
     device::Servo servo = fixture.servo();
-    const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
+    const auto report = device::write(fixture.context(), servo, {{key, value}},
+                                      {false, device::Consent::confirmed()});
     QVERIFY(report);
     QCOMPARE(report->writes.size(), std::size_t(1));
     QCOMPARE(device::outcomeName(report->writes[0].outcome), text("kept"));
     QCOMPARE(*report->writes[0].readBack, std::int64_t(value));
     QCOMPARE(report->lock, fixture.fake().has(Role::Lock) ? LockState::Closed : LockState::None);
     QVERIFY(report->isSuccessful());
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     QCOMPARE(fixture.openIntents(), std::size_t(0));
     QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), key == text("angle_offset") ? 1 : 0);
     fixture.fake().powerCycle();
@@ -139,11 +136,12 @@ void TestFamilyWrites::lostAcknowledgments()
     DeviceFixture fixture(family);
     device::Servo servo = fixture.servo();
     fixture.bus.dropAcknowledgments = true;
-    const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
+    const auto report = device::write(fixture.context(), servo, {{key, value}},
+                                      {false, device::Consent::confirmed()});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     // Where nothing is ever acknowledged, nothing is lost.
     QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostButWritten), family == text("LX") ? 0 : 1);
     QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), 0);
@@ -168,7 +166,7 @@ void TestFamilyWrites::responseLevelZero()
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.fake().persistentRaw(text("max_temperature")), std::int64_t(61));
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     QVERIFY(fixture.notices.empty());
 }
 
@@ -189,7 +187,8 @@ void TestFamilyWrites::writesThatNeverArrive()
         lost = true;
         fixture.bus.lostWrites = 1;
     };
-    const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
+    const auto report = device::write(fixture.context(), servo, {{key, value}},
+                                      {false, device::Consent::confirmed()});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
@@ -210,9 +209,10 @@ void TestFamilyWrites::linkCutAnywhere()
         device::Servo servo = fixture.servo();
         const auto before = fixture.fake().raw(key);
         fixture.bus.cutAfter = passed;
-        const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
+        const auto report = device::write(fixture.context(), servo, {{key, value}},
+                                          {false, device::Consent::confirmed()});
         const bool done = report && report->isSuccessful();
-        const bool touched = fixture.fake().raw(key) != before || !lockClosed(fixture.fake());
+        const bool touched = fixture.fake().raw(key) != before || !fixture.fake().isLockClosed();
         if (done) {
             QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
             QCOMPARE(fixture.openIntents(), std::size_t(0));
@@ -220,8 +220,8 @@ void TestFamilyWrites::linkCutAnywhere()
         }
         if (touched)
             QCOMPARE(fixture.openIntents(), std::size_t(1));
-        // What the servo is taken for may be unknown, never a closed lock where it is open.
-        QVERIFY(servo.raw(Role::Lock) != 1 || lockClosed(fixture.fake()));
+        // The assumed lock may be unknown, but never closed where it is open.
+        QVERIFY(servo.raw(Role::Lock) != 1 || fixture.fake().isLockClosed());
         QVERIFY2(passed < 200, "never ends");
     }
 }
@@ -255,7 +255,8 @@ void TestFamilyWrites::temporaryIsLost()
     DeviceFixture fixture(family);
     device::Servo servo = fixture.servo();
     const auto before = fixture.fake().raw(key);
-    const auto report = device::write(fixture.context(), servo, {{key, value}}, {true, true});
+    const auto report = device::write(fixture.context(), servo, {{key, value}},
+                                      {true, device::Consent::confirmed()});
     QVERIFY(report);
     QCOMPARE(device::outcomeName(report->writes[0].outcome), text("temporary"));
     QVERIFY(report->isSuccessful());
@@ -270,7 +271,7 @@ void TestFamilyWrites::temporaryWhereEveryWriteIsPermanent()
     DeviceFixture fixture(text("LX"));
     device::Servo servo = fixture.servo();
     const auto report =
-        device::write(fixture.context(), servo, {{text("temp_limit"), 71}}, {true, false});
+        device::write(fixture.context(), servo, {{text("temp_limit"), 71}}, {true, {}});
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
     QCOMPARE(report.error().detail, text("always-kept"));
@@ -383,7 +384,8 @@ void TestFamilyWrites::refusedBeforeSending()
     for (const QString& item : items.split(QLatin1Char(' ')))
         list.push_back(
             {item.section(QLatin1Char('='), 0, 0), item.section(QLatin1Char('='), 1).toLongLong()});
-    const auto report = device::write(fixture.context(), servo, list, {false, true});
+    const auto report =
+        device::write(fixture.context(), servo, list, {false, device::Consent::confirmed()});
     QVERIFY(!report);
     QCOMPARE(base::errorName(report.error().code), base::errorName(ErrorCode::OutOfRange));
     QCOMPARE(report.error().registerKey, blamed);
@@ -409,7 +411,8 @@ void TestFamilyWrites::eachAreaHasItsKey()
          {std::pair{text("position_p"), 0}, std::pair{text("max_temperature"), 128}}) {
         DeviceFixture fixture(text("SMSMB"));
         device::Servo servo = fixture.servo();
-        QVERIFY(device::write(fixture.context(), servo, {{key, 62}}, {false, true}));
+        QVERIFY(device::write(fixture.context(), servo, {{key, 62}},
+                              {false, device::Consent::confirmed()}));
         QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("lock"))),
                  (std::vector<int>{opens, 1}));
     }
@@ -422,7 +425,7 @@ void TestFamilyWrites::bothAreasInOneWrite()
     const auto report = device::write(
         fixture.context(), servo,
         {{text("max_temperature"), 61}, {text("torque_limit"), 500}, {text("position_p"), 21}},
-        {false, true});
+        {false, device::Consent::confirmed()});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(report->lock, LockState::Closed);
@@ -473,7 +476,7 @@ void TestFamilyWrites::exceptionsAreRefusals()
     QCOMPARE(report->writes[0].error->detail, text("illegal-value"));
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(fixture.openIntents(), std::size_t(0));
-    // In so many words: asking twice changes nothing.
+    // An explicit refusal: a second write changes nothing.
     QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("position_p"))).size(), std::size_t(1));
 }
 
@@ -482,8 +485,8 @@ void TestFamilyWrites::offsetNeedsConsentEvenForATrial()
     for (const bool temporary : {false, true}) {
         DeviceFixture fixture(text("LX"));
         device::Servo servo = fixture.servo();
-        const auto report = device::write(fixture.context(), servo, {{text("angle_offset"), 20}},
-                                          {temporary, false});
+        const auto report =
+            device::write(fixture.context(), servo, {{text("angle_offset"), 20}}, {temporary, {}});
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::NeedsConsent);
         QVERIFY(fixture.bus.requests.empty());
@@ -575,12 +578,12 @@ void TestFamilyWrites::anEmergencyEndsTheWrite()
         };
         const auto report = device::write(
             fixture.context(), servo, {{text("max_temperature"), 61}, {text("operating_mode"), 1}},
-            {false, true});
+            {false, device::Consent::confirmed()});
         if (!met) {
             QVERIFY(report && report->isSuccessful());
             return;
         }
-        QVERIFY(lockClosed(fixture.fake()));
+        QVERIFY(fixture.fake().isLockClosed());
         if (report && report->isSuccessful())
             continue;
         after.removeAll(QString::number(fixture.fake().reg(text("lock")).writeOffset));
@@ -614,12 +617,12 @@ void TestFamilyWrites::aWrittenModeIsRecovered()
         };
         const auto report = device::write(
             fixture.context(), servo, {{text("operating_mode"), 1}, {text("max_temperature"), 61}},
-            {false, true});
+            {false, device::Consent::confirmed()});
         QVERIFY(report);
         QVERIFY(!report->isSuccessful());
         QCOMPARE(fixture.fake().raw(text("operating_mode")), std::int64_t(1));
         QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(0));
-        QVERIFY(lockClosed(fixture.fake()));
+        QVERIFY(fixture.fake().isLockClosed());
     }
 }
 
@@ -638,5 +641,5 @@ void TestFamilyWrites::duplicateIdsAreNotWritten()
     }
 }
 
-QTEST_GUILESS_MAIN(TestFamilyWrites)
+SERVODESK_GUILESS_TEST(TestFamilyWrites)
 #include "tst_family_writes.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Stopped" is said of a shaft that has come to rest; one that goes on turning loses its torque.
+// "Stopped" means that the shaft rests; a servo that keeps turning loses its torque.
 #include "device/motion/motion.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
@@ -19,8 +20,8 @@ QString text(const char* word)
     return QString::fromLatin1(word);
 }
 
-/// A servo in speed mode whose shaft goes on after its command is 0, at this many steps a second at
-/// so many seconds after that.
+/// A servo in speed mode whose shaft keeps turning after its command is 0; `speed` gives the steps
+/// per second at a number of seconds after that.
 class CoastingServo {
 public:
     CoastingServo(DeviceFixture& fixture, std::function<double(double)> speed, bool showsIt = true)
@@ -201,5 +202,5 @@ void TestHalt::severalAreCommandedFirst()
     QCOMPARE(fixture.fake(1).raw(text("torque_switch")), std::int64_t(1));
 }
 
-QTEST_GUILESS_MAIN(TestHalt)
+SERVODESK_GUILESS_TEST(TestHalt)
 #include "tst_halt.moc"

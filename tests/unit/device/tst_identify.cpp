@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who is there, in which language; what its table says; what ails it; how it is stopped.
+// Which servo answers, in which protocol; its table; its alarms; its emergency stop.
 #include "device/alarms.h"
 #include "device/motion/stop_frames.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
@@ -195,7 +196,7 @@ void TestIdentify::requestedSilentReadIsReported()
     QCOMPARE(read.error().detail, text("not-readable"));
 }
 
-/// Bit 4 says that torque is on, which is no fault.
+/// Bit 4 means that torque is on, which is no fault.
 void TestIdentify::statusComesFromItsRegister()
 {
     DeviceFixture fixture(text("SMSMB"));
@@ -272,5 +273,5 @@ void TestIdentify::stopFramesInEachProtocol()
     QVERIFY(shown[5].startsWith(text("FF FF 04 04 03 28 00")));
 }
 
-QTEST_GUILESS_MAIN(TestIdentify)
+SERVODESK_GUILESS_TEST(TestIdentify)
 #include "tst_identify.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The newest reading of a byte is the one that counts, in whatever order readings are handed over.
+// The newest reading of a byte counts, in any order of arrival.
 #include "device/image.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -51,5 +52,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImage)
+SERVODESK_GUILESS_TEST(TestImage)
 #include "tst_image.moc"

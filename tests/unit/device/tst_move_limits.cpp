@@ -2,6 +2,7 @@
 // What a slider may reach and which fields a move has, per family and mode; goals that are held and
 // started apart; a mode switch that is only planned.
 #include "device/motion/move_limits.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
@@ -258,5 +259,5 @@ void TestMoveLimits::torqueLimits()
     QVERIFY(of("LX").reg == nullptr);
 }
 
-QTEST_GUILESS_MAIN(TestMoveLimits)
+SERVODESK_GUILESS_TEST(TestMoveLimits)
 #include "tst_move_limits.moc"

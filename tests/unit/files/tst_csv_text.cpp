@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/csv_text.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -24,9 +25,9 @@ private Q_SLOTS:
     void aLineHasAllItsCells()
     {
         QFETCH(QStringList, cells);
-        QTEST(record::csvLine(cells), "line");
+        QTEST(files::csvLine(cells), "line");
     }
 };
 
-QTEST_GUILESS_MAIN(TestCsvText)
+SERVODESK_GUILESS_TEST(TestCsvText)
 #include "tst_csv_text.moc"

@@ -48,7 +48,7 @@ inline QJsonObject toJson(const base::ServoIdentity& servo)
     };
 }
 
-inline void write(const record::BeginLine& line, QJsonObject& object)
+inline void write(const history::BeginLine& line, QJsonObject& object)
 {
     const base::Intent& intent = line.intent;
     QJsonArray items;
@@ -69,7 +69,7 @@ inline void write(const record::BeginLine& line, QJsonObject& object)
     object.insert(QStringLiteral("items"), items);
 }
 
-inline void write(const record::EndLine& line, QJsonObject& object)
+inline void write(const history::EndLine& line, QJsonObject& object)
 {
     object.insert(QStringLiteral("type"), QStringLiteral("end"));
     object.insert(QStringLiteral("uuid"), line.uuid);
@@ -77,7 +77,7 @@ inline void write(const record::EndLine& line, QJsonObject& object)
     object.insert(QStringLiteral("detail"), line.end.detail);
 }
 
-inline void write(const record::FactLine& line, QJsonObject& object)
+inline void write(const history::FactLine& line, QJsonObject& object)
 {
     QJsonArray values;
     for (const std::int64_t value : line.values)
@@ -102,7 +102,7 @@ QByteArray encoded(const Line& line)
 
 inline QString LegacyJournal::begin(const base::Intent& intent)
 {
-    record::BeginLine line{intent};
+    history::BeginLine line{intent};
     line.intent.uuid = QUuid::createUuid().toString(QUuid::WithoutBraces);
     append(legacy_journal_detail::encoded(line));
     return line.intent.uuid;
@@ -110,19 +110,19 @@ inline QString LegacyJournal::begin(const base::Intent& intent)
 
 inline void LegacyJournal::end(const QString& uuid, const QString& outcome, const QString& detail)
 {
-    append(legacy_journal_detail::encoded(record::EndLine{uuid, {outcome, detail}, {}}));
+    append(legacy_journal_detail::encoded(history::EndLine{uuid, {outcome, detail}, {}}));
 }
 
 inline void LegacyJournal::keep(const base::ServoIdentity& servo, const QString& name,
                                 const std::vector<std::int64_t>& values)
 {
-    append(legacy_journal_detail::encoded(record::FactLine{servo, name, values, {}}));
+    append(legacy_journal_detail::encoded(history::FactLine{servo, name, values, {}}));
 }
 
 inline void LegacyJournal::append(const QByteArray& line)
 {
-    record::FileHandle file(m_path, record::FileHandle::Mode::Append);
-    if (!file.isOpen() || !file.lock(record::FileHandle::Lock::Exclusive) ||
+    files::FileHandle file(m_path, files::FileHandle::Mode::Append);
+    if (!file.isOpen() || !file.lock(files::FileHandle::Lock::Exclusive) ||
         !file.write(line + '\n'))
         qFatal("the old journal cannot be written");
 }

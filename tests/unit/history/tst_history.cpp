@@ -4,6 +4,7 @@
 #include "history/history.h"
 #include "history/history_file.h"
 #include "results/sweep_json.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QDir>
@@ -13,10 +14,10 @@
 #include <thread>
 
 using base::ErrorCode;
-using record::Grade;
-using record::History;
-using record::RunFilter;
-using record::SweepRun;
+using history::History;
+using history::RunFilter;
+using results::Grade;
+using results::SweepRun;
 using namespace std::chrono_literals;
 
 namespace {
@@ -41,7 +42,7 @@ std::vector<std::int64_t> numbers(const History& history, const RunFilter& filte
 {
     std::vector<std::int64_t> found;
     const auto runs = history.runs(filter).value();
-    for (const record::TestRun& run : runs)
+    for (const history::TestRun& run : runs)
         found.push_back(run.number);
     return found;
 }
@@ -57,7 +58,7 @@ void write(const QString& path, const QByteArray& bytes)
 SweepRun restTolerance(const QTemporaryDir& dir, const QString& path)
 {
     [&] { QCOMPARE(QFileInfo(path).absolutePath(), QDir(dir.path()).absolutePath()); }();
-    const auto run = record::loadSweepRun(path);
+    const auto run = results::loadSweepRun(path);
     return run ? *run : SweepRun();
 }
 } // namespace
@@ -112,7 +113,7 @@ void TestHistory::runsRoundTrip()
         number = history->add(run, {text("/tmp/r.html"), text("/tmp/r.readings.csv")}).value();
     }
     const auto history = open();
-    const record::TestRun head = history->run(number).value();
+    const history::TestRun head = history->run(number).value();
     QCOMPARE(head.number, number);
     QCOMPARE(head.kind, text("sweep"));
     QCOMPARE(head.at, run.at);
@@ -126,17 +127,17 @@ void TestHistory::runsRoundTrip()
     QCOMPARE(head.length, run.length);
     QCOMPARE(head.files, QStringList({text("/tmp/r.html"), text("/tmp/r.readings.csv")}));
     QCOMPARE(head.servos.size(), std::size_t(2));
-    const record::TestServo first{5,
-                                  text("STS3215"),
-                                  text("sts-sms"),
-                                  text("3.10"),
-                                  Grade::NotMeasured,
-                                  sweep_example::hostileLabel,
-                                  false};
+    const history::TestServo first{5,
+                                   text("STS3215"),
+                                   text("sts-sms"),
+                                   text("3.10"),
+                                   Grade::NotMeasured,
+                                   sweep_example::hostileLabel,
+                                   false};
     QVERIFY(head.servos[0] == first);
     QCOMPARE(head.servos[1].verdict, Grade::Fail);
     QVERIFY(history->sweep(number).value() == run);
-    QCOMPARE(history->text(number).value(), record::encodeSweepRun(run));
+    QCOMPARE(history->text(number).value(), results::encodeSweepRun(run));
 }
 
 void TestHistory::aLongRunIsStoredInChunks()
@@ -144,7 +145,7 @@ void TestHistory::aLongRunIsStoredInChunks()
     const SweepRun run = sweep_example::run(10000); // some MB of text
     const auto history = open();
     const std::int64_t number = history->add(run).value();
-    QVERIFY(record::encodeSweepRun(run).size() > 3000000);
+    QVERIFY(results::encodeSweepRun(run).size() > 3000000);
     QVERIFY(history->sweep(number).value() == run);
 }
 
@@ -177,7 +178,7 @@ void TestHistory::labelsAndNotesBelongToTheRun()
     const auto number = history->add(sweep_example::run()).value();
     QVERIFY(history->setLabel(number, 6, text("right \"knee\"")));
     QVERIFY(history->setNote(number, text("after repair")));
-    const record::TestRun head = history->run(number).value();
+    const history::TestRun head = history->run(number).value();
     QCOMPARE(head.servos[0].label, sweep_example::hostileLabel);
     QCOMPARE(head.servos[1].label, text("right \"knee\""));
     QCOMPARE(head.note, text("after repair"));
@@ -214,7 +215,7 @@ void TestHistory::removedRunsAreGoneAndNumbersAreNotReused()
     QVERIFY(!history->sweep(number));
     QVERIFY(history->runs().value().empty());
     QVERIFY(history->add(sweep_example::run()).value() > number);
-    const auto file = record::HistoryFile::open(m_path, 1s).value();
+    const auto file = history::HistoryFile::open(m_path, 1s).value();
     for (const char* table : {"run_servos", "run_texts", "run_files"}) {
         const auto answer =
             file->run(text("SELECT count(*) FROM %1 WHERE run = ?").arg(text(table)),
@@ -254,8 +255,9 @@ void TestHistory::twoWritersLoseNothing()
         for (int i = 0; i < each && history; ++i) {
             const auto number = (*history)->add(runOf("STS3215", id, i));
             failures += !number || !(*history)->setLabel(*number, id, text("x"));
-            reads += (*history)->runs({.id = id}).value_or(std::vector<record::TestRun>()).size() ==
-                     std::size_t(i + 1);
+            reads +=
+                (*history)->runs({.id = id}).value_or(std::vector<history::TestRun>()).size() ==
+                std::size_t(i + 1);
         }
         failures += !history;
     };
@@ -268,23 +270,23 @@ void TestHistory::twoWritersLoseNothing()
     const auto history = open();
     QCOMPARE(history->runs({.text = text("x")}).value().size(), std::size_t(2 * each));
     const auto mode =
-        record::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA journal_mode")).value();
+        history::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA journal_mode")).value();
     QCOMPARE(mode.rows[0][0].toString(), text("wal"));
 }
 
 void TestHistory::aFileOfANewerVersionIsNotChanged()
 {
     open()->add(sweep_example::run()).value();
-    record::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA user_version = 4711")).value();
+    history::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA user_version = 4711")).value();
     const auto history = History::open(m_path);
     QVERIFY(!history);
     QCOMPARE(history.error().code, ErrorCode::FileFormat);
     QVERIFY2(history.error().detail.contains(text("newer version")),
              qPrintable(history.error().detail));
     QVERIFY(history.error().detail.startsWith(m_path));
-    const auto kept = record::saveRun(m_path, sweep_example::run());
+    const auto kept = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.number, 0);
-    QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
+    QVERIFY(results::loadSweepRun(kept.file).value() == sweep_example::run());
 }
 
 void TestHistory::noDatabase_data()
@@ -300,13 +302,13 @@ void TestHistory::noDatabase()
     QFETCH(QByteArray, bytes);
     m_path = m_dir->filePath(text("history.sqlite"));
     write(m_path, bytes);
-    const auto kept = record::saveRun(m_path, sweep_example::run());
+    const auto kept = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.number, 0);
     QVERIFY(kept.trouble);
     QCOMPARE(kept.trouble->code, ErrorCode::FileFormat);
     QVERIFY(restTolerance(*m_dir, kept.file) == sweep_example::run());
     // The same again takes no name that is taken.
-    const auto again = record::saveRun(m_path, sweep_example::run());
+    const auto again = history::saveRun(m_path, sweep_example::run());
     QVERIFY(again.file != kept.file);
     QVERIFY(QFile::exists(kept.file) && QFile::exists(again.file));
     QFile file(m_path); // for whoever can mend it
@@ -326,16 +328,16 @@ void TestHistory::aDamagedDatabaseIsAnError()
     file.write(QByteArray(int(file.size() - first), '\x5a'));
     file.close();
     QCOMPARE(History::open(m_path).error().code, ErrorCode::FileFormat);
-    const auto kept = record::saveRun(m_path, sweep_example::run());
+    const auto kept = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileFormat);
-    QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
+    QVERIFY(results::loadSweepRun(kept.file).value() == sweep_example::run());
 }
 
 /// Not "read-only": no right to write would mend it.
 void TestHistory::aDatabaseWithOtherTablesIsAnError()
 {
     const auto history = open();
-    record::HistoryFile::open(m_path, 1s)
+    history::HistoryFile::open(m_path, 1s)
         .value()
         ->run(text("ALTER TABLE runs RENAME COLUMN operator TO somebody"))
         .value();
@@ -363,29 +365,29 @@ void TestHistory::aDamagedRunIsAnError()
 void TestHistory::aLockedDatabaseDelaysButKeepsTheRun()
 {
     const auto before = open()->add(sweep_example::run()).value();
-    const auto holder = record::HistoryFile::open(m_path, 1s).value();
+    const auto holder = history::HistoryFile::open(m_path, 1s).value();
     holder->run(text("BEGIN EXCLUSIVE")).value();
-    const auto kept = record::saveRun(m_path, sweep_example::run(), {}, 50ms);
+    const auto kept = history::saveRun(m_path, sweep_example::run(), {}, 50ms);
     QCOMPARE(kept.number, 0);
     QCOMPARE(kept.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY2(kept.trouble->detail.contains(text("locked")), qPrintable(kept.trouble->detail));
-    QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
+    QVERIFY(results::loadSweepRun(kept.file).value() == sweep_example::run());
     QVERIFY(open()->sweep(before)); // reading goes on meanwhile
     holder->run(text("COMMIT")).value();
-    QVERIFY(record::saveRun(m_path, sweep_example::run(), {}, 50ms).number > before);
+    QVERIFY(history::saveRun(m_path, sweep_example::run(), {}, 50ms).number > before);
 }
 
 void TestHistory::anInvalidFolder()
 {
     write(m_dir->filePath(text("file")), "x");
     m_path = m_dir->filePath(text("file/history.sqlite"));
-    const auto kept = record::saveRun(m_path, sweep_example::run());
+    const auto kept = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY(kept.file.isEmpty()); // it says that there is none
     // A folder in the place of the file.
     m_path = m_dir->filePath(text("history.sqlite"));
     QVERIFY(QDir().mkpath(m_path));
-    const auto beside = record::saveRun(m_path, sweep_example::run());
+    const auto beside = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(beside.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY(restTolerance(*m_dir, beside.file) == sweep_example::run());
 }
@@ -401,5 +403,5 @@ void TestHistory::closedConnectionsLeaveNothing()
     QVERIFY(!QFile::exists(m_path + text("-wal"))); // all of it is in the file
 }
 
-QTEST_GUILESS_MAIN(TestHistory)
+SERVODESK_GUILESS_TEST(TestHistory)
 #include "tst_history.moc"

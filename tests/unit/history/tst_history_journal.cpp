@@ -5,6 +5,7 @@
 #include "history/history_file.h"
 #include "history/history_journal.h"
 #include "support/file_size_limit.h"
+#include "support/test_main.h"
 #include "unit/history/intent_example.h"
 
 #include <QProcess>
@@ -20,9 +21,9 @@
 
 using base::ErrorCode;
 using base::Intent;
+using history::HistoryJournal;
 using intent_example::exampleIntent;
 using intent_example::exampleServo;
-using record::HistoryJournal;
 using namespace std::chrono_literals;
 
 namespace {
@@ -137,7 +138,8 @@ private Q_SLOTS:
     void aKilledProgramHasNothingInProgress()
     {
         QProcess other;
-        other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("hold"), m_path});
+        other.start(QCoreApplication::applicationFilePath(),
+                    {QStringLiteral("tst_history_journal"), QStringLiteral("hold"), m_path});
         QVERIFY(other.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(other.canReadLine(), 30'000);
         const HistoryJournal viewer(m_path, program);
@@ -217,9 +219,9 @@ private Q_SLOTS:
                    {},
                    {{QStringLiteral("position_offset"), -2046, QStringLiteral("mismatch")},
                     {QStringLiteral("min_angle"), 100, QStringLiteral("kept")}}}));
-        const auto history = record::History::open(m_path).value()->log().writes().value();
+        const auto history = history::History::open(m_path).value()->log().writes().value();
         QCOMPARE(history.size(), std::size_t(2));
-        for (const record::HistoryWrite& write : history) {
+        for (const history::HistoryWrite& write : history) {
             const bool offset = write.key == QLatin1String("position_offset");
             QCOMPARE(write.outcome, offset ? QStringLiteral("mismatch") : QStringLiteral("kept"));
             QCOMPARE(write.readBack.value(), offset ? -2046 : 100);
@@ -382,7 +384,8 @@ private Q_SLOTS:
         for (int i = 0; i < 3; ++i) {
             programs.push_back(std::make_unique<QProcess>());
             programs.back()->start(QCoreApplication::applicationFilePath(),
-                                   {QStringLiteral("append"), m_path, QString::number(each)});
+                                   {QStringLiteral("tst_history_journal"), QStringLiteral("append"),
+                                    m_path, QString::number(each)});
         }
         QSet<QString> confirmedUuids;
         for (const auto& one : programs) {
@@ -402,7 +405,8 @@ private Q_SLOTS:
         for (int round = 0; round < 5; ++round) {
             QProcess other;
             other.start(QCoreApplication::applicationFilePath(),
-                        {QStringLiteral("append"), m_path, QStringLiteral("1000000")});
+                        {QStringLiteral("tst_history_journal"), QStringLiteral("append"), m_path,
+                         QStringLiteral("1000000")});
             QByteArray printed;
             while (printed.count('\n') < 5 + round) {
                 QVERIFY(other.waitForReadyRead());
@@ -464,7 +468,7 @@ private Q_SLOTS:
                     journal.begin(exampleIntent(i)).value();
             }
             if (kind == QLatin1String("newer")) {
-                const auto file = record::HistoryFile::open(m_path, 5s).value();
+                const auto file = history::HistoryFile::open(m_path, 5s).value();
                 QVERIFY(file->run(QStringLiteral("PRAGMA user_version = 99")));
             } else {
                 QFile file(m_path);
@@ -498,7 +502,8 @@ private Q_SLOTS:
         QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::ExeOwner |
                                                             QFile::ReadOther | QFile::ExeOther));
         QProcess other; // as nobody in particular, since to root no file is read-only
-        other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("refuse"), m_path});
+        other.start(QCoreApplication::applicationFilePath(),
+                    {QStringLiteral("tst_history_journal"), QStringLiteral("refuse"), m_path});
         QVERIFY(other.waitForFinished());
         QVERIFY(QFile::setPermissions(m_folder->path(),
                                       QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
@@ -512,7 +517,7 @@ private Q_SLOTS:
     void aLockedDatabaseRefusesTheWrite()
     {
         HistoryJournal(m_path, program).begin(exampleIntent(1)).value();
-        const auto other = record::HistoryFile::open(m_path, 5s).value();
+        const auto other = history::HistoryFile::open(m_path, 5s).value();
         HistoryJournal journal(m_path, program, 50ms);
         (void)other->transaction([&]() -> base::Result<void> {
             const auto begun = journal.begin(exampleIntent(2));
@@ -530,7 +535,7 @@ private Q_SLOTS:
         const auto uuid = journal.begin(exampleIntent(1)).value();
         std::promise<void> locked;
         std::thread other([&] {
-            const auto file = record::HistoryFile::open(m_path, 5s).value();
+            const auto file = history::HistoryFile::open(m_path, 5s).value();
             (void)file->transaction([&]() -> base::Result<void> {
                 const auto refused = journal.begin(exampleIntent(2));
                 [&] { QVERIFY(!refused); }();
@@ -561,7 +566,7 @@ private:
     QString m_path;
 };
 
-int main(int argc, char* argv[])
+static int run(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
@@ -574,5 +579,6 @@ int main(int argc, char* argv[])
     TestHistoryJournal test;
     return QTest::qExec(&test, argc, argv);
 }
+SERVODESK_TEST_RUN(run)
 
 #include "tst_history_journal.moc"

@@ -9,6 +9,8 @@
 #include "history/history_file.h"
 #include "history/history_journal.h"
 #include "history/history_table.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
 #include "unit/history/intent_example.h"
 #include "unit/results/sweep_example.h"
 
@@ -21,11 +23,11 @@
 #include <thread>
 
 using base::IntentKind;
+using history::ChangedRow;
+using history::HistoryFilter;
+using history::HistoryWrite;
+using history::SnapshotReason;
 using intent_example::exampleServo;
-using record::ChangedRow;
-using record::HistoryFilter;
-using record::HistoryWrite;
-using record::SnapshotReason;
 using namespace std::chrono_literals;
 
 namespace {
@@ -36,11 +38,11 @@ QString text(const char* utf8)
 
 const QString program = QStringLiteral("servodesk test");
 
-record::Snapshot snapshotOf(int id, std::int64_t p = 32, std::int64_t minimum = 0)
+snapshot::Snapshot snapshotOf(int id, std::int64_t p = 32, std::int64_t minimum = 0)
 {
     using catalog::Access;
     using catalog::Area;
-    record::Snapshot snapshot;
+    snapshot::Snapshot snapshot;
     snapshot.program = program;
     snapshot.at = QDateTime::currentDateTimeUtc();
     snapshot.port = text("/dev/ttyUSB0");
@@ -77,7 +79,7 @@ std::vector<std::int64_t> newValues(const std::vector<HistoryWrite>& writes)
 }
 using Values = std::vector<std::int64_t>;
 
-const record::SnapshotRegister& rowOf(const record::Snapshot& table, const char* key)
+const snapshot::SnapshotRegister& rowOf(const snapshot::Snapshot& table, const char* key)
 {
     return *std::find_if(table.registers.begin(), table.registers.end(),
                          [&](const auto& row) { return row.key == text(key); });
@@ -85,7 +87,7 @@ const record::SnapshotRegister& rowOf(const record::Snapshot& table, const char*
 
 /// A servo whose table was saved once, and what the history says of it at a moment.
 struct ServoHistoryFixture {
-    explicit ServoHistoryFixture(std::unique_ptr<record::History> opened)
+    explicit ServoHistoryFixture(std::unique_ptr<history::History> opened)
         : history(std::move(opened))
         , log(history->log())
     {
@@ -94,12 +96,12 @@ struct ServoHistoryFixture {
     }
     auto at(const QDateTime& when) const
     {
-        return record::tableAt(history->file(), catalog, number, when).value();
+        return history::tableAt(history->file(), catalog, number, when).value();
     }
 
     const catalog::Catalog catalog = catalog::Catalog::load().catalog;
-    const std::unique_ptr<record::History> history;
-    const record::HistoryLog log;
+    const std::unique_ptr<history::History> history;
+    const history::HistoryLog log;
     qint64 number = 0;
 };
 } // namespace
@@ -108,16 +110,16 @@ class TestHistoryLog : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<record::History> open() const
+    std::unique_ptr<history::History> open() const
     {
-        auto history = record::History::open(m_path);
+        auto history = history::History::open(m_path);
         return history ? std::move(*history) : nullptr;
     }
     /// A write that ended like this.
     void write(int id, const char* key, std::int64_t from, std::int64_t to,
                const char* outcome = "kept", IntentKind kind = IntentKind::Write)
     {
-        record::HistoryJournal journal(m_path, program);
+        history::HistoryJournal journal(m_path, program);
         const QString uuid = journal.begin(intentOf(id, key, from, to, kind)).value();
         const bool good = qstrcmp(outcome, "kept") == 0;
         QVERIFY(journal.end(uuid, {good ? text("done") : text("failed"),
@@ -208,7 +210,7 @@ void TestHistoryLog::writesAreFound()
 /// Whatever the filter: all pages together are the list, each row once.
 void TestHistoryLog::servoChosenValuesAreThoseRead()
 {
-    record::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, program);
     const auto end = [&](std::int64_t old, IntentKind kind, std::optional<std::int64_t> readBack) {
         const char* key = kind == IntentKind::Calibrate ? "position_offset" : "position_p";
         const QString uuid = journal.begin(intentOf(1, key, old, old, kind)).value();
@@ -253,7 +255,7 @@ void TestHistoryLog::pagesAreContiguous()
             QVERIFY(page.size() <= 4);
             for (const std::int64_t value : newValues(page))
                 joined.push_back(value);
-            filter.after = record::PageCursor{page.back().at, page.back().number};
+            filter.after = history::PageCursor{page.back().at, page.back().number};
         }
         QCOMPARE(joined, whole);
     }
@@ -261,7 +263,7 @@ void TestHistoryLog::pagesAreContiguous()
 
 void TestHistoryLog::aServoIsIdentifiedByItsLabel()
 {
-    record::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, program);
     const QString limits = text("limits");
     write(1, "position_p", 32, 1);
     QVERIFY(journal.saveServoValues(exampleServo(1), limits, {5, 6}));
@@ -312,7 +314,7 @@ void TestHistoryLog::simulatedServosAreSeparate()
     const QString limits = text("limits");
     base::ServoIdentity played = exampleServo(1);
     played.port = text("sim:demo");
-    record::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, program);
     QVERIFY(journal.saveServoValues(played, limits, {1, 2}));
     QVERIFY(!journal.servoValues(exampleServo(1), limits).value());
     base::Intent intent = intentOf(1, "position_p", 32, 40);
@@ -327,12 +329,12 @@ void TestHistoryLog::simulatedServosAreSeparate()
     QVERIFY(one.number != other.number);
     QVERIFY(log.setLabel(one.number, text("same")));
     QVERIFY(log.setLabel(other.number, text("same")));
-    record::Snapshot snapshot = snapshotOf(1);
+    snapshot::Snapshot snapshot = snapshotOf(1);
     snapshot.port = text("sim:demo");
     log.addSnapshot(snapshot, SnapshotReason::Automatic).value();
     const auto catalog = catalog::Catalog::load().catalog;
-    QVERIFY(record::tableAt(history->file(), catalog, one.number, pass()));
-    QVERIFY(!record::tableAt(history->file(), catalog, other.number, pass()));
+    QVERIFY(history::tableAt(history->file(), catalog, one.number, pass()));
+    QVERIFY(!history::tableAt(history->file(), catalog, other.number, pass()));
     QVERIFY(log.assignToOther(one.number, text("new")));
     QCOMPARE(log.of(played).value()->label, text("new"));
     QCOMPARE(log.of(exampleServo(1)).value()->label, text("same"));
@@ -342,13 +344,13 @@ void TestHistoryLog::snapshotsRoundTrip()
 {
     const auto history = open();
     const auto log = history->log();
-    record::Snapshot snapshot = snapshotOf(1);
+    snapshot::Snapshot snapshot = snapshotOf(1);
     snapshot.note = text("before the repair\n左膝");
     const auto number =
         log.addSnapshot(snapshot, SnapshotReason::Automatic, text("/tmp/a.servo.json")).value();
     log.addSnapshot(snapshotOf(2), SnapshotReason::Manual).value();
-    QCOMPARE(record::encodeSnapshot(log.snapshot(number).value()),
-             record::encodeSnapshot(snapshot));
+    QCOMPARE(snapshot::encodeSnapshot(log.snapshot(number).value()),
+             snapshot::encodeSnapshot(snapshot));
     HistoryFilter one;
     one.id = 1;
     const auto rows = log.snapshots(one).value();
@@ -399,7 +401,7 @@ void TestHistoryLog::recordingsAreFound()
 {
     const auto history = open();
     const auto log = history->log();
-    record::HistoryRecording recording;
+    history::HistoryRecording recording;
     recording.at = QDateTime::currentDateTimeUtc();
     recording.length = 90s;
     recording.file = text("/tmp/运行.csv");
@@ -420,21 +422,21 @@ void TestHistoryLog::recordingsAreFound()
 
 void TestHistoryLog::stepRunsAreStored()
 {
-    record::StepRun run;
+    results::StepRun run;
     run.program = program;
     run.at = QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC);
     run.port = text("sim:demo");
     run.simulated = true;
     run.parameters = snapshotOf(3);
     run.spec.note = text("stiff");
-    record::StepResponse response;
+    results::StepResponse response;
     response.number = 1;
     response.samples = {{0us, 100.0, {}, {}, {}}, {500ms, 300.0, {}, {}, {}}};
     run.responses = {response};
-    const record::SavedRun kept = record::saveRun(m_path, run);
+    const history::SavedRun kept = history::saveRun(m_path, run);
     QVERIFY(!kept.trouble);
     const auto history = open();
-    record::RunFilter steps;
+    history::RunFilter steps;
     steps.kind = text("step");
     const auto heads = history->runs(steps).value();
     QCOMPARE(heads.size(), std::size_t(1));
@@ -466,7 +468,7 @@ void TestHistoryLog::theTableAtAnyTime()
     const QDateTime atLast = pass();
     const auto servo = log.of(exampleServo(1)).value()->number;
     const auto at = [&](const QDateTime& when) {
-        return record::tableAt(history->file(), catalog, servo, when);
+        return history::tableAt(history->file(), catalog, servo, when);
     };
     QCOMPARE(at(atFirst.addDays(-1)).error().detail, text("no-snapshot"));
     QVERIFY(at(atFirst)->replayed.isEmpty());
@@ -489,7 +491,7 @@ void TestHistoryLog::unrecordedRegistersHaveNoValue()
 {
     const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
-    record::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, program);
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 40)).value();
     QCOMPARE(now().unknown, QStringList{text("position_p")});
     QVERIFY(!rowOf(now().table, "position_p").raw);
@@ -515,7 +517,7 @@ void TestHistoryLog::pastEntriesAreUnchanged()
 {
     const ServoHistoryFixture past(open());
     const auto at = [&](const QDateTime& when) { return past.at(when); };
-    record::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, program);
     pass();
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 90)).value();
     const QDateTime open = pass();
@@ -543,7 +545,7 @@ void TestHistoryLog::missingRegistersAreReported()
 {
     const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
-    record::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, program);
     base::Intent trial = intentOf(1, "position_p", 32, 50, IntentKind::Trial);
     trial.temporary = true;
     QVERIFY(journal.end(journal.begin(trial).value(),
@@ -596,7 +598,7 @@ void TestHistoryLog::aServoBackAtItsIdKeepsItsHistory()
 void TestHistoryLog::changesForACopy()
 {
     const auto history = open();
-    const record::HistoryChanges changes(history->file());
+    const history::HistoryChanges changes(history->file());
     const QString bench = changes.bench().value();
     QVERIFY(!bench.isEmpty());
     QCOMPARE(changes.revision().value(), 0);
@@ -642,7 +644,7 @@ void TestHistoryLog::changesForACopy()
     QCOMPARE(changes.after(0).value().size(), std::size_t(4));
     QCOMPARE(changes.after(0, 2).value().size(), std::size_t(2));
     QCOMPARE(changes.after(0, 500, 1).value().size(), std::size_t(3)); // up to the first blob
-    QCOMPARE(record::HistoryChanges(open()->file()).bench().value(), bench);
+    QCOMPARE(history::HistoryChanges(open()->file()).bench().value(), bench);
 }
 
 /// A copy that follows while two write gets every row.
@@ -654,7 +656,7 @@ void TestHistoryLog::concurrentChangesAreCopied()
     for (int i = 0; i < 2; ++i) {
         writers.emplace_back([this, i] {
             // Both write without a pause: that is about loss, not about patience.
-            record::HistoryJournal journal(m_path, program, std::chrono::seconds(5));
+            history::HistoryJournal journal(m_path, program, std::chrono::seconds(5));
             for (int n = 0; n < each; ++n) {
                 const auto uuid = journal.begin(intentOf(1 + i, "position_p", 0, n));
                 if (uuid)
@@ -663,7 +665,7 @@ void TestHistoryLog::concurrentChangesAreCopied()
         });
     }
     const auto history = open();
-    const record::HistoryChanges changes(history->file());
+    const history::HistoryChanges changes(history->file());
     QMap<QString, ChangedRow> copy;
     std::int64_t seen = 0;
     const auto follow = [&] {
@@ -696,8 +698,8 @@ void TestHistoryLog::exportedAsCsv()
     const QString path = m_dir->filePath(text("w.csv"));
     HistoryFilter filter;
     filter.limit = 1; // no limit for a file
-    QCOMPARE(record::exportHistoryCsv(*history, record::HistoryKind::Writes, filter, path).value(),
-             2);
+    QCOMPARE(
+        history::exportHistoryCsv(*history, history::HistoryKind::Writes, filter, path).value(), 2);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QList<QByteArray> lines = file.readAll().split('\n');
@@ -705,12 +707,12 @@ void TestHistoryLog::exportedAsCsv()
     QCOMPARE(lines[0].split(',').size(), lines[1].split(',').size());
     QVERIFY(lines[1].contains(",min_angle_limit,21,-5,7,7,kept,"));
     QVERIFY(lines[2].contains(",\"'=left, \"\"upper\"\"\","));
-    for (const auto kind :
-         {record::HistoryKind::Servos, record::HistoryKind::Snapshots, record::HistoryKind::Alarms,
-          record::HistoryKind::Recordings, record::HistoryKind::Runs})
-        QVERIFY(record::exportHistoryCsv(*history, kind, {}, path));
-    QVERIFY(!record::exportHistoryCsv(*history, record::HistoryKind::Runs, {},
-                                      m_dir->filePath(text("no/such/folder.csv"))));
+    for (const auto kind : {history::HistoryKind::Servos, history::HistoryKind::Snapshots,
+                            history::HistoryKind::Alarms, history::HistoryKind::Recordings,
+                            history::HistoryKind::Runs})
+        QVERIFY(history::exportHistoryCsv(*history, kind, {}, path));
+    QVERIFY(!history::exportHistoryCsv(*history, history::HistoryKind::Runs, {},
+                                       m_dir->filePath(text("no/such/folder.csv"))));
 }
 
 void TestHistoryLog::exportedAsJson()
@@ -724,10 +726,10 @@ void TestHistoryLog::exportedAsJson()
     HistoryFilter one;
     one.id = 1;
     const auto rows =
-        record::exportHistoryJson(*history,
-                                  {record::HistoryKind::Servos, record::HistoryKind::Writes,
-                                   record::HistoryKind::Snapshots, record::HistoryKind::Runs},
-                                  one, path);
+        history::exportHistoryJson(*history,
+                                   {history::HistoryKind::Servos, history::HistoryKind::Writes,
+                                    history::HistoryKind::Snapshots, history::HistoryKind::Runs},
+                                   one, path);
     QCOMPARE(rows.value(), 5);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -743,13 +745,13 @@ void TestHistoryLog::exportedAsJson()
 /// The statements by which the first published version made its file, and rows it had put in.
 void TestHistoryLog::theFirstSchemaIsMigrated()
 {
-    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/record/history-1.sqlite"), m_path));
+    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/history/history-1.sqlite"), m_path));
     QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
     // Several at once.
     std::vector<std::thread> starters;
     std::atomic<int> fine{0};
     for (int i = 0; i < 4; ++i)
-        starters.emplace_back([&] { fine += record::History::open(m_path) ? 1 : 0; });
+        starters.emplace_back([&] { fine += history::History::open(m_path) ? 1 : 0; });
     for (std::thread& starter : starters)
         starter.join();
     QCOMPARE(fine, 4);
@@ -760,7 +762,7 @@ void TestHistoryLog::theFirstSchemaIsMigrated()
     QCOMPARE(runs[1].servos[0].label, sweep_example::hostileLabel);
     QVERIFY(history->sweep(runs[1].number).value() == sweep_example::firstVersionRun());
     QVERIFY(history->reference(runs[0].servos[0].model).value());
-    const auto changes = record::HistoryChanges(history->file());
+    const auto changes = history::HistoryChanges(history->file());
     QCOMPARE(changes.after(0).value().size(), std::size_t(2));
     write(1, "position_p", 32, 40);
     QCOMPARE(changes.after(0).value().size(), std::size_t(4));
@@ -770,23 +772,23 @@ void TestHistoryLog::theFirstSchemaIsMigrated()
 /// No room half-way: the file is of the first schema still, with all that is in it.
 void TestHistoryLog::aMigrationThatFailsChangesNothing()
 {
-    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/record/history-1.sqlite"), m_path));
+    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/history/history-1.sqlite"), m_path));
     QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
     const auto holder = QDir(m_dir->path()).entryList(QDir::Files);
     QCOMPARE(holder.size(), 1);
     {
         // Somebody else has it to himself: it is not migrated, and nobody waits for ever.
-        const auto first = record::HistoryFile::open(m_dir->filePath(text("other.sqlite")), 1s);
+        const auto first = history::HistoryFile::open(m_dir->filePath(text("other.sqlite")), 1s);
         QVERIFY(first);
         const auto attached = (*first)->run(QStringLiteral("ATTACH DATABASE ? AS held"), {m_path});
         QVERIFY(attached);
         QVERIFY((*first)->run(QStringLiteral("BEGIN IMMEDIATE")));
         QVERIFY((*first)->run(QStringLiteral("UPDATE held.runs SET note = note")));
-        QVERIFY(!record::History::open(m_path, 20ms));
+        QVERIFY(!history::History::open(m_path, 20ms));
         QVERIFY((*first)->run(QStringLiteral("ROLLBACK")));
     }
     QCOMPARE(open()->runs().value().size(), std::size_t(2));
 }
 
-QTEST_GUILESS_MAIN(TestHistoryLog)
+SERVODESK_GUILESS_TEST(TestHistoryLog)
 #include "tst_history_log.moc"

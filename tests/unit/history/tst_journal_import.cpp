@@ -5,6 +5,7 @@
 #include "history/history_journal.h"
 #include "history/journal_import.h"
 #include "support/file_size_limit.h"
+#include "support/test_main.h"
 #include "unit/history/intent_example.h"
 #include "unit/history/legacy_journal.h"
 
@@ -16,9 +17,9 @@
 
 using base::ErrorCode;
 using base::Intent;
+using history::HistoryJournal;
 using intent_example::exampleIntent;
 using intent_example::exampleServo;
-using record::HistoryJournal;
 using support::LegacyJournal;
 using namespace std::chrono_literals;
 
@@ -99,12 +100,12 @@ private Q_SLOTS:
         LegacyJournal old(m_old);
         old.end(old.begin(exampleIntent(1)), QStringLiteral("done"));
         old.end(old.begin(exampleIntent(1)), QStringLiteral("failed"));
-        const auto history = record::History::open(m_path).value();
+        const auto history = history::History::open(m_path).value();
         const auto writes = history->log().writes().value();
         QCOMPARE(writes.size(), std::size_t(4));
         QCOMPARE(writes[0].outcome, QStringLiteral("failed"));
         QCOMPARE(writes[3].outcome, QStringLiteral("done"));
-        record::HistoryFilter trouble;
+        history::HistoryFilter trouble;
         trouble.onlyProblems = true;
         QCOMPARE(history->log().writes(trouble).value().size(), std::size_t(2));
     }
@@ -171,8 +172,9 @@ private Q_SLOTS:
         std::vector<std::unique_ptr<QProcess>> programs;
         for (int i = 0; i < 4; ++i) {
             programs.push_back(std::make_unique<QProcess>());
-            programs.back()->start(QCoreApplication::applicationFilePath(),
-                                   {QStringLiteral("open"), m_path});
+            programs.back()->start(
+                QCoreApplication::applicationFilePath(),
+                {QStringLiteral("tst_journal_import"), QStringLiteral("open"), m_path});
         }
         for (const auto& one : programs) {
             QVERIFY(one->waitForFinished());
@@ -180,7 +182,7 @@ private Q_SLOTS:
         }
         QCOMPARE(entries().size(), std::size_t(200));
         QCOMPARE(files("journal.jsonl*").size(), qsizetype(1));
-        const auto history = record::History::open(m_path).value();
+        const auto history = history::History::open(m_path).value();
         QCOMPARE(history->log().countWrites().value(), 400);
     }
 
@@ -192,7 +194,8 @@ private Q_SLOTS:
             old.begin(exampleIntent(i));
         for (int round = 0; round < 12; ++round) {
             QProcess other;
-            other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("open"), m_path});
+            other.start(QCoreApplication::applicationFilePath(),
+                        {QStringLiteral("tst_journal_import"), QStringLiteral("open"), m_path});
             QVERIFY(other.waitForStarted());
             (void)other.waitForFinished(round * 7); // sooner or later
             other.kill();
@@ -211,7 +214,7 @@ private Q_SLOTS:
         LegacyJournal old(m_old);
         for (int i = 0; i < 100; ++i)
             old.begin(exampleIntent(i));
-        (void)record::HistoryFile::open(m_path, 5s).value();
+        (void)history::HistoryFile::open(m_path, 5s).value();
         {
             const FileSizeLimit limit(8192);
             HistoryJournal journal(m_path, program);
@@ -287,8 +290,8 @@ private Q_SLOTS:
         old.append(line);
         old.begin(exampleIntent(2));
         {
-            const auto file = record::HistoryFile::open(m_path, 5s).value();
-            const auto taken = record::importJournal(*file).value();
+            const auto file = history::HistoryFile::open(m_path, 5s).value();
+            const auto taken = history::importJournal(*file).value();
             QCOMPARE(taken.lines, 3);
             QCOMPARE(taken.unreadable, 1);
         }
@@ -337,11 +340,11 @@ private Q_SLOTS:
         QVERIFY(begun.error().detail.contains(m_old));
         QVERIFY(!journal.open());
         QVERIFY(QFileInfo::exists(m_old));
-        QVERIFY(record::History::open(m_path)); // test runs are kept all the same
+        QVERIFY(history::History::open(m_path)); // test runs are kept all the same
     }
 };
 
-int main(int argc, char* argv[])
+static int run(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
@@ -350,5 +353,6 @@ int main(int argc, char* argv[])
     TestJournalImport test;
     return QTest::qExec(&test, argc, argv);
 }
+SERVODESK_TEST_RUN(run)
 
 #include "tst_journal_import.moc"

@@ -2,10 +2,11 @@
 // Connection strings of PostgreSQL in both ways of writing; the examples of its manual among them
 // (section 34.1.1). What is shown of one never has the password.
 #include "history/server/server_address.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
-using record::ServerAddress;
+using history::ServerAddress;
 
 namespace {
 QString text(const char* utf8)
@@ -237,5 +238,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestServerAddress)
+SERVODESK_GUILESS_TEST(TestServerAddress)
 #include "tst_server_address.moc"

@@ -5,16 +5,17 @@
 #include "history/history_file.h"
 #include "results/sweep_json.h"
 #include "results/sweep_verdict.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
-using record::Grade;
-using record::History;
-using record::SweepEnd;
-using record::SweepRun;
+using history::History;
+using results::Grade;
+using results::SweepEnd;
+using results::SweepRun;
 using namespace std::chrono_literals;
 
 namespace {
@@ -28,11 +29,11 @@ SweepRun runEndingWith(SweepEnd end, int endedBy = -1)
 {
     SweepRun run = sweep_example::run();
     run.servos.resize(1);
-    for (record::VerdictLine& line : run.servos[0].lines)
+    for (results::VerdictLine& line : run.servos[0].lines)
         line.grade = Grade::Pass;
     run.end = end;
     run.endedBy = endedBy;
-    record::assignVerdicts(run);
+    results::assignVerdicts(run);
     return run;
 }
 } // namespace
@@ -68,7 +69,7 @@ void TestStoredVerdict::init()
 
 void TestStoredVerdict::storeAsEarlierVersion(std::int64_t run, const char* verdict)
 {
-    const auto file = record::HistoryFile::open(m_path, 1s).value();
+    const auto file = history::HistoryFile::open(m_path, 1s).value();
     QVERIFY(file->run(text("DELETE FROM about WHERE name = 'sweep-verdicts'")));
     QVERIFY(file->run(text("UPDATE run_servos SET verdict = ? WHERE run = ?"),
                       {text(verdict), qint64(run)}));
@@ -108,39 +109,39 @@ void TestStoredVerdict::theEndDecides()
     // What it failed by itself before stays failed; errors on the wire are nobody's.
     run.servos[0].lines.push_back(
         {{text("communication_errors"), QString(), {}, 0.0}, 7.0, Grade::Fail});
-    record::assignVerdicts(run);
+    results::assignVerdicts(run);
     const bool finished = SweepEnd(end) == SweepEnd::Finished;
     QCOMPARE(int(run.servos[0].verdict), finished ? int(Grade::Fail) : verdict);
     run.servos[0].lines.push_back({{text("overshoot"), text("%"), {}, 5.0}, 9.0, Grade::Fail});
-    record::assignVerdicts(run);
+    results::assignVerdicts(run);
     QCOMPARE(run.servos[0].verdict, Grade::Fail);
 }
 
 void TestStoredVerdict::aFileOfAnEarlierVersionIsReevaluated()
 {
-    QByteArray before = record::encodeSweepRun(runEndingWith(SweepEnd::Stopped));
+    QByteArray before = results::encodeSweepRun(runEndingWith(SweepEnd::Stopped));
     before.replace("\"verdict\": \"not-measured\"", "\"verdict\": \"pass\"");
     before.replace("      \"no_verdict\": \"ended\",\n", "");
     QVERIFY(before.contains("\"verdict\": \"pass\""));
-    const auto read = record::decodeSweepRun(before);
+    const auto read = results::decodeSweepRun(before);
     QVERIFY2(read, read ? "" : qPrintable(read.error().detail));
     QCOMPARE(read->servos[0].verdict, Grade::NotMeasured);
     QCOMPARE(read->verdict(), Grade::NotMeasured);
     // A sine that nobody had looked at.
     SweepRun sine = runEndingWith(SweepEnd::Finished);
-    sine.spec.shape = record::SweepShape::Sine;
-    before = record::encodeSweepRun(sine);
+    sine.spec.shape = results::SweepShape::Sine;
+    before = results::encodeSweepRun(sine);
     QVERIFY(before.contains("\"verdict\": \"pass\""));
-    QCOMPARE(record::decodeSweepRun(before)->verdict(), Grade::NotMeasured);
+    QCOMPARE(results::decodeSweepRun(before)->verdict(), Grade::NotMeasured);
 }
 
 void TestStoredVerdict::aHistoryOfAnEarlierVersionIsReevaluated()
 {
     SweepRun stalled = sweep_example::run(); // of two servos one is to blame
-    for (record::VerdictLine& line : stalled.servos[1].lines)
+    for (results::VerdictLine& line : stalled.servos[1].lines)
         line.grade = Grade::Pass;
     SweepRun sine = runEndingWith(SweepEnd::Finished);
-    sine.spec.shape = record::SweepShape::Sine;
+    sine.spec.shape = results::SweepShape::Sine;
     std::vector<std::int64_t> numbers;
     for (const SweepRun& run :
          {runEndingWith(SweepEnd::Stopped), stalled, sine, runEndingWith(SweepEnd::Finished)})
@@ -172,7 +173,7 @@ void TestStoredVerdict::aLongSineIsStillRead()
 {
     constexpr std::size_t night = 20'000; // legs
     SweepRun sine = runEndingWith(SweepEnd::Finished);
-    sine.spec.shape = record::SweepShape::Sine;
+    sine.spec.shape = results::SweepShape::Sine;
     sine.servos[0].legs.resize(night);
     const auto number = open()->add(sine).value();
     {
@@ -221,5 +222,5 @@ void TestStoredVerdict::anUnfinishedRunIsNoReference()
     QCOMPARE(failed.error().detail, text("failed-reference"));
 }
 
-QTEST_GUILESS_MAIN(TestStoredVerdict)
+SERVODESK_GUILESS_TEST(TestStoredVerdict)
 #include "tst_stored_verdict.moc"

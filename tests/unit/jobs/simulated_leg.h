@@ -104,20 +104,20 @@ void read(const Motion& motion, double until, const Reading& how, Take take)
     }
 }
 
-inline record::SweepAxis axis(double tolerance = 12)
+inline results::SweepAxis axis(double tolerance = 12)
 {
-    record::SweepAxis one;
+    results::SweepAxis one;
     one.tolerance = tolerance;
     return one;
 }
 
-inline jobs::LegMeter meter(const record::SweepAxis& on, double start, double target)
+inline jobs::LegMeter meter(const results::SweepAxis& on, double start, double target)
 {
     return {on, 1, 1, base::Duration(0), start, target};
 }
 
-inline record::SweepLeg measure(const record::SweepAxis& on, double start, double target,
-                                const Motion& motion, double until, const Reading& how = {})
+inline results::SweepLeg measure(const results::SweepAxis& on, double start, double target,
+                                 const Motion& motion, double until, const Reading& how = {})
 {
     jobs::LegMeter one = meter(on, start, target);
     read(motion, until, how, [&](const jobs::SweepSample& sample) { one.add(sample); });

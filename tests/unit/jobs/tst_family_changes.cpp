@@ -6,6 +6,7 @@
 #include "jobs/recover/recover.h"
 #include "jobs/restore/take_snapshot.h"
 #include "jobs/scan/scan_plan.h"
+#include "support/test_main.h"
 #include "unit/device/fake_bus.h"
 
 #include <QTest>
@@ -22,11 +23,6 @@ namespace {
 QString text(const char* word)
 {
     return QString::fromLatin1(word);
-}
-
-bool lockClosed(const fake::Servo& servo)
-{
-    return !servo.has(Role::Lock) || servo.raw(Role::Lock) == 1;
 }
 } // namespace
 
@@ -90,7 +86,7 @@ void TestFamilyChanges::newIdIsSaved()
     QVERIFY(report->isSuccessful());
     QCOMPARE(servo.id, 9);
     QCOMPARE(fixture.noticeCount(NoticeCode::IdChanged), 1);
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     QCOMPARE(fixture.openIntents(), std::size_t(0));
     fixture.fake().powerCycle();
     QCOMPARE(fixture.fake().id, 9);
@@ -105,7 +101,7 @@ void TestFamilyChanges::newIdSurvivesLostReplies()
     const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     fixture.fake().powerCycle();
     QCOMPARE(fixture.fake().id, 9);
 }
@@ -162,7 +158,7 @@ void TestFamilyChanges::factoryResetWithoutVisibleEffect()
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::Uncertain);
     QCOMPARE(report.error().detail, text("nothing-changed"));
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     QCOMPARE(fixture.openIntents(), std::size_t(1));
 }
 
@@ -176,7 +172,7 @@ void TestFamilyChanges::newIdWithTheLinkCut()
         const auto report = jobs::changeId(fixture.context(), servo, 9);
         if (report && report->isSuccessful())
             return;
-        if (fixture.fake().id != 1 || !lockClosed(fixture.fake()))
+        if (fixture.fake().id != 1 || !fixture.fake().isLockClosed())
             QCOMPARE(fixture.openIntents(), std::size_t(1));
         if (fixture.openIntents() == 1) {
             // The cable is back: what was begun can be finished.
@@ -185,7 +181,7 @@ void TestFamilyChanges::newIdWithTheLinkCut()
             QVERIFY(recovered);
             QVERIFY(recovered->at(0).done);
             QCOMPARE(fixture.openIntents(), std::size_t(0));
-            QVERIFY(lockClosed(fixture.fake()));
+            QVERIFY(fixture.fake().isLockClosed());
             fixture.fake().powerCycle();
             QCOMPARE(fixture.fake().id, 9);
         }
@@ -248,7 +244,7 @@ void TestFamilyChanges::newRate()
              std::int64_t(0)); // its own table of codes
     QCOMPARE(fixture.bus.baud(), 256'000);
     QCOMPARE(fixture.noticeCount(NoticeCode::RateChanged), 1);
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     const auto never = jobs::changeBaud(fixture.context(), servo, 1'000'000);
     QVERIFY(!never);
     QCOMPARE(never.error().code, ErrorCode::OutOfRange);
@@ -304,9 +300,9 @@ void TestFamilyChanges::centering()
     QCOMPARE(*report->positionAfter, std::int64_t(2048));
     QCOMPARE(*report->offsetAfter, std::int64_t(1000 - 2048));
     QCOMPARE(report->lock, LockState::Closed);
-    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.fake().isLockClosed());
     QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
-    // HLS takes the instruction only, Modbus the fault reset only; nobody gets 128 in its switch.
+    // HLS takes the instruction only, Modbus the fault reset only; neither gets 128 in its switch.
     int ways = 0;
     for (const protocol::Request& request : fixture.bus.requests) {
         const bool reset = request.op == Op::Write && request.address == 2 * 134;
@@ -425,8 +421,8 @@ void TestFamilyChanges::recovery()
             device::Servo servo = fixture.servo();
             const auto before = fixture.fake().raw(key);
             fixture.bus.cutAfter = passed;
-            const auto report =
-                device::write(fixture.context(), servo, {{key, value}}, {false, true});
+            const auto report = device::write(fixture.context(), servo, {{key, value}},
+                                              {false, device::Consent::confirmed()});
             fixture.bus.cutAfter = -1;
             if (report && report->isSuccessful())
                 break;
@@ -439,7 +435,7 @@ void TestFamilyChanges::recovery()
             QVERIFY(recovered);
             QVERIFY(recovered->at(0).done);
             QCOMPARE(fixture.openIntents(), std::size_t(0));
-            QVERIFY(lockClosed(fixture.fake()));
+            QVERIFY(fixture.fake().isLockClosed());
             fixture.fake().powerCycle();
             QCOMPARE(fixture.fake().raw(key), finish ? std::int64_t(value) : before);
         }
@@ -517,10 +513,10 @@ void TestFamilyChanges::snapshots()
     QCOMPARE(taken->servo.map, servo.profile->mapKey);
     QCOMPARE(taken->servo.protocol, base::protocolName(servo.protocol));
     // Through the file's format and back, with addresses as the sheet prints them.
-    const auto read = record::decodeSnapshot(record::encodeSnapshot(*taken));
+    const auto read = snapshot::decodeSnapshot(snapshot::encodeSnapshot(*taken));
     QVERIFY(read);
     QCOMPARE(read->registers.size(), servo.profile->registers.size());
-    for (const record::SnapshotRegister& row : read->registers) {
+    for (const snapshot::SnapshotRegister& row : read->registers) {
         const catalog::Register& reg = fixture.fake().reg(row.key);
         QCOMPARE(row.address, reg.address);
         const bool silent = reg.role == Role::StoredGoal || reg.role == Role::StoredTime;
@@ -528,7 +524,7 @@ void TestFamilyChanges::snapshots()
     }
 }
 
-/// LX: somebody had set 4 V with other software; the program itself would refuse to.
+/// LX: 4 V were set with other software; the program itself refuses that.
 void TestFamilyChanges::undoRestoresTheServosValue()
 {
     DeviceFixture fixture(text("LX"));
@@ -553,5 +549,5 @@ void TestFamilyChanges::anyProtocolBehindABridge()
     QCOMPARE(jobs::protocolsToScan(fixture.context(), {}, 1'000'000).size(), std::size_t(3));
 }
 
-QTEST_GUILESS_MAIN(TestFamilyChanges)
+SERVODESK_GUILESS_TEST(TestFamilyChanges)
 #include "tst_family_changes.moc"

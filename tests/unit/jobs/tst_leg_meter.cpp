@@ -2,14 +2,15 @@
 // One leg, measured from noisy readings of a motion that is known exactly: every figure within 2
 // steps, 1 percentage point or 2 %; what cannot be known is not said. Rest, targets that are not
 // reached, nights; what happens while the servo moves is in tst_leg_motion.
+#include "support/test_main.h"
 #include "unit/jobs/simulated_leg.h"
 
 #include <QtTest>
 
 using jobs::LegMeter;
 using jobs::SweepSample;
-using record::SweepAxis;
-using record::SweepLeg;
+using results::SweepAxis;
+using results::SweepLeg;
 using simulated_leg::Motion;
 using simulated_leg::Reading;
 using std::chrono::milliseconds;
@@ -467,5 +468,5 @@ void TestLegMeter::earlierReadingsAreIgnored()
     QCOMPARE(int(leg.alarms), 0);
 }
 
-QTEST_GUILESS_MAIN(TestLegMeter)
+SERVODESK_GUILESS_TEST(TestLegMeter)
 #include "tst_leg_meter.moc"

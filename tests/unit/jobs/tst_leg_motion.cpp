@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What LegMeter says of a servo while it moves, and to the job while the leg lasts: speeds, lag
 // behind the path, the moving flag, arrival, stall; and legs of a sine.
+#include "support/test_main.h"
 #include "unit/jobs/simulated_leg.h"
 
 #include <QtTest>
 
 using jobs::LegMeter;
 using jobs::SweepSample;
-using record::SweepAxis;
-using record::SweepLeg;
+using results::SweepAxis;
+using results::SweepLeg;
 using simulated_leg::Motion;
 using simulated_leg::Reading;
 using std::chrono::milliseconds;
@@ -350,5 +351,5 @@ void TestLegMotion::sine()
     QCOMPARE(leg.flagWrong, std::optional(false));
 }
 
-QTEST_GUILESS_MAIN(TestLegMotion)
+SERVODESK_GUILESS_TEST(TestLegMotion)
 #include "tst_leg_motion.moc"

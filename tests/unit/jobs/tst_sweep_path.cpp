@@ -2,6 +2,7 @@
 // Where a sweep goes, leg by leg, in every shape; and how long a move takes, held against a motion
 // that is added up in small steps of time.
 #include "jobs/sweep/sweep_path.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -11,9 +12,9 @@
 
 using base::Duration;
 using jobs::SweepPath;
-using record::SweepAxis;
-using record::SweepShape;
-using record::SweepSpec;
+using results::SweepAxis;
+using results::SweepShape;
+using results::SweepSpec;
 using std::chrono::milliseconds;
 using Targets = QVector<double>;
 
@@ -299,5 +300,5 @@ void TestSweepPath::withoutSpeedThereIsNoPlan()
     QCOMPARE(jobs::plannedPosition(9, 9, milliseconds(100), axis), std::optional(9.0));
 }
 
-QTEST_GUILESS_MAIN(TestSweepPath)
+SERVODESK_GUILESS_TEST(TestSweepPath)
 #include "tst_sweep_path.moc"

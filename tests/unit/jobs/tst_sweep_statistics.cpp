@@ -2,18 +2,19 @@
 // From legs to figures and grades: what is judged, over what it was counted, and that nothing that
 // was not measured, or is no number, ever passes.
 #include "jobs/sweep/sweep_statistics.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
 #include <cmath>
 #include <limits>
 
-using record::Grade;
-using record::SweepErrors;
-using record::SweepLeg;
-using record::SweepLimit;
-using record::SweepLimits;
-using record::SweepMetric;
+using results::Grade;
+using results::SweepErrors;
+using results::SweepLeg;
+using results::SweepLimit;
+using results::SweepLimits;
+using results::SweepMetric;
 using std::chrono::milliseconds;
 
 namespace {
@@ -56,9 +57,9 @@ Grade grade(std::optional<double> value, const SweepLimit& by)
     SweepMetric one;
     one.key = by.metric;
     one.value = value;
-    record::SweepServo servo;
+    results::SweepServo servo;
     servo.limits.lines = {by};
-    const auto lines = record::evaluate(servo, {one}, record::SweepShape::Sweep);
+    const auto lines = results::evaluate(servo, {one}, results::SweepShape::Sweep);
     return lines.size() == 1 && (lines[0].value == value || std::isnan(value.value_or(0)))
                ? lines[0].grade
                : Grade::NotMeasured;
@@ -89,7 +90,7 @@ private Q_SLOTS:
 void TestSweepMeter::everyMetricIsPresentInOrder()
 {
     const auto metrics = jobs::sweepMetrics({leg(0, 100, 1)}, {}, {});
-    const auto& kinds = record::sweepMetricKinds();
+    const auto& kinds = results::sweepMetricKinds();
     QCOMPARE(metrics.size(), kinds.size());
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         QCOMPARE(metrics[i].key, kinds[i].key);
@@ -300,19 +301,19 @@ void TestSweepMeter::limitsDetermineTheGrade()
     // Crossed limits (which no file may have): the worse one decides.
     QCOMPARE(grade(4, limit("overshoot", 5, 3)), Grade::Fail);
 
-    record::SweepServo servo;
+    results::SweepServo servo;
     servo.limits.lines = {limit("no_such", {}, 1)};
-    QCOMPARE(record::evaluate(servo, {}, record::SweepShape::Sweep).front().grade,
+    QCOMPARE(results::evaluate(servo, {}, results::SweepShape::Sweep).front().grade,
              Grade::NotMeasured);
 }
 
 void TestSweepMeter::theWorstLimitDecides()
 {
     const auto of = [](std::vector<Grade> grades) {
-        std::vector<record::VerdictLine> lines;
+        std::vector<results::VerdictLine> lines;
         for (const Grade one : grades)
             lines.push_back({{}, {}, one});
-        return record::worstGrade(lines);
+        return results::worstGrade(lines);
     };
     QCOMPARE(of({}), Grade::NotMeasured);
     QCOMPARE(of({Grade::NotMeasured}), Grade::NotMeasured);
@@ -321,5 +322,5 @@ void TestSweepMeter::theWorstLimitDecides()
     QCOMPARE(of({Grade::Pass, Grade::Fail, Grade::Warn}), Grade::Fail);
 }
 
-QTEST_GUILESS_MAIN(TestSweepMeter)
+SERVODESK_GUILESS_TEST(TestSweepMeter)
 #include "tst_sweep_statistics.moc"

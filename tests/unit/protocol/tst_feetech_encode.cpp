@@ -2,6 +2,7 @@
 // Requests to bytes. The frames are the vendor's worked examples and those computed from the
 // published rules; they were not produced by this code.
 #include "protocol/codec.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -271,5 +272,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFeetechEncode)
+SERVODESK_GUILESS_TEST(TestFeetechEncode)
 #include "tst_feetech_encode.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes to replies. Good frames are the vendor's worked examples; everything around them is what
 // a bad line makes of them.
+#include "support/test_main.h"
 #include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
@@ -294,5 +295,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFeetechScan)
+SERVODESK_GUILESS_TEST(TestFeetechScan)
 #include "tst_feetech_scan.moc"

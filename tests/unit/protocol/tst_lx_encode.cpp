@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to LX bytes, what is expected back, and words for the trace. The frames are those
 // computed from the maker's rules; they were not produced by this code.
+#include "support/test_main.h"
 #include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
@@ -211,5 +212,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLxEncode)
+SERVODESK_GUILESS_TEST(TestLxEncode)
 #include "tst_lx_encode.moc"

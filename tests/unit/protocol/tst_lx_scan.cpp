@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LX bytes to replies. Good frames are those computed from the maker's rules; everything around
 // them is what a bad line makes of them.
+#include "support/test_main.h"
 #include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
@@ -245,5 +246,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLxScan)
+SERVODESK_GUILESS_TEST(TestLxScan)
 #include "tst_lx_scan.moc"

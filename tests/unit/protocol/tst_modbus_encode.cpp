@@ -2,6 +2,7 @@
 // Requests to Modbus bytes, what is expected back, and words for the trace. The frames are those
 // computed from the published rules; they were not produced by this code.
 #include "base/crc.h"
+#include "support/test_main.h"
 #include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
@@ -286,5 +287,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestModbusEncode)
+SERVODESK_GUILESS_TEST(TestModbusEncode)
 #include "tst_modbus_encode.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modbus bytes to replies. Frames whose CRC is written out are those computed from the published
 // rules; the others get theirs from the standard's algorithm, which has a check value of its own.
+#include "support/test_main.h"
 #include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
@@ -331,5 +332,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestModbusScan)
+SERVODESK_GUILESS_TEST(TestModbusScan)
 #include "tst_modbus_scan.moc"

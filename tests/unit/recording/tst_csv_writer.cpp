@@ -3,6 +3,7 @@
 // said at once.
 #include "recording/csv_writer.h"
 #include "support/file_size_limit.h"
+#include "support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -12,12 +13,12 @@
 
 using base::Duration;
 using base::ErrorCode;
-using record::CsvWriter;
+using recording::CsvWriter;
 
 namespace {
 using Row = std::vector<std::optional<double>>;
 
-const std::vector<record::CsvColumn> columns{
+const std::vector<recording::CsvColumn> columns{
     {QStringLiteral("present_position"), QStringLiteral("deg")},
     {QStringLiteral("present_temperature"), QStringLiteral("°C")},
     {QStringLiteral("moving"), QString()},
@@ -152,5 +153,5 @@ private:
     QString m_path;
 };
 
-QTEST_GUILESS_MAIN(TestCsvWriter)
+SERVODESK_GUILESS_TEST(TestCsvWriter)
 #include "tst_csv_writer.moc"

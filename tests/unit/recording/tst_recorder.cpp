@@ -3,6 +3,7 @@
 // grows, and a full disk or a vanished folder ends it with a message and a file of whole lines.
 #include "recording/recorder.h"
 #include "support/file_size_limit.h"
+#include "support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -11,23 +12,23 @@
 
 using base::Duration;
 using base::ErrorCode;
-using record::Mark;
-using record::MarkKind;
-using record::Recorder;
-using record::RecorderSpec;
-using record::RecordingFormat;
-using record::RecordingRow;
-using record::SampleStore;
+using recording::Mark;
+using recording::MarkKind;
+using recording::Recorder;
+using recording::RecorderSpec;
+using recording::RecordingFormat;
+using recording::RecordingRow;
+using recording::SampleStore;
 
 namespace {
 constexpr Duration period{5000};
-constexpr record::TimeSpan always{Duration(0), std::chrono::hours(1000)};
+constexpr recording::TimeSpan always{Duration(0), std::chrono::hours(1000)};
 
 RecorderSpec specFor(const QString& path)
 {
     RecorderSpec spec;
     spec.path = path;
-    spec.format = record::recordingFormatOf(path);
+    spec.format = recording::recordingFormatOf(path);
     spec.head.started = QDateTime(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
     for (int servo = 0; servo < 2; ++servo) {
         for (const char* key : {"present_position", "present_load"})
@@ -64,10 +65,10 @@ QByteArray contentOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-record::LoadedRecording loaded(const QString& path, SampleStore& store)
+recording::LoadedRecording loaded(const QString& path, SampleStore& store)
 {
     const base::StopToken stop;
-    auto found = record::loadRecording(path, store, stop);
+    auto found = recording::loadRecording(path, store, stop);
     if (!found)
         qFatal("%s", qPrintable(found.error().detail));
     return *found;
@@ -88,7 +89,7 @@ private:
         QCOMPARE(recording.report.rows, std::uint64_t(count));
         QCOMPARE(recording.report.badLines, 0U);
         QVERIFY(!recording.report.isTruncated);
-        std::vector<std::vector<record::SamplePoint>> expected(4);
+        std::vector<std::vector<recording::SamplePoint>> expected(4);
         for (int i = 0; i < count; ++i) {
             const RecordingRow row = rowAt(i);
             for (std::size_t c = 0; c < 2; ++c)
@@ -388,5 +389,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecorder)
+SERVODESK_GUILESS_TEST(TestRecorder)
 #include "tst_recorder.moc"

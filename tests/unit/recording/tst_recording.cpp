@@ -3,6 +3,7 @@
 // hand it never says what was not measured.
 #include "recording/recording.h"
 #include "recording/recording_text.h"
+#include "support/test_main.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -14,14 +15,14 @@
 
 using base::Duration;
 using base::ErrorCode;
-using record::Mark;
-using record::MarkKind;
-using record::RecordingFormat;
-using record::RecordingHeader;
-using record::RecordingRow;
-using record::SamplePoint;
-using record::SampleStore;
-using record::TimeSpan;
+using recording::Mark;
+using recording::MarkKind;
+using recording::RecordingFormat;
+using recording::RecordingHeader;
+using recording::RecordingRow;
+using recording::SamplePoint;
+using recording::SampleStore;
+using recording::TimeSpan;
 
 namespace {
 const double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -32,12 +33,12 @@ RecordingHeader demoHead()
 {
     const auto channel = [](int servo, int id, const char* name, const char* protocol,
                             const char* key, const char* unit) {
-        return record::RecordingChannel{servo,
-                                        id,
-                                        QString::fromUtf8(name),
-                                        QString::fromUtf8(protocol),
-                                        QString::fromUtf8(key),
-                                        QString::fromUtf8(unit)};
+        return recording::RecordingChannel{servo,
+                                           id,
+                                           QString::fromUtf8(name),
+                                           QString::fromUtf8(protocol),
+                                           QString::fromUtf8(key),
+                                           QString::fromUtf8(unit)};
     };
     RecordingHeader head;
     head.started = QDateTime(QDate(2026, 11, 21), QTime(22, 19, 57, 123), Qt::UTC);
@@ -56,7 +57,7 @@ RecordingHeader demoHead()
 std::string textOf(RecordingFormat format, const std::vector<RecordingRow>& rows,
                    const std::vector<Mark>& marks = {})
 {
-    const record::RecordingFormatter text(format, demoHead());
+    const recording::RecordingFormatter text(format, demoHead());
     std::string out = text.head();
     for (const RecordingRow& row : rows)
         text.row(row.at, row, out);
@@ -153,9 +154,9 @@ private:
         return path;
     }
 
-    base::Result<record::LoadedRecording> load(const std::string& text, SampleStore& store)
+    base::Result<recording::LoadedRecording> load(const std::string& text, SampleStore& store)
     {
-        return record::loadRecording(put(QStringLiteral("run"), text), store, m_stop);
+        return recording::loadRecording(put(QStringLiteral("run"), text), store, m_stop);
     }
 
     static void formats()
@@ -227,7 +228,7 @@ private Q_SLOTS:
         store.open(); // somebody else's
         double progress = 0;
         const auto path = put(QStringLiteral("run"), textOf(format, rows, demoMarks));
-        const auto loaded = record::loadRecording(path, store, m_stop, [&](double share) {
+        const auto loaded = recording::loadRecording(path, store, m_stop, [&](double share) {
             QVERIFY(share >= progress);
             progress = share;
         });
@@ -526,7 +527,7 @@ private Q_SLOTS:
     {
         SampleStore store;
         const auto code = [&](const QString& path) {
-            const auto loaded = record::loadRecording(path, store, m_stop);
+            const auto loaded = recording::loadRecording(path, store, m_stop);
             return loaded ? ErrorCode::Stopped : loaded.error().code;
         };
         QCOMPARE(code(m_folder->filePath(QStringLiteral("no.csv"))), ErrorCode::FileMissing);
@@ -544,7 +545,7 @@ private Q_SLOTS:
         base::StopToken stop;
         int calls = 0;
         const auto path = put(QStringLiteral("run"), textOf(RecordingFormat::Csv, rows));
-        const auto loaded = record::loadRecording(path, store, stop, [&](double) {
+        const auto loaded = recording::loadRecording(path, store, stop, [&](double) {
             ++calls;
             stop.request();
         });
@@ -557,11 +558,12 @@ private Q_SLOTS:
 
     void theFormatByFileName()
     {
-        QCOMPARE(record::recordingFormatOf(QStringLiteral("a.csv")), RecordingFormat::Csv);
-        QCOMPARE(record::recordingFormatOf(QStringLiteral("a.JSONL")), RecordingFormat::JsonLines);
-        QCOMPARE(record::recordingFormatOf(QStringLiteral("jsonl")), RecordingFormat::Csv);
+        QCOMPARE(recording::recordingFormatOf(QStringLiteral("a.csv")), RecordingFormat::Csv);
+        QCOMPARE(recording::recordingFormatOf(QStringLiteral("a.JSONL")),
+                 RecordingFormat::JsonLines);
+        QCOMPARE(recording::recordingFormatOf(QStringLiteral("jsonl")), RecordingFormat::Csv);
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecording)
+SERVODESK_GUILESS_TEST(TestRecording)
 #include "tst_recording.moc"

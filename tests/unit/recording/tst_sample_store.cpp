@@ -2,6 +2,7 @@
 // What a chart is told about samples, held against plain arithmetic over all of the same samples:
 // columns, ranges, statistics, gaps; and what is left when the room is used up.
 #include "recording/sample_store.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -10,11 +11,11 @@
 #include <random>
 
 using base::Duration;
-using record::SampleColumn;
-using record::SamplePoint;
-using record::SampleStatistics;
-using record::SampleStore;
-using record::TimeSpan;
+using recording::SampleColumn;
+using recording::SamplePoint;
+using recording::SampleStatistics;
+using recording::SampleStore;
+using recording::TimeSpan;
 
 namespace {
 constexpr Duration second = std::chrono::seconds(1);
@@ -511,5 +512,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSampleStore)
+SERVODESK_GUILESS_TEST(TestSampleStore)
 #include "tst_sample_store.moc"

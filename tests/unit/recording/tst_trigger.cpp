@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When a trigger fires, held against plain arithmetic on the same samples; and what it shows.
 #include "recording/trigger.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
@@ -8,10 +9,10 @@
 #include <random>
 
 using base::Duration;
-using record::Mark;
-using record::MarkKind;
-using record::Trigger;
-using record::TriggerSpec;
+using recording::Mark;
+using recording::MarkKind;
+using recording::Trigger;
+using recording::TriggerSpec;
 using Kind = TriggerSpec::Kind;
 using State = Trigger::State;
 
@@ -143,7 +144,7 @@ private Q_SLOTS:
         QVERIFY(!trigger.window());
         trigger.sample(channel, 100 * ms, 12);
         QCOMPARE(trigger.state(), State::Fired);
-        QCOMPARE(trigger.window(), (record::TimeSpan{90 * ms, 120 * ms}));
+        QCOMPARE(trigger.window(), (recording::TimeSpan{90 * ms, 120 * ms}));
         trigger.sample(channel, 110 * ms, 5);
         trigger.sample(channel, 111 * ms, 50);
         trigger.advanceTo(120 * ms - Duration(1));
@@ -206,16 +207,16 @@ private Q_SLOTS:
     {
         QStringList names;
         for (int kind = 0; kind <= int(MarkKind::Note); ++kind) {
-            const QString name = record::markName(MarkKind(kind));
+            const QString name = recording::markName(MarkKind(kind));
             QVERIFY(!name.isEmpty());
             QVERIFY(!names.contains(name));
             names << name;
-            QCOMPARE(record::markFromName(name), MarkKind(kind));
+            QCOMPARE(recording::markFromName(name), MarkKind(kind));
         }
-        QVERIFY(!record::markFromName(QStringLiteral("nothing")));
-        QVERIFY(!record::markFromName(QString()));
+        QVERIFY(!recording::markFromName(QStringLiteral("nothing")));
+        QVERIFY(!recording::markFromName(QString()));
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrigger)
+SERVODESK_GUILESS_TEST(TestTrigger)
 #include "tst_trigger.moc"

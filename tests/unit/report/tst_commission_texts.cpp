@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a servo was not commissioned is said in words of both languages, whatever ended it.
+// The reasons why a servo was not commissioned have a text in both languages.
 #include "base/error.h"
 #include "report/commission_text.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -29,7 +30,7 @@ private Q_SLOTS:
         }
     }
 
-    // The facts are for the dialog that explains them.
+    // The raw facts are only for the dialog that explains them.
     void familyFactsAreFormatted()
     {
         const auto said = report::commissionIssueText(
@@ -38,5 +39,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCommissionTexts)
+SERVODESK_GUILESS_TEST(TestCommissionTexts)
 #include "tst_commission_texts.moc"

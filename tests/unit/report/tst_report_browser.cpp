@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reports as somebody opens them: in a browser that is not ours, without a complaint of it,
-// with charts that can be seen, in both languages, which the buttons of the page choose. The
-// browser starts twice: a page around the reports looks into them, then a report is photographed.
+// The reports in a real browser: no warnings, visible charts, both languages, which the buttons of
+// the page switch. The browser starts twice: first a page around the reports examines them, then it
+// makes a screenshot of a report.
 #include "report/sweep_compare_html.h"
 #include "report/sweep_html.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QImage>
@@ -19,7 +20,7 @@
 
 namespace {
 constexpr QRgb traceColor = 0xff0b57d0;
-constexpr int timeout = 120'000; ///< ms; a browser that hangs is not waited for
+constexpr int timeout = 120'000; ///< ms, for a browser that hangs
 
 QString text(const char* utf8)
 {
@@ -41,7 +42,7 @@ bool write(const QString& path, const QByteArray& bytes)
     return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
 }
 
-/// Looks into each report: what is seen at first, then after a click on each language.
+/// Examines each report: its first view, then after a click on each language.
 const char* const probeScript = R"(<!DOCTYPE html><html><body>%1<pre id="found"></pre><script>
 window.onload = async () => {
   const found = [];
@@ -62,7 +63,7 @@ window.onload = async () => {
         shapes: [...svg.querySelectorAll('path, rect, line')]
           .filter(one => one.getClientRects().length > 0).length};
     });
-    await page.fonts.ready; // they are read beside the layout
+    await page.fonts.ready; // they load in parallel
     const fonts = [...page.fonts].filter(font => font.status === 'loaded')
       .map(font => font.family.replaceAll('\x22', '') + ' ' + font.weight);
     found.push({first, chinese, english, charts, fonts,
@@ -117,11 +118,11 @@ private Q_SLOTS:
         m_browser = QStandardPaths::findExecutable(text("chromium"));
         if (m_browser.isEmpty())
             QFAIL("there is no chromium here (packaging/test-packages.txt)");
-        const record::SweepRun run = sweep_example::run();
-        record::SweepRun other = run;
+        const results::SweepRun run = sweep_example::run();
+        results::SweepRun other = run;
         other.servos[0].axis.to = 2000;
-        const record::SweepSide a{text("12"), run, run.servos[0]};
-        const record::SweepSide b{text("13"), other, other.servos[0]};
+        const results::SweepSide a{text("12"), run, run.servos[0]};
+        const results::SweepSide b{text("13"), other, other.servos[0]};
         QVERIFY(write(page("sweep.html"), report::sweepHtml(run, exampleSeries(), false)));
         QVERIFY(write(page("sweep-zh.html"), report::sweepHtml(run, exampleSeries(), true)));
         QVERIFY(write(page("compare.html"), report::sweepCompareHtml(a, b, false)));
@@ -162,7 +163,7 @@ void TestReportBrowser::chartsAndLanguages()
                 one[text("english")][text("title")].toString());
         for (const char* font : {"ServoDesk Text 400", "ServoDesk Text 700", "ServoDesk Signs 400"})
             QVERIFY2(one[text("fonts")].toArray().contains(text(font)), font);
-        QVERIFY(!one[text("wide")].toBool()); // nothing runs out of the page at the right
+        QVERIFY(!one[text("wide")].toBool()); // nothing is cut off at the right
         const QJsonArray charts = one[text("charts")].toArray();
         QCOMPARE(charts.size(), 2);
         for (const QJsonValue& chart : charts) {
@@ -200,5 +201,5 @@ void TestReportBrowser::theCurveIsVisible()
     QVERIFY2(right - left > 500, QByteArray::number(right - left));
 }
 
-QTEST_GUILESS_MAIN(TestReportBrowser)
+SERVODESK_GUILESS_TEST(TestReportBrowser)
 #include "tst_report_browser.moc"

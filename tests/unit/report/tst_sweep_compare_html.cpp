@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page that holds two tests against each other: well-formed, needs nothing else, says what
-// cannot be compared, escapes what people typed; and the lines about a reference servo.
+// The page that compares two tests: well-formed, self-contained, names what cannot be compared,
+// escapes text from users; and the lines about a reference servo.
 #include "report/sweep_compare_html.h"
 #include "report/sweep_compare_text.h"
 #include "report/sweep_text.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
@@ -11,7 +12,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-using record::SweepRun;
+using results::SweepRun;
 
 namespace {
 QString text(const char* utf8)
@@ -25,7 +26,7 @@ QByteArray pageOf(const SweepRun& a, const SweepRun& b, bool chinese = false)
                                     {text("b.json"), b, b.servos[0]}, chinese);
 }
 
-/// All words of the page; what is wrong with its XML instead.
+/// All text of the page, or the error in its XML.
 QString read(const QByteArray& page, int* charts = nullptr)
 {
     QXmlStreamReader xml(page);
@@ -67,8 +68,9 @@ void TestSweepCompareHtml::onePageInTwoLanguages()
     const QString words = read(pageOf(a, b), &charts);
     QVERIFY2(words.contains(text("run <12>")), qPrintable(words));
     QCOMPARE(charts, 2);
-    for (const char* part : {"Two sweep tests compared", "两次扫描测试对比", "8.06", "2.5", "−5.56",
-                             "min_angle", "600", "512", "Both did the same test."})
+    for (const char* part :
+         {"Comparison of two sweep tests", "两次扫描测试对比", "8.06", "2.5", "−5.56", "min_angle",
+          "600", "512", "Both tests used the same settings."})
         QVERIFY2(words.contains(text(part)), part);
     QVERIFY(words.contains(sweep_example::hostileLabel));
     QVERIFY(pageOf(a, b, true).contains("id=\"lang-zh\" checked=\"checked\""));
@@ -81,8 +83,8 @@ void TestSweepCompareHtml::incomparableIsReported()
     SweepRun b = a;
     b.servos[0].axis.to = 2000;
     b.servos[0].limits.lines.clear();
-    b.spec.shape = record::SweepShape::Sine;
-    b.end = record::SweepEnd::Alarm;
+    b.spec.shape = results::SweepShape::Sine;
+    b.end = results::SweepEnd::Alarm;
     const QString words = read(pageOf(a, b));
     const report::CompareTexts& own = report::compareTexts();
     for (const report::Text& warning : {own.notComparable, own.someDiffer, own.gradesDiffer}) {
@@ -90,16 +92,16 @@ void TestSweepCompareHtml::incomparableIsReported()
         QVERIFY(words.contains(warning.zh));
     }
     QVERIFY(words.contains(text("1000 … 2000")));
-    QVERIFY(words.contains(report::shapeText(record::SweepShape::Sine).zh));
-    QVERIFY(words.contains(report::endText(record::SweepEnd::Alarm).en));
+    QVERIFY(words.contains(report::shapeText(results::SweepShape::Sine).zh));
+    QVERIFY(words.contains(report::endText(results::SweepEnd::Alarm).en));
 }
 
 void TestSweepCompareHtml::everyTextIsPresent()
 {
-    for (int item = 0; item <= int(record::TestItem::End); ++item) {
-        const report::Text words = report::testItemText(record::TestItem(item));
+    for (int item = 0; item <= int(results::TestItem::End); ++item) {
+        const report::Text words = report::testItemText(results::TestItem(item));
         QVERIFY(!words.en.isEmpty() && !words.zh.isEmpty());
-        const report::Text none = report::testValueText(record::TestItem(item), QString());
+        const report::Text none = report::testValueText(results::TestItem(item), QString());
         QVERIFY(!none.en.isEmpty() && !none.zh.isEmpty());
     }
 }
@@ -109,7 +111,7 @@ void TestSweepCompareHtml::theReferenceAsText()
     const SweepRun reference = sweep_example::run();
     SweepRun run = reference;
     const auto set = [](SweepRun& into, const char* key, double value) {
-        for (record::SweepMetric& metric : into.servos[0].metrics) {
+        for (results::SweepMetric& metric : into.servos[0].metrics) {
             if (metric.key == text(key))
                 metric.value = value;
         }
@@ -120,20 +122,20 @@ void TestSweepCompareHtml::theReferenceAsText()
     set(before, "time_to_target", 400);
     set(run, "time_to_target", 300);
     set(before, "overshoot", 5);
-    set(run, "overshoot", 5.2); // no more than anybody has
+    set(run, "overshoot", 5.2); // within the usual variation
     const auto lines = report::referenceLines(
-        record::compareSweeps({{}, before, before.servos[0]}, {{}, run, run.servos[0]}));
+        results::compareSweeps({{}, before, before.servos[0]}, {{}, run, run.servos[0]}));
     QCOMPARE(lines.size(), std::size_t(2));
-    QCOMPARE(lines[0].en, text("Hysteresis, both sides +5 step (worse)"));
-    QCOMPARE(lines[0].zh, text("回程差（双向） +5 步（更差）"));
-    QCOMPARE(lines[1].en, text("Time to target −100 ms (better)"));
+    QCOMPARE(lines[0].en, text("Hysteresis, both directions +5 step (worse)"));
+    QCOMPARE(lines[0].zh, text("回差（双向） +5 步（更差）"));
+    QCOMPARE(lines[1].en, text("Time to goal −100 ms (better)"));
 }
 
 void TestSweepCompareHtml::saves()
 {
     const QTemporaryDir dir;
     const SweepRun run = sweep_example::run();
-    const record::SweepSide side{text("1"), run, run.servos[0]};
+    const results::SweepSide side{text("1"), run, run.servos[0]};
     const QString path = dir.filePath(text("c.html"));
     QVERIFY(report::saveSweepCompareHtml(side, side, false, path));
     QFile file(path);
@@ -143,5 +145,5 @@ void TestSweepCompareHtml::saves()
              base::ErrorCode::FileUnwritable);
 }
 
-QTEST_GUILESS_MAIN(TestSweepCompareHtml)
+SERVODESK_GUILESS_TEST(TestSweepCompareHtml)
 #include "tst_sweep_compare_html.moc"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report page: well-formed, every figure of the run in it, everything from people escaped, both
-// languages complete, nothing that would be fetched; long runs are shortened and charts thinned
-// without losing what stands out.
+// The report page: well-formed, with every figure of the run, text from users escaped, both
+// languages complete, nothing to be fetched; long runs are shortened and charts decimated without
+// losing the extremes.
 #include "report/sweep_html.h"
 #include "report/sweep_text.h"
 #include "results/sweep_verdict.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
@@ -29,8 +30,8 @@ std::vector<SweepSeries> exampleSeries(int readings = 900)
     return {series};
 }
 
-/// What a reader sees with one language chosen, as the page's style sheet decides: elements of the
-/// other one's class are hidden. Also what is wrong with the XML, and names met.
+/// The page as seen in one language: its style sheet hides elements of the class of the other one.
+/// Also the error in its XML, and the names of its elements.
 struct PageFacts {
     QString text;
     QString error;
@@ -81,7 +82,7 @@ PageFacts read(const QByteArray& page, const QString& hiddenClass = {})
     return seen;
 }
 
-/// As a person would write it down: two decimals at most.
+/// With two decimals at most.
 QString written(double value)
 {
     QString text = QString::number(value, 'f', 2);
@@ -114,7 +115,7 @@ private Q_SLOTS:
             QVERIFY(!seen.elements.contains(QStringLiteral("img")));
             QCOMPARE(page.count("url("), page.count("url(data:font/"));
             QVERIFY(!page.contains("@import"));
-            QCOMPARE(seen.charts, 2); // servo 6 has measured nothing to draw
+            QCOMPARE(seen.charts, 2); // servo 6 has no measurements
             const QByteArray open = chinese ? "lang-zh" : "lang-en";
             QVERIFY(page.contains("id=\"" + open + "\" checked=\"checked\""));
             QCOMPARE(page.count("checked=\"checked\""), 1);
@@ -123,7 +124,7 @@ private Q_SLOTS:
 
     void everyMetricIsPresent()
     {
-        const record::SweepRun run = sweep_example::run();
+        const results::SweepRun run = sweep_example::run();
         const QString text =
             read(report::sweepHtml(run, exampleSeries(), false), QStringLiteral("zh")).text;
         const auto has = [&](const QString& what) {
@@ -132,14 +133,14 @@ private Q_SLOTS:
                 qInfo() << "missing" << what;
             return found;
         };
-        for (const record::SweepMetric& metric : run.servos[0].metrics) {
+        for (const results::SweepMetric& metric : run.servos[0].metrics) {
             QVERIFY(has(report::metricLabel(metric.key).en));
             for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
                 QVERIFY(has(written(*value)));
             QVERIFY(has(QString::number(metric.count)));
         }
-        for (const record::SweepLeg& leg : run.servos[0].legs) {
-            for (const record::LegFigure& figure : record::legFigures) {
+        for (const results::SweepLeg& leg : run.servos[0].legs) {
+            for (const results::LegFigure& figure : results::legFigures) {
                 const QString key = QString::fromLatin1(figure.key);
                 const bool shown =
                     !QStringList{QStringLiteral("overshoot_steps"), QStringLiteral("top_speed"),
@@ -147,8 +148,8 @@ private Q_SLOTS:
                          .contains(key);
                 QVERIFY(!shown || has(written(*(leg.*figure.member))));
             }
-            QVERIFY(has(written(*record::inMs(leg.timeToTarget))));
-            QVERIFY(has(written(*record::inMs(leg.settling))));
+            QVERIFY(has(written(*results::inMs(leg.timeToTarget))));
+            QVERIFY(has(written(*results::inMs(leg.settling))));
         }
         for (const char* fact : {"✘ Failed",
                                  "⚠ Warning",
@@ -161,22 +162,22 @@ private Q_SLOTS:
                                  "601.23 s",
                                  "398.75 /s",
                                  "ServoDesk 0.1.0",
-                                 "stood still away from its target",
+                                 "stalled before reaching its goal",
                                  "Ended by servo",
                                  "ID 6",
                                  "1000 … 268.1deg",
                                  "100 … 900",
-                                 "the middle from both sides",
+                                 "midpoint from both directions",
                                  "30rpm",
                                  "60 s",
                                  "torque off",
-                                 "the first failed line",
+                                 "the first failed limit",
                                  "above 8 step",
                                  "9.75 step",
                                  "> 16 step",
                                  "above 0 legs",
                                  "4096 steps a turn, built in",
-                                 "gear play beyond its encoder",
+                                 "gear backlash after its encoder",
                                  "not measured",
                                  "min_angle",
                                  "512",
@@ -194,8 +195,8 @@ private Q_SLOTS:
 
     void bothLanguagesAreComplete()
     {
-        // Texts of people would count as the other language.
-        record::SweepRun run = sweep_example::run();
+        // Texts of users would count as the other language.
+        results::SweepRun run = sweep_example::run();
         run.spec.note = QStringLiteral("-");
         const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
         const QString english = read(page, QStringLiteral("zh")).text;
@@ -203,7 +204,7 @@ private Q_SLOTS:
         QVERIFY(!containsChinese(QString(body).remove(QStringLiteral("中文"))));
         const QString chinese = read(page, QStringLiteral("en")).text;
         for (const char* fact : {"扫描测试报告", "✘ 不合格", "模拟", "编码器之后的齿轮间隙未测量",
-                                 "高于 8 步", "未测量", "过温、过载", "双向接近中点", "扭矩关闭"})
+                                 "高于 8 步", "未测量", "过温、过载", "双向接近中点", "卸力"})
             QVERIFY2(chinese.contains(QString::fromUtf8(fact)), fact);
         // Every span of one language has its neighbor in the other.
         static const QRegularExpression spans(
@@ -221,12 +222,12 @@ private Q_SLOTS:
         QCOMPARE(markup.count(QStringLiteral("class=\"zh\"")), pairs);
     }
 
-    /// In every column of a table, whether their unit is the same word in both languages or not.
+    /// In every column of a table, whether or not their unit has the same text in both languages.
     void numbersAreRightAligned()
     {
         const QString page =
             QString::fromUtf8(report::sweepHtml(sweep_example::run(), exampleSeries(), false));
-        // The pairs of a name and a value are no columns.
+        // Tables of names and values have no column of numbers.
         static const QRegularExpression left(
             QStringLiteral("(?<!</th>)<td>(<(?!/td)[^>]*>)*-?\\d[^<]*"));
         const auto match = left.match(page);
@@ -236,9 +237,9 @@ private Q_SLOTS:
 
     void userTextIsEscaped()
     {
-        record::SweepRun run = sweep_example::run();
+        results::SweepRun run = sweep_example::run();
         const QString hostileText = QStringLiteral("<b onclick=\"x\">&'%1%2</b>");
-        run.spec.shape = record::SweepShape::Points;
+        run.spec.shape = results::SweepShape::Points;
         run.spec.points = {{hostileText, {}}};
         run.spec.speed = run.spec.acceleration = run.spec.time = hostileText;
         run.spec.operatorName = hostileText + QChar(1) + QChar(0xd800) + QChar(0xffff);
@@ -261,7 +262,7 @@ private Q_SLOTS:
 
     void aCorrectFlagIsNoRemark()
     {
-        record::SweepRun run = sweep_example::run();
+        results::SweepRun run = sweep_example::run();
         run.servos.pop_back();
         run.servos[0].metrics.clear();
         for (const std::optional<bool> flag : {std::optional<bool>(), std::optional<bool>(false)}) {
@@ -274,27 +275,27 @@ private Q_SLOTS:
 
     void everyEndHasText()
     {
-        using record::SweepEnd;
+        using results::SweepEnd;
         QSet<QString> english;
-        for (int end = 0; !record::sweepEndName(SweepEnd(end)).isEmpty(); ++end) {
+        for (int end = 0; !results::sweepEndName(SweepEnd(end)).isEmpty(); ++end) {
             const catalog::Text words = report::endText(SweepEnd(end));
             QVERIFY(!words.en.isEmpty() && containsChinese(words.zh));
             QVERIFY2(!english.contains(words.en), qPrintable(words.en));
             english.insert(words.en);
         }
         QVERIFY(english.size() >= 8);
-        for (const record::SweepMetricKind& kind : record::sweepMetricKinds())
+        for (const results::SweepMetricKind& kind : results::sweepMetricKinds())
             QVERIFY2(containsChinese(report::metricLabel(kind.key).zh), qPrintable(kind.key));
     }
 
     void longRunsAreShortened()
     {
-        record::SweepRun run = sweep_example::run(1000);
+        results::SweepRun run = sweep_example::run(1000);
         run.servos[0].legs[500].steadyError = -444.44; // leg 501
         run.servos[0].legs[600].missed = true;
         const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
         const QString text = read(page, QStringLiteral("zh")).text;
-        QVERIFY(text.contains(QStringLiteral("Of 1000 legs")));
+        QVERIFY(text.contains(QStringLiteral("1000 legs in total")));
         QVERIFY(text.contains(QStringLiteral("-444.44")));
         QVERIFY(page.size() < 400000);
         const auto shown = report::legsToShow(run.servos[0].legs);
@@ -337,15 +338,15 @@ private Q_SLOTS:
         QVERIFY(chart.size() < 100000);
     }
 
-    /// Its figures are within their limits, but that is no verdict.
+    /// Even if all figures are within their limits.
     void aStoppedRunNeverPasses()
     {
-        record::SweepRun run = sweep_example::run();
+        results::SweepRun run = sweep_example::run();
         run.servos.resize(1);
-        for (record::VerdictLine& line : run.servos[0].lines)
-            line.grade = record::Grade::Pass;
-        run.end = record::SweepEnd::Stopped;
-        record::assignVerdicts(run);
+        for (results::VerdictLine& line : run.servos[0].lines)
+            line.grade = results::Grade::Pass;
+        run.end = results::SweepEnd::Stopped;
+        results::assignVerdicts(run);
         const PageFacts seen = read(report::sweepHtml(run, {}, false));
         QVERIFY(seen.text.contains(QStringLiteral("– No verdict")));
         QVERIFY(seen.text.contains(QStringLiteral("✔ OK")));
@@ -354,7 +355,7 @@ private Q_SLOTS:
 
     void nearlyEmptyRuns()
     {
-        record::SweepRun run;
+        results::SweepRun run;
         const PageFacts noViewer = read(report::sweepHtml(run, {}, false), QStringLiteral("zh"));
         QVERIFY2(noViewer.error.isEmpty(), qPrintable(noViewer.error));
         QVERIFY(noViewer.text.contains(QStringLiteral("– No verdict")));
@@ -377,7 +378,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("report.html"));
-        const record::SweepRun run = sweep_example::run();
+        const results::SweepRun run = sweep_example::run();
         QVERIFY(report::saveSweepHtml(run, exampleSeries(), true, path));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -387,5 +388,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSweepHtml)
+SERVODESK_GUILESS_TEST(TestSweepHtml)
 #include "tst_sweep_html.moc"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report on paper, read back by somebody else's program (poppler): the same figures as on the
-// page, in both languages, charts as pictures, its fonts in it, nothing cut off at the right.
-// Runs on a machine with Chinese fonts only, where Qt would take one of those for everything.
+// The report as PDF, read by another program (poppler): the figures of the HTML page in both
+// languages, charts as images, embedded fonts, nothing cut off at the right. Only Chinese fonts are
+// installed, which Qt would then use for everything.
 #include "report/sweep_pdf.h"
 #include "report/sweep_text.h"
 #include "support/font_config.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
 #include "unit/results/sweep_example.h"
 
 #include <QGuiApplication>
@@ -56,14 +58,14 @@ private Q_SLOTS:
 
     void hasTheSameMetrics()
     {
-        const record::SweepRun run = sweep_example::run();
+        const results::SweepRun run = sweep_example::run();
         QVERIFY(report::saveSweepPdf(run, exampleSeries(), false, m_path));
         const QString text = textOf();
-        for (const record::SweepMetric& metric : run.servos[0].metrics) {
+        for (const results::SweepMetric& metric : run.servos[0].metrics) {
             for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
                 QVERIFY2(text.contains(written(*value)), qPrintable(metric.key));
         }
-        for (const record::SweepLeg& leg : run.servos[0].legs) {
+        for (const results::SweepLeg& leg : run.servos[0].legs) {
             for (const auto& value : {leg.reached, leg.overshoot, leg.steadyError, leg.meanSpeed})
                 QVERIFY2(text.contains(written(*value)), qPrintable(written(*value)));
         }
@@ -84,8 +86,8 @@ private Q_SLOTS:
         QVERIFY(!text.contains(QStringLiteral("English")));
     }
 
-    /// The reader needs none of them, and only Chinese, of which the example has a word, depends on
-    /// the machine.
+    /// A reader needs none of them. Only the Chinese font depends on the machine; the example
+    /// contains a Chinese word.
     void fontsAreEmbedded()
     {
         QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), false, m_path));
@@ -112,12 +114,12 @@ private Q_SLOTS:
         QVERIFY2(images.count(QRegularExpression(size)) == 2, qPrintable(images));
     }
 
-    /// Every word of the text lies on the paper, in one piece, and large enough to be read there.
+    /// Every word is complete, inside the page, and large enough to read.
     void nothingIsCutOff()
     {
-        record::SweepRun run = sweep_example::run(300);
-        for (record::SweepLeg& leg : run.servos[0].legs) {
-            leg.number += 10000; // as wide as a night makes them
+        results::SweepRun run = sweep_example::run(300);
+        for (results::SweepLeg& leg : run.servos[0].legs) {
+            leg.number += 10000; // as wide as after a night
             leg.at += std::chrono::hours(8);
             leg.start = leg.target = -28672.25;
             leg.reached = -28669.33;
@@ -130,7 +132,7 @@ private Q_SLOTS:
                                        {QStringLiteral("-bbox"), m_path, QStringLiteral("-")});
         static const QRegularExpression word(
             QStringLiteral("yMin=\"([0-9.]+)\" xMax=\"([0-9.]+)\" yMax=\"([0-9.]+)\""));
-        constexpr double paper = 842; // A4 across, in points
+        constexpr double paper = 842; // A4 landscape, in points
         int words = 0;
         for (auto it = word.globalMatch(boxes); it.hasNext(); ++words) {
             const auto match = it.next();
@@ -150,7 +152,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Blanks as they may be; lines are broken where the paper ends.
+    /// With single blanks, because lines are broken at the edge of the page.
     QString textOf() const
     {
         return outputOf(QStringLiteral("pdftotext"),
@@ -162,7 +164,7 @@ private:
     QString m_path;
 };
 
-int main(int argc, char** argv)
+static int run(int argc, char** argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QTemporaryDir place;
@@ -171,4 +173,5 @@ int main(int argc, char** argv)
     TestSweepPdf test;
     return QTest::qExec(&test, argc, argv);
 }
+SERVODESK_TEST_RUN(run)
 #include "tst_sweep_pdf.moc"

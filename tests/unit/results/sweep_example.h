@@ -14,9 +14,9 @@ inline const QString hostileNote =
 inline const QString hostileOperator = QStringLiteral("O'Neill <b>&amp;</b>");
 inline const QString hostileLabel = QStringLiteral("left \"knee\"><img src=x onerror=alert(1)>");
 
-inline record::SweepLeg leg(int number)
+inline results::SweepLeg leg(int number)
 {
-    record::SweepLeg leg;
+    results::SweepLeg leg;
     leg.number = number;
     leg.cycle = (number + 1) / 2;
     leg.at = 1000001us * number;
@@ -45,9 +45,9 @@ inline record::SweepLeg leg(int number)
 }
 
 /// One that was not reached, of a servo that measures next to nothing.
-inline record::SweepLeg missedLeg(int number)
+inline results::SweepLeg missedLeg(int number)
 {
-    record::SweepLeg leg;
+    results::SweepLeg leg;
     leg.number = number;
     leg.cycle = number;
     leg.at = 2s * number;
@@ -70,14 +70,14 @@ inline bool isMetricAddedLater(const QString& key)
 }
 
 /// Every metric; those without a mean are counts.
-inline std::vector<record::SweepMetric> metrics(bool measured, bool later = true)
+inline std::vector<results::SweepMetric> metrics(bool measured, bool later = true)
 {
-    std::vector<record::SweepMetric> metrics;
+    std::vector<results::SweepMetric> metrics;
     double value = 1.0625;
-    for (const record::SweepMetricKind& kind : record::sweepMetricKinds()) {
+    for (const results::SweepMetricKind& kind : results::sweepMetricKinds()) {
         if (!later && isMetricAddedLater(kind.key))
             continue;
-        record::SweepMetric metric{kind.key, kind.unit};
+        results::SweepMetric metric{kind.key, kind.unit};
         if (measured) {
             metric.value = value;
             metric.mean = value - 0.5;
@@ -91,9 +91,9 @@ inline std::vector<record::SweepMetric> metrics(bool measured, bool later = true
     return metrics;
 }
 
-inline record::SweepServo servo(int id, const char* model)
+inline results::SweepServo servo(int id, const char* model)
 {
-    record::SweepServo servo;
+    results::SweepServo servo;
     servo.parameters.program = QStringLiteral("ServoDesk 0.1.0");
     servo.parameters.at = QDateTime({2026, 3, 9}, {8, 59, 58}, Qt::UTC);
     servo.parameters.label = hostileLabel;
@@ -122,22 +122,22 @@ inline record::SweepServo servo(int id, const char* model)
     servo.axis.points = {1, 2.5};
     servo.axis.tolerance = 10.5;
     servo.axis.speed = 3000;
-    servo.limits = record::builtInSweepLimits({}, QStringLiteral("STS"));
+    servo.limits = results::builtInSweepLimits({}, QStringLiteral("STS"));
     servo.errors = {12345, 21, 32, 43, 54};
     return servo;
 }
 
-inline record::SweepSpec spec()
+inline results::SweepSpec spec()
 {
-    record::SweepSpec spec;
-    spec.shape = record::SweepShape::BothSides;
+    results::SweepSpec spec;
+    spec.shape = results::SweepShape::BothSides;
     spec.range = {QStringLiteral("1000"), QStringLiteral("268.1deg")};
     spec.ranges[6] = {QStringLiteral("100"), QStringLiteral("900")};
     spec.step = QStringLiteral("10");
     spec.points = {{QStringLiteral("1024"), 750ms}, {QStringLiteral("90deg"), {}}};
     spec.seed = 4294967295U;
     spec.period = 3s;
-    spec.pace = record::SweepPace::Dwell;
+    spec.pace = results::SweepPace::Dwell;
     spec.pause = 1500ms;
     spec.cycles = 300;
     spec.length = 600s;
@@ -156,27 +156,27 @@ inline record::SweepSpec spec()
 
 /// Servo 5 measured everything and is warned about, servo 6 failed and ended the run, so that
 /// servo 5 has no verdict. `legs`: of servo 5.
-inline record::SweepRun run(int legs = 6)
+inline results::SweepRun run(int legs = 6)
 {
-    record::SweepServo good = servo(5, "STS3215");
+    results::SweepServo good = servo(5, "STS3215");
     for (int i = 1; i <= legs; ++i)
         good.legs.push_back(leg(i));
     good.metrics = metrics(true);
-    good.lines = {{good.limits.lines[0], 2.25, record::Grade::Pass},
-                  {good.limits.lines[1], 9.75, record::Grade::Warn}};
-    good.verdict = record::Grade::NotMeasured; // the other one ended the run
-    record::SweepServo bad = servo(6, "SCS15");
+    good.lines = {{good.limits.lines[0], 2.25, results::Grade::Pass},
+                  {good.limits.lines[1], 9.75, results::Grade::Warn}};
+    good.verdict = results::Grade::NotMeasured; // the other one ended the run
+    results::SweepServo bad = servo(6, "SCS15");
     bad.legs = {missedLeg(1), missedLeg(2)};
     bad.metrics = metrics(false);
     bad.lines = {{{QStringLiteral("missed_targets"), QStringLiteral("legs"), {}, 0.0, false},
                   2.0,
-                  record::Grade::Fail},
+                  results::Grade::Fail},
                  {{QStringLiteral("overshoot"), QStringLiteral("%"), 3.0, 5.0, false},
                   {},
-                  record::Grade::NotMeasured}};
-    bad.verdict = record::Grade::Fail;
+                  results::Grade::NotMeasured}};
+    bad.verdict = results::Grade::Fail;
 
-    record::SweepRun run;
+    results::SweepRun run;
     run.program = QStringLiteral("ServoDesk 0.1.0");
     run.at = QDateTime({2026, 3, 9}, {9, 0, 1, 234}, Qt::UTC);
     run.port = QStringLiteral("/dev/ttyUSB0");
@@ -184,7 +184,7 @@ inline record::SweepRun run(int legs = 6)
     run.simulated = true;
     run.spec = spec();
     run.length = 601234567us;
-    run.end = record::SweepEnd::Stall;
+    run.end = results::SweepEnd::Stall;
     run.endedBy = 6;
     run.gaps = {{12s, 2500ms}, {77s, 1s}};
     run.sampleRate = 398.75;
@@ -193,23 +193,23 @@ inline record::SweepRun run(int legs = 6)
 }
 
 /// The same, run to its end.
-inline record::SweepRun finishedRun(int legs = 6)
+inline results::SweepRun finishedRun(int legs = 6)
 {
-    record::SweepRun run = sweep_example::run(legs);
-    run.end = record::SweepEnd::Finished;
+    results::SweepRun run = sweep_example::run(legs);
+    run.end = results::SweepEnd::Finished;
     run.endedBy = -1;
-    record::assignVerdicts(run);
+    results::assignVerdicts(run);
     return run;
 }
 
 /// run() as the first version kept it.
-inline record::SweepRun firstVersionRun()
+inline results::SweepRun firstVersionRun()
 {
-    record::SweepRun run = sweep_example::run();
+    results::SweepRun run = sweep_example::run();
     run.servos[0].metrics = metrics(true, false);
     run.servos[1].metrics = metrics(false, false);
-    for (record::SweepServo& servo : run.servos)
-        std::erase_if(servo.limits.lines, [](const record::SweepLimit& line) {
+    for (results::SweepServo& servo : run.servos)
+        std::erase_if(servo.limits.lines, [](const results::SweepLimit& line) {
             return isMetricAddedLater(line.metric);
         });
     return run;

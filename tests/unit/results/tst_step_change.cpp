@@ -2,10 +2,11 @@
 // What counts as better or worse between two step responses: more than their scatter, and more than
 // a step, or a reading, can tell.
 #include "results/step_run.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
-using record::StepChange;
+using results::StepChange;
 
 class TestStepChange : public QObject {
     Q_OBJECT
@@ -19,19 +20,19 @@ namespace {
 constexpr double way = 200;        ///< steps
 constexpr double sampleRate = 250; ///< a reading every 4 ms
 
-record::StepRun runWith(std::optional<double> record::StepFigures::*member,
-                        const std::vector<double>& values)
+results::StepRun runWith(std::optional<double> results::StepFigures::*member,
+                         const std::vector<double>& values)
 {
-    record::StepRun run;
+    results::StepRun run;
     run.axis.from = 1000;
     run.axis.to = 1000 + way;
     run.sampleRate = sampleRate;
     for (const double value : values) {
-        record::StepResponse response;
+        results::StepResponse response;
         response.figures.*member = value;
         run.responses.push_back(response);
     }
-    run.mean = record::meanOf(run.responses);
+    run.mean = results::meanOf(run.responses);
     return run;
 }
 } // namespace
@@ -68,15 +69,15 @@ void TestStepChange::changes()
     QFETCH(double, scatter);
     QFETCH(int, change);
     const auto found = std::find_if(
-        record::stepFigures.begin(), record::stepFigures.end(),
-        [&](const record::StepFigure& one) { return figure == QLatin1StringView(one.key); });
+        results::stepFigures.begin(), results::stepFigures.end(),
+        [&](const results::StepFigure& one) { return figure == QLatin1StringView(one.key); });
     const auto around = [&](double middle) {
         return runWith(found->member, {middle - scatter, middle, middle + scatter});
     };
-    const auto rows = record::compareSteps(around(before), around(after));
+    const auto rows = results::compareSteps(around(before), around(after));
     QCOMPARE(rows.size(), std::size_t(1));
     QCOMPARE(int(rows[0].change), change);
 }
 
-QTEST_GUILESS_MAIN(TestStepChange)
+SERVODESK_GUILESS_TEST(TestStepChange)
 #include "tst_step_change.moc"

@@ -2,18 +2,19 @@
 // Two sweep tests side by side: which figure is better, what makes them incomparable, and which
 // settings differ.
 #include "results/sweep_compare.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QtTest>
 
 #include <limits>
 
-using record::Better;
-using record::DifferenceImpact;
-using record::Grade;
-using record::SweepComparison;
-using record::SweepRun;
-using record::TestItem;
+using results::Better;
+using results::DifferenceImpact;
+using results::Grade;
+using results::SweepComparison;
+using results::SweepRun;
+using results::TestItem;
 using namespace std::chrono_literals;
 
 namespace {
@@ -24,10 +25,10 @@ QString text(const char* utf8)
 
 SweepComparison compared(const SweepRun& a, const SweepRun& b, std::size_t servoB = 0)
 {
-    return record::compareSweeps({text("1"), a, a.servos[0]}, {text("2"), b, b.servos[servoB]});
+    return results::compareSweeps({text("1"), a, a.servos[0]}, {text("2"), b, b.servos[servoB]});
 }
 
-record::FigureDifference figure(const SweepComparison& comparison, const char* key)
+results::FigureDifference figure(const SweepComparison& comparison, const char* key)
 {
     for (const auto& row : comparison.figures) {
         if (row.key == text(key))
@@ -38,7 +39,7 @@ record::FigureDifference figure(const SweepComparison& comparison, const char* k
 
 void setValue(SweepRun& run, const char* key, std::optional<double> value)
 {
-    for (record::SweepMetric& metric : run.servos[0].metrics) {
+    for (results::SweepMetric& metric : run.servos[0].metrics) {
         if (metric.key == text(key))
             metric.value = value;
     }
@@ -81,7 +82,7 @@ void TestSweepCompare::identicalRunsHaveNoDifference()
     QVERIFY(same.tests.empty());
     QVERIFY(same.settings.empty());
     QVERIFY(same.comparable());
-    QCOMPARE(same.figures.size(), record::sweepMetricKinds().size());
+    QCOMPARE(same.figures.size(), results::sweepMetricKinds().size());
     for (const auto& row : same.figures) {
         QCOMPARE(row.difference.value(), 0.0);
         QVERIFY(row.better == Better::Neither);
@@ -124,14 +125,14 @@ void TestSweepCompare::unmeasuredHasNoDifference()
     }
     QVERIFY(figure(found, "current_peak").a);
     QVERIFY(!figure(found, "current_peak").b);
-    QCOMPARE(found.figures.size(), record::sweepMetricKinds().size());
+    QCOMPARE(found.figures.size(), results::sweepMetricKinds().size());
 }
 
 void TestSweepCompare::gradesAreCompared()
 {
     SweepRun a = sweep_example::run();
     const auto line = [](const char* key, Grade grade) {
-        return record::VerdictLine{{text(key), text("%"), 1.0, 2.0, false}, 1.5, grade};
+        return results::VerdictLine{{text(key), text("%"), 1.0, 2.0, false}, 1.5, grade};
     };
     a.servos[0].lines = {line("overshoot", Grade::Pass)};
     SweepRun b = a;
@@ -162,11 +163,11 @@ void TestSweepCompare::differingTests_data()
     row("simulated", TestItem::Simulated, DifferenceImpact::Figure, "false",
         [](SweepRun& run) { run.simulated = false; });
     row("shape", TestItem::Shape, DifferenceImpact::Path, "sweep",
-        [](SweepRun& run) { run.spec.shape = record::SweepShape::Sweep; });
+        [](SweepRun& run) { run.spec.shape = results::SweepShape::Sweep; });
     row("range", TestItem::Range, DifferenceImpact::Path, "1000 … 3052",
         [](SweepRun& run) { run.servos[0].axis.to = 3052; });
     row("pace", TestItem::Pace, DifferenceImpact::Figure, "delay",
-        [](SweepRun& run) { run.spec.pace = record::SweepPace::Delay; });
+        [](SweepRun& run) { run.spec.pace = results::SweepPace::Delay; });
     row("pause", TestItem::Pause, DifferenceImpact::Figure, "1250",
         [](SweepRun& run) { run.spec.pause = 1250ms; });
     row("speed", TestItem::Speed, DifferenceImpact::Path, "",
@@ -184,7 +185,7 @@ void TestSweepCompare::differingTests_data()
     row("rate", TestItem::SampleRate, DifferenceImpact::Figure, "200",
         [](SweepRun& run) { run.sampleRate = 200; });
     row("end", TestItem::End, DifferenceImpact::Figure, "stopped",
-        [](SweepRun& run) { run.end = record::SweepEnd::Stopped; });
+        [](SweepRun& run) { run.end = results::SweepEnd::Stopped; });
     row("limits", TestItem::Limits, DifferenceImpact::Grade, "mine", [](SweepRun& run) {
         run.servos[0].limits.name = text("mine");
         run.servos[0].limits.lines.pop_back();
@@ -219,18 +220,18 @@ void TestSweepCompare::stepShapeHasAStepAndSweepHasNone()
     two.spec.seed = 3;
     two.spec.period = 7s;
     two.sampleRate = one.sampleRate * 1.2;
-    const auto itemsOf = [&](record::SweepShape shape) {
+    const auto itemsOf = [&](results::SweepShape shape) {
         one.spec.shape = two.spec.shape = shape;
         QStringList items;
         for (const auto& difference : compared(one, two).tests)
-            items.append(record::testItemName(difference.item));
+            items.append(results::testItemName(difference.item));
         return items;
     };
-    QCOMPARE(itemsOf(record::SweepShape::Sweep), QStringList());
-    QCOMPARE(itemsOf(record::SweepShape::Stairs), QStringList(text("step")));
-    QCOMPARE(itemsOf(record::SweepShape::Random), QStringList(text("seed")));
-    QCOMPARE(itemsOf(record::SweepShape::Sine), QStringList(text("period")));
-    QCOMPARE(itemsOf(record::SweepShape::Points), QStringList(text("points")));
+    QCOMPARE(itemsOf(results::SweepShape::Sweep), QStringList());
+    QCOMPARE(itemsOf(results::SweepShape::Stairs), QStringList(text("step")));
+    QCOMPARE(itemsOf(results::SweepShape::Random), QStringList(text("seed")));
+    QCOMPARE(itemsOf(results::SweepShape::Sine), QStringList(text("period")));
+    QCOMPARE(itemsOf(results::SweepShape::Points), QStringList(text("points")));
 }
 
 void TestSweepCompare::onlySettingsAreCompared()
@@ -268,13 +269,13 @@ void TestSweepCompare::onlySettingsAreCompared()
 void TestSweepCompare::servosAreFoundByTheirId()
 {
     const SweepRun run = sweep_example::run();
-    QCOMPARE(record::servoOf(run, 6), &run.servos[1]);
-    QVERIFY(record::servoOf(run, 7) == nullptr);
+    QCOMPARE(results::servoOf(run, 6), &run.servos[1]);
+    QVERIFY(results::servoOf(run, 7) == nullptr);
     const SweepComparison found = compared(run, run, 1); // the good one with the bad one
     QVERIFY(!found.tests.empty());
     QCOMPARE(found.tests[0].a, text("STS3215"));
     QCOMPARE(found.tests[0].b, text("SCS15"));
 }
 
-QTEST_GUILESS_MAIN(TestSweepCompare)
+SERVODESK_GUILESS_TEST(TestSweepCompare)
 #include "tst_sweep_compare.moc"

@@ -6,6 +6,7 @@
 #include "results/sweep_csv.h"
 #include "results/sweep_json.h"
 #include "support/file_size_limit.h"
+#include "support/test_main.h"
 #include "unit/results/sweep_example.h"
 
 #include <QJsonArray>
@@ -15,14 +16,14 @@
 #include <QtTest>
 
 using base::ErrorCode;
-using record::Grade;
-using record::SweepEnd;
-using record::SweepRun;
+using results::Grade;
+using results::SweepEnd;
+using results::SweepRun;
 
 namespace {
 QJsonObject parsed(const SweepRun& run)
 {
-    return QJsonDocument::fromJson(record::encodeSweepRun(run)).object();
+    return QJsonDocument::fromJson(results::encodeSweepRun(run)).object();
 }
 
 QJsonArray listOf(const QJsonObject& object, const char* key)
@@ -36,12 +37,19 @@ QByteArray contentOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+QByteArray legsText(const SweepRun& run)
+{
+    const QTemporaryDir dir;
+    const QString path = dir.filePath(QStringLiteral("legs.csv"));
+    return results::saveSweepLegs(run, path) ? contentOf(path) : QByteArray();
+}
+
 /// The lines of a CSV as cells by name of their column, without its unit.
 std::vector<std::map<std::string, std::string>> csvRows(const QByteArray& text)
 {
     std::vector<std::map<std::string, std::string>> rows;
     std::vector<std::string> names;
-    record::CsvLineParser cells;
+    files::CsvLineParser cells;
     for (const QByteArray& line : text.trimmed().split('\n')) {
         const std::string_view view(line.constData(), std::size_t(line.size()));
         const auto& found = cells.split(view);
@@ -69,11 +77,11 @@ private Q_SLOTS:
     void runsRoundTrip()
     {
         const SweepRun run = sweep_example::run();
-        const QByteArray text = record::encodeSweepRun(run);
-        const auto read = record::decodeSweepRun(text);
+        const QByteArray text = results::encodeSweepRun(run);
+        const auto read = results::decodeSweepRun(text);
         QVERIFY2(read, read ? "" : qPrintable(read.error().detail));
         QVERIFY(*read == run);
-        QCOMPARE(record::encodeSweepRun(*read), text);
+        QCOMPARE(results::encodeSweepRun(*read), text);
     }
 
     void anEmptyRunRoundTrips()
@@ -81,12 +89,12 @@ private Q_SLOTS:
         SweepRun run;
         run.at = QDateTime({2026, 1, 1}, {0, 0}, Qt::UTC);
         run.endedBy = -1;
-        const auto read = record::decodeSweepRun(record::encodeSweepRun(run));
+        const auto read = results::decodeSweepRun(results::encodeSweepRun(run));
         QVERIFY2(read, read ? "" : qPrintable(read.error().detail));
         QVERIFY(*read == run);
         run.servos = {sweep_example::servo(1, "STS3215")};
         run.servos[0].limits = {};
-        QVERIFY(record::decodeSweepRun(record::encodeSweepRun(run)).value() == run);
+        QVERIFY(results::decodeSweepRun(results::encodeSweepRun(run)).value() == run);
     }
 
     void saveAndLoadRoundTrip()
@@ -94,11 +102,9 @@ private Q_SLOTS:
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("run.json"));
         const SweepRun run = sweep_example::run(1500); // more than one piece
-        QVERIFY(record::saveSweepRun(run, path));
-        QCOMPARE(contentOf(path), record::encodeSweepRun(run));
-        QVERIFY(record::loadSweepRun(path).value() == run);
-        QVERIFY(record::saveSweepLegs(run, path));
-        QCOMPARE(contentOf(path), record::encodeSweepLegs(run));
+        QVERIFY(results::saveSweepRun(run, path));
+        QCOMPARE(contentOf(path), results::encodeSweepRun(run));
+        QVERIFY(results::loadSweepRun(path).value() == run);
     }
 
     void jsonHasVerdictLegsAndMetrics()
@@ -124,7 +130,7 @@ private Q_SLOTS:
         QVERIFY(missed[QStringLiteral("overshoot")].isNull());
         QVERIFY(missed[QStringLiteral("missed")].toBool());
         const QJsonArray metrics = listOf(json, "metrics");
-        QCOMPARE(metrics.size(), qsizetype(2 * record::sweepMetricKinds().size()));
+        QCOMPARE(metrics.size(), qsizetype(2 * results::sweepMetricKinds().size()));
         const QJsonObject overshoot = metrics[2].toObject();
         QCOMPARE(overshoot[QStringLiteral("metric")].toString(), QStringLiteral("overshoot"));
         QCOMPARE(overshoot[QStringLiteral("unit")].toString(), QStringLiteral("%"));
@@ -141,15 +147,24 @@ private Q_SLOTS:
     {
         SweepRun run = sweep_example::run();
         run.servos[0].legs[0].overshoot = std::numeric_limits<double>::quiet_NaN();
-        const auto read = record::decodeSweepRun(record::encodeSweepRun(run));
+        const auto read = results::decodeSweepRun(results::encodeSweepRun(run));
         QVERIFY(!read->servos[0].legs[0].overshoot);
-        QVERIFY(record::encodeSweepLegs(run) == record::encodeSweepLegs(*read));
+        QVERIFY(!legsText(run).isEmpty());
+        QCOMPARE(legsText(run), legsText(*read));
+    }
+
+    void csvMatchesJson_data()
+    {
+        QTest::addColumn<int>("legCount");
+        QTest::newRow("few legs") << 6;
+        QTest::newRow("more than one piece") << 1500;
     }
 
     void csvMatchesJson()
     {
-        const SweepRun run = sweep_example::run();
-        const QByteArray text = record::encodeSweepLegs(run);
+        QFETCH(int, legCount);
+        const SweepRun run = sweep_example::run(legCount);
+        const QByteArray text = legsText(run);
         QVERIFY(text.startsWith("servo,leg,cycle,at[ms],span[ms],start[step],target[step],"
                                 "time[ms],settling[ms],reached[step],overshoot[%],"));
         const auto rows = csvRows(text);
@@ -170,8 +185,9 @@ private Q_SLOTS:
                              expected.isBool() ? double(expected.toBool()) : expected.toDouble());
             }
         }
-        QCOMPARE(rows[6].at("missed"), std::string("1"));
-        QCOMPARE(rows[6].at("alarms"), std::string("36"));
+        const auto& missed = rows[std::size_t(legCount)];
+        QCOMPARE(missed.at("missed"), std::string("1"));
+        QCOMPARE(missed.at("alarms"), std::string("36"));
     }
 
     void mistakesAreReported_data()
@@ -212,9 +228,9 @@ private Q_SLOTS:
         QFETCH(const QByteArray, from);
         QFETCH(const QByteArray, to);
         QFETCH(const QString, detail);
-        QByteArray text = record::encodeSweepRun(sweep_example::run());
+        QByteArray text = results::encodeSweepRun(sweep_example::run());
         QVERIFY(text.contains(from));
-        const auto run = record::decodeSweepRun(text.replace(from, to));
+        const auto run = results::decodeSweepRun(text.replace(from, to));
         QVERIFY(!run);
         QCOMPARE(run.error().code, ErrorCode::FileFormat);
         QVERIFY2(run.error().detail.startsWith(detail), qPrintable(run.error().detail));
@@ -223,32 +239,32 @@ private Q_SLOTS:
     /// Cut anywhere, it is refused and nothing else happens.
     void aTruncatedFileIsRefused()
     {
-        const QByteArray text = record::encodeSweepRun(sweep_example::run()).trimmed();
+        const QByteArray text = results::encodeSweepRun(sweep_example::run()).trimmed();
         for (qsizetype size = 0; size < text.size(); size += 97)
-            QCOMPARE(record::decodeSweepRun(text.left(size)).error().code, ErrorCode::FileFormat);
+            QCOMPARE(results::decodeSweepRun(text.left(size)).error().code, ErrorCode::FileFormat);
     }
 
     void unreadableAndUnwritableFiles()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("run.json"));
-        QCOMPARE(record::loadSweepRun(path).error().code, ErrorCode::FileMissing);
-        QVERIFY(record::saveSweepRun(sweep_example::run(1), path));
+        QCOMPARE(results::loadSweepRun(path).error().code, ErrorCode::FileMissing);
+        QVERIFY(results::saveSweepRun(sweep_example::run(1), path));
         const QByteArray before = contentOf(path);
         {
             const FileSizeLimit limit(100000);
-            QVERIFY(!record::saveSweepRun(sweep_example::run(1500), path));
+            QVERIFY(!results::saveSweepRun(sweep_example::run(1500), path));
         }
         QCOMPARE(contentOf(path), before);
         const QString full = QStringLiteral("/dev/full");
-        QCOMPARE(record::saveSweepRun(sweep_example::run(1500), full).error().code,
+        QCOMPARE(results::saveSweepRun(sweep_example::run(1500), full).error().code,
                  ErrorCode::DiskFull);
-        QCOMPARE(record::saveSweepLegs(sweep_example::run(), full).error().code,
+        QCOMPARE(results::saveSweepLegs(sweep_example::run(), full).error().code,
                  ErrorCode::DiskFull);
         const QString inside = path + QStringLiteral("/x.json");
-        QCOMPARE(record::saveSweepRun(sweep_example::run(), inside).error().code,
+        QCOMPARE(results::saveSweepRun(sweep_example::run(), inside).error().code,
                  ErrorCode::FileUnwritable);
-        QCOMPARE(record::saveSweepLegs(sweep_example::run(), inside).error().code,
+        QCOMPARE(results::saveSweepLegs(sweep_example::run(), inside).error().code,
                  ErrorCode::FileUnwritable);
     }
 
@@ -293,5 +309,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSweepJson)
+SERVODESK_GUILESS_TEST(TestSweepJson)
 #include "tst_sweep_json.moc"

@@ -3,6 +3,8 @@
 // what was saved comes back, and no slip of a user's file goes unnoticed, because it could pass a
 // bad servo.
 #include "results/sweep_limits.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -11,8 +13,8 @@
 #include <QtTest>
 
 using base::ErrorCode;
-using record::SweepLimit;
-using record::SweepLimits;
+using results::SweepLimit;
+using results::SweepLimits;
 
 namespace {
 const QString folder = QStringLiteral(SOURCE_DIR "/resources/limits/");
@@ -85,7 +87,7 @@ private Q_SLOTS:
     {
         QFETCH(const QString, model);
         QFETCH(const QString, series);
-        const SweepLimits limits = record::builtInSweepLimits(model, series);
+        const SweepLimits limits = results::builtInSweepLimits(model, series);
         QVERIFY(limits.models.contains(series));
         QTEST(lineOf(limits, QStringLiteral("steady_error"))->warn.value(), "restWarn");
         QTEST(lineOf(limits, QStringLiteral("steady_error"))->fail.value(), "restFail");
@@ -96,7 +98,7 @@ private Q_SLOTS:
     void unknownModelsHaveLimitsWithoutSteps()
     {
         const SweepLimits limits =
-            record::builtInSweepLimits(QStringLiteral("Nobody's"), QStringLiteral("NEW"));
+            results::builtInSweepLimits(QStringLiteral("Nobody's"), QStringLiteral("NEW"));
         QVERIFY(!limits.name.isEmpty());
         QVERIFY(limits.models.isEmpty());
         QCOMPARE(lineOf(limits, QStringLiteral("missed_targets"))->fail.value(), 0.0);
@@ -112,7 +114,7 @@ private Q_SLOTS:
         for (const QString& name : names) {
             if (name == QStringLiteral("schema.json"))
                 continue;
-            const auto limits = record::loadSweepLimits(folder + name);
+            const auto limits = results::loadSweepLimits(folder + name);
             QVERIFY2(limits, limits ? "" : qPrintable(limits.error().detail));
             QVERIFY2(listed.contains(u'>' + name + u'<'), qPrintable(name));
         }
@@ -133,7 +135,7 @@ private Q_SLOTS:
         };
         QStringList keys;
         QByteArray lines;
-        for (const record::SweepMetricKind& kind : record::sweepMetricKinds()) {
+        for (const results::SweepMetricKind& kind : results::sweepMetricKinds()) {
             keys.append(kind.key);
             QVERIFY2(words("unit").contains(kind.unit), qPrintable(kind.unit));
             lines += (lines.isEmpty() ? "" : ",\n") + QByteArray("{\"metric\": \"") +
@@ -141,21 +143,21 @@ private Q_SLOTS:
                      "\", \"fail\": 1}";
         }
         QCOMPARE(words("metric").toVariantList(), QJsonArray::fromStringList(keys).toVariantList());
-        const auto limits = record::decodeSweepLimits(fileWith(lines));
+        const auto limits = results::decodeSweepLimits(fileWith(lines));
         QVERIFY2(limits, limits ? "" : qPrintable(limits.error().detail));
         for (std::size_t i = 0; i < limits->lines.size(); ++i)
-            QCOMPARE(limits->lines[i].atLeast, record::sweepMetricKinds()[i].atLeast);
+            QCOMPARE(limits->lines[i].atLeast, results::sweepMetricKinds()[i].atLeast);
     }
 
     void saveAndLoadRoundTrip()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("shop.json"));
-        QVERIFY(record::saveSweepLimits(example(), path));
-        const auto loaded = record::loadSweepLimits(path);
+        QVERIFY(results::saveSweepLimits(example(), path));
+        const auto loaded = results::loadSweepLimits(path);
         QVERIFY2(loaded, loaded ? "" : qPrintable(loaded.error().detail));
         QCOMPARE(*loaded, example());
-        QCOMPARE(record::encodeSweepLimits(*loaded), contentOf(path));
+        QCOMPARE(results::encodeSweepLimits(*loaded), contentOf(path));
     }
 
     void mistakesAreReported_data()
@@ -204,7 +206,7 @@ private Q_SLOTS:
     {
         QFETCH(const QByteArray, text);
         QFETCH(const QString, detail);
-        const auto limits = record::decodeSweepLimits(text);
+        const auto limits = results::decodeSweepLimits(text);
         QVERIFY(!limits);
         QCOMPARE(limits.error().code, ErrorCode::FileFormat);
         QVERIFY2(limits.error().detail.contains(detail), qPrintable(limits.error().detail));
@@ -214,19 +216,19 @@ private Q_SLOTS:
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("a.json"));
-        QCOMPARE(record::loadSweepLimits(path).error().code, ErrorCode::FileMissing);
-        QCOMPARE(record::loadSweepLimits(dir.path()).error().code, ErrorCode::FileUnreadable);
-        QCOMPARE(record::saveSweepLimits(example(), path + QStringLiteral("/b")).error().code,
+        QCOMPARE(results::loadSweepLimits(path).error().code, ErrorCode::FileMissing);
+        QCOMPARE(results::loadSweepLimits(dir.path()).error().code, ErrorCode::FileUnreadable);
+        QCOMPARE(results::saveSweepLimits(example(), path + QStringLiteral("/b")).error().code,
                  ErrorCode::FileUnwritable);
-        QCOMPARE(record::saveSweepLimits(example(), {}).error().code, ErrorCode::FileUnwritable);
+        QCOMPARE(results::saveSweepLimits(example(), {}).error().code, ErrorCode::FileUnwritable);
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(fileWith(R"({"metric": "x", "unit": "", "fail": 1})"));
         file.close();
-        const auto bad = record::loadSweepLimits(path);
+        const auto bad = results::loadSweepLimits(path);
         QVERIFY(bad.error().detail.startsWith(path + QStringLiteral(": lines[0].metric")));
     }
 };
 
-QTEST_GUILESS_MAIN(TestSweepLimits)
+SERVODESK_GUILESS_TEST(TestSweepLimits)
 #include "tst_sweep_limits.moc"

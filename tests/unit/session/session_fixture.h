@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bench behind the window on a simulated bus, for tests of Desk. Main thread.
+// The bench behind the window on a simulated bus, for tests of the workbench. Main thread.
 #pragma once
 
-#include "session/desk.h"
+#include "session/workbench.h"
 #include "sim/host/sim_link.h"
 #include "support/temporary_data_folder.h"
 
 #include <QtTest>
 
-using session::Desk;
 using session::LinkState;
 using session::ServoRef;
+using session::Workbench;
 
 struct SessionFixture {
     explicit SessionFixture(const QString& port = QStringLiteral("sim:demo"))
@@ -19,24 +19,27 @@ struct SessionFixture {
 
     bool open(const QString& port)
     {
-        desk.connectTo({.name = port});
-        return QTest::qWaitFor([this] { return desk.state() == LinkState::Open; });
+        workbench.link().connectTo({.name = port});
+        return QTest::qWaitFor([this] { return workbench.link().state() == LinkState::Open; });
     }
     /// The few IDs in use, unless told otherwise.
     bool search(const jobs::ScanSpec& spec = {.firstId = 0, .lastId = 10, .bauds = {}})
     {
-        desk.search(spec);
-        return QTest::qWaitFor([this] { return !desk.isSearching(); }, 30000);
+        workbench.search().start(spec);
+        return QTest::qWaitFor([this] { return !workbench.search().isSearching(); }, 30000);
     }
     ServoRef at(int id, base::Protocol protocol = base::Protocol::Feetech) const
     {
-        return desk.findServo(protocol, id);
+        return workbench.registry().findServo(protocol, id);
     }
-    const session::ServoEntry& entry(ServoRef ref) const { return *desk.servo(ref); }
+    const session::ServoEntry& entry(ServoRef ref) const
+    {
+        return *workbench.registry().servo(ref);
+    }
     QByteArray troubles() const
     {
         QByteArray all;
-        for (const ServoRef ref : desk.servos()) {
+        for (const ServoRef ref : workbench.registry().order()) {
             for (const auto& [key, row] : entry(ref).writes) {
                 if (row.error)
                     all += key.toUtf8() + ": " + base::errorName(row.error->code).toUtf8() + " " +
@@ -47,11 +50,11 @@ struct SessionFixture {
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk.isBusy(); }, 10000);
+        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy(); }, 10000);
     }
     bool write(ServoRef ref, const QString& key, std::int64_t raw, bool temporary = false)
     {
-        desk.write(ref, {{{key, raw}}, temporary, true});
+        workbench.writes().write(ref, {{{key, raw}}, temporary, device::Consent::confirmed()});
         return waitUntilIdle();
     }
     std::optional<std::int64_t> raw(ServoRef ref, const QString& key) const
@@ -66,12 +69,12 @@ struct SessionFixture {
     template <typename Function>
     void withBus(Function&& function)
     {
-        desk.connection()->simulation()->with(std::forward<Function>(function));
+        workbench.link().connection()->simulation()->with(std::forward<Function>(function));
     }
 
     support::TemporaryDataFolder dataFolder; ///< before the session
     session::Session session;
-    Desk desk{session};
+    Workbench workbench{session};
     bool opened;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Alarms that came stay until they are acknowledged and over; silence is told from a lost reading.
+#include "support/test_main.h"
+
 #include "session_fixture.h"
 
 using session::ActiveAlarm;
@@ -98,10 +100,10 @@ private Q_SLOTS:
         SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        std::vector<record::Mark> marks;
-        connect(&fixture.desk, &Desk::markAdded, &fixture.desk,
-                [&](const record::Mark& mark) { marks.push_back(mark); });
-        fixture.desk.subscribe(user, {{{ref, {temperatureKey}}}, {}});
+        std::vector<recording::Mark> marks;
+        connect(&fixture.workbench.polling(), &session::PollController::markAdded,
+                &fixture.workbench, [&](const recording::Mark& mark) { marks.push_back(mark); });
+        fixture.workbench.polling().subscribe(user, {{{ref, {temperatureKey}}}, {}});
         QTRY_VERIFY(fixture.raw(ref, temperatureKey));
         QVERIFY(fixture.entry(ref).alarms.alarms().empty());
         fixture.withBus([](sim::VirtualBus& bus) { bus.servo(1)->setTemperature(95); });
@@ -109,16 +111,16 @@ private Q_SLOTS:
         const session::Alarm alarm = fixture.entry(ref).alarms.alarms().front();
         QCOMPARE(alarm.what.key, QStringLiteral("temperature"));
         QVERIFY(!alarm.what.derived);
-        QCOMPARE(marks.back().kind, record::MarkKind::Fault);
+        QCOMPARE(marks.back().kind, recording::MarkKind::Fault);
         QCOMPARE(marks.back().servoId, 1);
         QCOMPARE(marks.back().text, QStringLiteral("temperature"));
-        fixture.desk.acknowledgeAlarms(ref);
+        fixture.workbench.registry().acknowledgeAlarms(ref);
         QCOMPARE(fixture.entry(ref).alarms.alarms().size(), std::size_t(1)); // it is still hot
         fixture.withBus([](sim::VirtualBus& bus) { bus.servo(1)->setTemperature(30); });
-        fixture.desk.powerCycle();
+        fixture.workbench.link().powerCycle();
         QTRY_VERIFY(fixture.entry(ref).alarms.alarms().empty());
-        QTRY_VERIFY(std::any_of(marks.begin(), marks.end(), [](const record::Mark& mark) {
-            return mark.kind == record::MarkKind::FaultCleared;
+        QTRY_VERIFY(std::any_of(marks.begin(), marks.end(), [](const recording::Mark& mark) {
+            return mark.kind == recording::MarkKind::FaultCleared;
         }));
     }
 
@@ -129,7 +131,7 @@ private Q_SLOTS:
         QVERIFY(fixture.search(
             {.firstId = 1, .lastId = 5, .bauds = {}, .protocols = {base::Protocol::Lx}}));
         const ServoRef ref = fixture.at(3, base::Protocol::Lx); // over its temperature limit
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY(fixture.entry(ref).alarms.hasActive());
         const session::Alarm& alarm = fixture.entry(ref).alarms.alarms().front();
@@ -138,5 +140,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAlarmLatch)
+SERVODESK_GUILESS_TEST(TestAlarmLatch)
 #include "tst_alarm_latch.moc"

@@ -2,6 +2,7 @@
 // What jobs that may hang leave of their thread: nothing where it ended in time, and no crash at
 // the end of the program where it did not.
 #include "session/detachable_worker.h"
+#include "support/test_main.h"
 
 #include <QProcess>
 #include <QtTest>
@@ -81,13 +82,14 @@ void TestDetachableWorker::anIdleThreadIsNotDetached()
 void TestDetachableWorker::detachedThreadsSkipStaticDestruction()
 {
     QProcess program;
-    program.start(QCoreApplication::applicationFilePath(), {detachedThreadMode});
+    program.start(QCoreApplication::applicationFilePath(),
+                  {QStringLiteral("tst_detachable_worker"), detachedThreadMode});
     QVERIFY(program.waitForFinished(timeoutMs));
     QCOMPARE(program.exitStatus(), QProcess::NormalExit);
     QCOMPARE(program.exitCode(), expectedExitCode);
 }
 
-int main(int argc, char* argv[])
+static int run(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     if (QCoreApplication::arguments().mid(1) == QStringList(detachedThreadMode))
@@ -95,4 +97,5 @@ int main(int argc, char* argv[])
     TestDetachableWorker test;
     return QTest::qExec(&test, argc, argv);
 }
+SERVODESK_TEST_RUN(run)
 #include "tst_detachable_worker.moc"

@@ -3,6 +3,7 @@
 // nothing more, what waits in a servo cannot fire, and nothing moves until torque is switched on.
 #include "device/motion/motion.h"
 #include "device/transactions.h"
+#include "support/test_main.h"
 
 #include "session_fixture.h"
 #include <atomic>
@@ -22,17 +23,18 @@ struct StopFixture : SessionFixture {
     explicit StopFixture(const QString& port)
         : SessionFixture(port)
     {
-        QObject::connect(&desk, &Desk::eventOccurred, &desk, [this](const Event& event) {
-            if (event.kind == Event::Kind::StopVerified)
-                checks.push_back(event);
-            if (event.kind == Event::Kind::StopUnconfirmed)
-                unconfirmed.push_back(event);
-        });
+        QObject::connect(&workbench, &Workbench::eventOccurred, &workbench,
+                         [this](const Event& event) {
+                             if (event.kind == Event::Kind::StopVerified)
+                                 checks.push_back(event);
+                             if (event.kind == Event::Kind::StopUnconfirmed)
+                                 unconfirmed.push_back(event);
+                         });
     }
     bool stopAndCheck()
     {
         const std::size_t before = checks.size();
-        desk.emergencyStop();
+        workbench.emergencyStop().trigger();
         return QTest::qWaitFor([&] { return checks.size() > before; }, 20000);
     }
     /// Runs `work` as a task and waits for its end.
@@ -47,9 +49,9 @@ struct StopFixture : SessionFixture {
         task.effect = effect;
         task.otherServos = others;
         task.work = std::move(work);
-        task.guard = &desk;
+        task.guard = &workbench;
         task.done = [&](const TaskCompletion& how) { end = how; };
-        desk.perform(ref, std::move(task));
+        workbench.tasks().perform(ref, std::move(task));
         if (!QTest::qWaitFor([&] { return end.has_value(); }, 20000))
             qFatal("a task never ended");
         return end->error;
@@ -97,9 +99,10 @@ private Q_SLOTS:
         QVERIFY(fixture.write(fixture.at(1), torque, 1));
         QVERIFY(fixture.write(fixture.at(2), torque, 1));
         int stops = 0;
-        connect(&fixture.desk, &Desk::markAdded, &fixture.desk, [&](const record::Mark& mark) {
-            stops += mark.kind == record::MarkKind::Stop ? 1 : 0;
-        });
+        connect(&fixture.workbench.polling(), &session::PollController::markAdded,
+                &fixture.workbench, [&](const recording::Mark& mark) {
+                    stops += mark.kind == recording::MarkKind::Stop ? 1 : 0;
+                });
         QVERIFY(fixture.stopAndCheck());
         QCOMPARE(stops, 1);
         const session::StopResult& check = fixture.checks.back().stop;
@@ -126,9 +129,9 @@ private Q_SLOTS:
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             return {};
         };
-        fixture.desk.perform(fixture.at(1), std::move(task));
+        fixture.workbench.tasks().perform(fixture.at(1), std::move(task));
         const bool waits = QTest::qWaitFor([&] { return begun.load(); }, 20000);
-        fixture.desk.emergencyStop();
+        fixture.workbench.emergencyStop().trigger();
         const bool said = QTest::qWaitFor([&] { return !fixture.unconfirmed.empty(); }, 20000);
         done = true;
         QVERIFY(waits && said);
@@ -144,9 +147,9 @@ private Q_SLOTS:
         StopFixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
         QVERIFY(fixture.search());
         QVERIFY(fixture.waitUntilIdle());
-        fixture.desk.connection()->simulation()->with(
+        fixture.workbench.link().connection()->simulation()->with(
             [](sim::VirtualBus& bus) { bus.config().faults.dropRequest = 1; });
-        fixture.desk.emergencyStop();
+        fixture.workbench.emergencyStop().trigger();
         QTRY_VERIFY_WITH_TIMEOUT(!fixture.checks.empty(), 60000);
         QCOMPARE(fixture.checks.back().stop.silent.size(), std::size_t(2));
         for (const Event& event : fixture.unconfirmed)
@@ -161,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(fixture.write(fixture.at(1), torque, 1));
         QVERIFY(!fixture.entry(fixture.at(1)).silent);
         fixture.withBus([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
-        fixture.desk.emergencyStop();
+        fixture.workbench.emergencyStop().trigger();
         QTRY_VERIFY_WITH_TIMEOUT(fixture.entry(fixture.at(1)).silent, 20000);
         QTRY_VERIFY_WITH_TIMEOUT(!fixture.checks.empty(), 20000);
         QCOMPARE(fixture.checks.back().stop.silent.size(), std::size_t(1));
@@ -268,7 +271,7 @@ private Q_SLOTS:
         QFETCH(const QString, port);
         StopFixture fixture(port);
         QVERIFY(fixture.search({.firstId = 0, .lastId = 3, .bauds = {}}));
-        const ServoRef ref = fixture.desk.servos().front();
+        const ServoRef ref = fixture.workbench.registry().order().front();
         QVERIFY(!fixture.run(ref, torqueOn, Effect::EnablesTorque));
         const double before = fixture.shaft(1);
         // Somebody else's program left it there, so nobody here knows.
@@ -315,7 +318,7 @@ private Q_SLOTS:
     {
         StopFixture fixture(QStringLiteral("sim:lx224@1"));
         QVERIFY(fixture.search({.firstId = 0, .lastId = 3, .bauds = {}}));
-        const ServoRef ref = fixture.desk.servos().front();
+        const ServoRef ref = fixture.workbench.registry().order().front();
         QVERIFY(fixture.stopAndCheck());
         const QString stored = QStringLiteral("wait_angle");
         const double before = fixture.shaft(1);
@@ -356,7 +359,7 @@ private Q_SLOTS:
     {
         StopFixture fixture(QStringLiteral("sim:modbus"));
         QVERIFY(fixture.search({.firstId = 1, .lastId = 3, .bauds = {}}));
-        const ServoRef ref = fixture.desk.servos().front();
+        const ServoRef ref = fixture.workbench.registry().order().front();
         QVERIFY(!fixture.run(ref, torqueOn, Effect::EnablesTorque));
         QCOMPARE(fixture.real(1, torque), 1);
         QVERIFY(fixture.stopAndCheck());
@@ -370,7 +373,7 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
         for (const std::int64_t raw : {40, 41, 42})
-            fixture.desk.write(ref, {{{positionP, raw}}, false, false});
+            fixture.workbench.writes().write(ref, {{{positionP, raw}}, false, {}});
         bool ran = false;
         std::optional<TaskCompletion> end;
         Task task;
@@ -379,9 +382,9 @@ private Q_SLOTS:
             ran = true;
             return {};
         };
-        task.guard = &fixture.desk;
+        task.guard = &fixture.workbench;
         task.done = [&](const TaskCompletion& how) { end = how; };
-        fixture.desk.perform(ref, std::move(task));
+        fixture.workbench.tasks().perform(ref, std::move(task));
         QVERIFY(fixture.stopAndCheck());
         QTRY_VERIFY(end);
         QCOMPARE(end->error->code, base::ErrorCode::Preempted);
@@ -439,9 +442,9 @@ private Q_SLOTS:
             codes.push_back(sent ? base::ErrorCode::BadArgument : sent.error().code);
             return {};
         };
-        task.guard = &fixture.desk;
+        task.guard = &fixture.workbench;
         task.done = [&](const TaskCompletion& how) { end = how; };
-        fixture.desk.perform(ref, std::move(task));
+        fixture.workbench.tasks().perform(ref, std::move(task));
         QTRY_VERIFY(begun);
         QVERIFY(fixture.stopAndCheck());
         QTRY_VERIFY(end);
@@ -476,5 +479,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEmergencyStop)
+SERVODESK_GUILESS_TEST(TestEmergencyStop)
 #include "tst_emergency_stop.moc"

@@ -5,6 +5,7 @@
 #include "results/sweep_json.h"
 #include "session/history/history_service.h"
 #include "support/history_example.h"
+#include "support/test_main.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -22,9 +23,18 @@ QString text(const char* utf8)
 
 SharedRun example(int day = 0)
 {
-    auto run = std::make_shared<record::SweepRun>(sweep_example::finishedRun());
+    auto run = std::make_shared<results::SweepRun>(sweep_example::finishedRun());
     run->at = run->at.addDays(day);
     return run;
+}
+
+/// What was handed to its thread before is done.
+bool isDone(HistoryService& historyService, QObject* receiver)
+{
+    bool done = false;
+    historyService.runInOrder([]() -> base::Result<void> { return {}; }, receiver,
+                              [&](const base::Result<void>&) { done = true; });
+    return QTest::qWaitFor([&] { return done; }, 20000);
 }
 } // namespace
 
@@ -62,9 +72,9 @@ void TestHistoryService::savedRunsAreListedAndLoaded()
     QSignalSpy changed(&historyService, &HistoryService::changed);
     historyService.saveRun(example(), {text("/tmp/x.html")});
     historyService.saveRun(example(1));
-    std::vector<record::TestRun> runs;
+    std::vector<history::TestRun> runs;
     QThread* where = nullptr;
-    historyService.list({}, this, [&](const base::Result<std::vector<record::TestRun>>& answer) {
+    historyService.list({}, this, [&](const base::Result<std::vector<history::TestRun>>& answer) {
         runs = answer.value();
         where = QThread::currentThread();
     });
@@ -94,7 +104,7 @@ void TestHistoryService::shutdownLosesNothing()
         for (int i = 0; i < many; ++i)
             historyService.saveRun(example(i));
     }
-    const auto history = record::History::open(m_path).value();
+    const auto history = history::History::open(m_path).value();
     QCOMPARE(history->runs().value().size(), std::size_t(many));
 }
 
@@ -121,8 +131,8 @@ void TestHistoryService::changesAreSignaled()
     historyService.setNote(1, text("new"));
     historyService.setReference(1, 5, true);
     QTRY_COMPARE(changed.size(), 4);
-    std::vector<record::TestRun> runs;
-    const auto take = [&](const base::Result<std::vector<record::TestRun>>& answer) {
+    std::vector<history::TestRun> runs;
+    const auto take = [&](const base::Result<std::vector<history::TestRun>>& answer) {
         runs = answer.value();
     };
     historyService.list({}, this, take);
@@ -151,7 +161,7 @@ void TestHistoryService::aRunIsComparedWithItsReference()
     QVERIFY(results->empty()); // there is none
     results.reset();
     historyService.setReference(1, 5, true);
-    auto worse = std::make_shared<record::SweepRun>(*example(1));
+    auto worse = std::make_shared<results::SweepRun>(*example(1));
     worse->servos[0].metrics[4].value = *worse->servos[0].metrics[4].value + 5;
     historyService.compareWithReference(worse, this, take);
     QTRY_VERIFY(results);
@@ -159,7 +169,7 @@ void TestHistoryService::aRunIsComparedWithItsReference()
     QCOMPARE(results->front().servo, 5);
     QCOMPARE(results->front().run.number, 1);
     QCOMPARE(results->front().comparison.figures[4].difference.value(), 5.0);
-    QVERIFY(results->front().comparison.figures[4].better == record::Better::A);
+    QVERIFY(results->front().comparison.figures[4].better == results::Better::A);
     results.reset();
     historyService.compareWithReference(example(), this, take); // the reference itself
     QTRY_VERIFY(results);
@@ -174,7 +184,7 @@ void TestHistoryService::anUnusableHistoryIsReportedWithTheRunsPath()
     historyService.saveRun(example());
     QTRY_COMPARE(failed.size(), 1);
     QCOMPARE(failed[0][0].value<base::Error>().code, base::ErrorCode::FileUnwritable);
-    QVERIFY(record::loadSweepRun(failed[0][1].toString()).value() == *example());
+    QVERIFY(results::loadSweepRun(failed[0][1].toString()).value() == *example());
 }
 
 void TestHistoryService::backgroundWorkRepliesToo()
@@ -197,7 +207,8 @@ void TestHistoryService::aViewerIsNotifiedOfOtherWriters()
     QSignalSpy changed(&historyService, &HistoryService::changed);
     auto viewer = std::make_unique<QObject>();
     historyService.setWatched(viewer.get(), true); // there is no history yet
-    record::HistoryJournal other(m_path, text("servodesk-cli"));
+    QVERIFY(isDone(historyService, this));         // it begins to watch on its thread
+    history::HistoryJournal other(m_path, text("servodesk-cli"));
     history_example::write(other, 1, 1);
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
     // What comes from now on is told each time.
@@ -208,6 +219,7 @@ void TestHistoryService::aViewerIsNotifiedOfOtherWriters()
     }
     viewer.reset(); // one that went without a word is none
     historyService.setWatched(this, true);
+    QVERIFY(isDone(historyService, this));
     changed.clear();
     history_example::write(other, 1, 9);
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
@@ -217,14 +229,15 @@ void TestHistoryService::aViewerIsNotifiedOfOtherWriters()
 void TestHistoryService::aReplacedFileIsDetected()
 {
     {
-        record::HistoryJournal old(m_path, text("servodesk-cli"));
+        history::HistoryJournal old(m_path, text("servodesk-cli"));
         history_example::write(old, 1, 1);
     }
     HistoryService historyService(m_path);
     QSignalSpy changed(&historyService, &HistoryService::changed);
     historyService.setWatched(this, true);
+    QVERIFY(isDone(historyService, this));
     {
-        record::HistoryJournal other(m_path, text("servodesk-cli"));
+        history::HistoryJournal other(m_path, text("servodesk-cli"));
         history_example::write(other, 1, 2);
     }
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
@@ -240,10 +253,10 @@ void TestHistoryService::aReplacedFileIsDetected()
 
 void TestHistoryService::theDetectorSignalsOncePerChange()
 {
-    record::HistoryChangeDetector detector(m_path);
+    history::HistoryChangeDetector detector(m_path);
     QVERIFY(!detector.hasChanged());
     QVERIFY(!QFile::exists(m_path)); // asking makes no file
-    record::HistoryJournal other(m_path, text("servodesk-cli"));
+    history::HistoryJournal other(m_path, text("servodesk-cli"));
     history_example::write(other, 1, 1);
     QVERIFY(detector.hasChanged());
     QVERIFY(!detector.hasChanged());
@@ -254,5 +267,5 @@ void TestHistoryService::theDetectorSignalsOncePerChange()
     QVERIFY(!detector.hasChanged()); // a beginning tells nothing
 }
 
-QTEST_GUILESS_MAIN(TestHistoryService)
+SERVODESK_GUILESS_TEST(TestHistoryService)
 #include "tst_history_service.moc"

@@ -3,6 +3,7 @@
 // gap, an alarm a mark; a recording holds what the store has.
 #include "session/recording/live_data.h"
 #include "session/recording/replay.h"
+#include "support/test_main.h"
 
 #include <QSignalSpy>
 
@@ -18,21 +19,21 @@ const QString position = QStringLiteral("present_position");
 struct LiveDataFixture : SessionFixture {
     explicit LiveDataFixture(const QString& port = QStringLiteral("sim:sts3215@1,sts3215@2"))
         : SessionFixture(port)
-        , scope(desk)
+        , scope(workbench)
     {}
     bool reads(const QStringList& keys)
     {
         if (!search())
             return false;
-        for (const ServoRef ref : desk.servos())
-            desk.readTable(ref); // modes and units
+        for (const ServoRef ref : workbench.registry().order())
+            workbench.writes().readTable(ref); // modes and units
         if (!waitUntilIdle())
             return false;
         session::Subscription subscription;
-        for (const ServoRef ref : desk.servos())
+        for (const ServoRef ref : workbench.registry().order())
             subscription.parts.push_back({ref, keys, {}});
         subscription.period = std::chrono::milliseconds(5);
-        desk.subscribe(QStringLiteral("test"), subscription);
+        workbench.polling().subscribe(QStringLiteral("test"), subscription);
         return QTest::qWaitFor([&] { return scope.store().count() > 40; });
     }
     LiveData scope;
@@ -48,18 +49,18 @@ private Q_SLOTS:
     void everyReadingBecomesASample()
     {
         LiveDataFixture fixture;
-        std::map<ServoRef, std::vector<record::SamplePoint>> seen;
-        connect(&fixture.desk, &Desk::readingsReceived, this,
+        std::map<ServoRef, std::vector<recording::SamplePoint>> seen;
+        connect(&fixture.workbench.polling(), &session::PollController::readingsReceived, this,
                 [&](const std::vector<session::Reading>& all) {
                     for (const session::Reading& one : all) {
-                        for (const session::ReadValue& value : one.values) {
+                        for (const jobs::PollValue& value : one.values) {
                             if (value.reg->key == position)
                                 seen[one.servo].push_back({one.at, value.physical});
                         }
                     }
                 });
         QVERIFY(fixture.reads({position}));
-        for (const ServoRef ref : fixture.desk.servos()) {
+        for (const ServoRef ref : fixture.workbench.registry().order()) {
             const session::LiveChannel* channel = fixture.scope.find(ref, position);
             QVERIFY(channel != nullptr);
             QCOMPARE(channel->unit, QStringLiteral("deg"));
@@ -90,16 +91,16 @@ private Q_SLOTS:
         LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.reads({position}));
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
-        const auto marked = [&](record::MarkKind kind) {
+        const auto marked = [&](recording::MarkKind kind) {
             const auto& marks = fixture.scope.marks();
             return std::any_of(marks.begin(), marks.end(),
-                               [kind](const record::Mark& mark) { return mark.kind == kind; });
+                               [kind](const recording::Mark& mark) { return mark.kind == kind; });
         };
-        QTRY_VERIFY(marked(record::MarkKind::LinkError));
-        const record::ChannelId id = fixture.scope.find(fixture.at(1), position)->id;
+        QTRY_VERIFY(marked(recording::MarkKind::LinkError));
+        const recording::ChannelId id = fixture.scope.find(fixture.at(1), position)->id;
         const base::Duration last = fixture.scope.store().latest(id)->at;
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
-        QTRY_VERIFY(marked(record::MarkKind::LinkRestored));
+        QTRY_VERIFY(marked(recording::MarkKind::LinkRestored));
         QTRY_VERIFY(fixture.scope.store().latest(id)->at > last);
         // Within the gap nothing is known.
         QVERIFY(!fixture.scope.store().at(id, last + std::chrono::milliseconds(2)));
@@ -113,8 +114,8 @@ private Q_SLOTS:
         session::Subscription slow;
         slow.parts.push_back({fixture.at(1), {position}, {}});
         slow.period = std::chrono::milliseconds(600);
-        fixture.desk.subscribe(QStringLiteral("test"), slow);
-        const record::ChannelId id = fixture.scope.find(fixture.at(1), position)->id;
+        fixture.workbench.polling().subscribe(QStringLiteral("test"), slow);
+        const recording::ChannelId id = fixture.scope.find(fixture.at(1), position)->id;
         const auto& store = fixture.scope.store();
         for (int i = 0; i < 4; ++i) {
             const base::Duration now = store.latest(id)->at;
@@ -128,18 +129,20 @@ private Q_SLOTS:
     {
         LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.reads({position}));
-        record::TriggerSpec spec;
-        spec.kind = record::TriggerSpec::Kind::Mark;
-        spec.mark = record::MarkKind::Write;
+        recording::TriggerSpec spec;
+        spec.kind = recording::TriggerSpec::Kind::Mark;
+        spec.mark = recording::MarkKind::Write;
         spec.pre = std::chrono::milliseconds(50);
         spec.post = std::chrono::milliseconds(50);
         fixture.scope.armTrigger(spec);
-        fixture.desk.write(fixture.at(1), {{{QStringLiteral("position_p"), 40}}, true, false});
-        QTRY_COMPARE(fixture.scope.trigger().state(), record::Trigger::State::Complete);
+        fixture.workbench.writes().write(fixture.at(1),
+                                         {{{QStringLiteral("position_p"), 40}}, true, {}});
+        QTRY_COMPARE(fixture.scope.trigger().state(), recording::Trigger::State::Complete);
         const auto& marks = fixture.scope.marks();
-        const auto write = std::find_if(marks.begin(), marks.end(), [](const record::Mark& mark) {
-            return mark.kind == record::MarkKind::Write;
-        });
+        const auto write =
+            std::find_if(marks.begin(), marks.end(), [](const recording::Mark& mark) {
+                return mark.kind == recording::MarkKind::Write;
+            });
         QVERIFY(write != marks.end());
         QVERIFY(write->text.contains(QLatin1String("position_p")));
         QCOMPARE(fixture.scope.trigger().window()->from, write->at - spec.pre);
@@ -163,8 +166,9 @@ private Q_SLOTS:
         QVERIFY(fixture.scope.startRecording({.path = path}));
         QVERIFY(!fixture.scope.startRecording({.path = path})); // one at a time
         QTRY_VERIFY(fixture.scope.recordingStatus().rows > 60);
-        fixture.desk.write(fixture.at(1), {{{QStringLiteral("position_p"), 41}}, true, false});
-        QTRY_VERIFY(!fixture.desk.isBusy());
+        fixture.workbench.writes().write(fixture.at(1),
+                                         {{{QStringLiteral("position_p"), 41}}, true, {}});
+        QTRY_VERIFY(!fixture.workbench.tasks().isBusy());
         fixture.scope.stopRecording();
         QTRY_COMPARE(ended.size(), 1);
         QVERIFY(!fixture.scope.recordingStatus().error);
@@ -182,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(back->content.head.simulated);
         QCOMPARE(back->content.marks.size(), std::size_t(1));
         for (std::size_t i = 0; i < back->content.ids.size(); ++i) {
-            const record::RecordingChannel& column = back->content.head.channels[i];
+            const recording::RecordingChannel& column = back->content.head.channels[i];
             const auto& source = *fixture.scope.find(column.servo, column.key);
             const auto got =
                 back->store.points(back->content.ids[i], *back->store.span(back->content.ids[i]));
@@ -192,7 +196,7 @@ private Q_SLOTS:
             // The same values in the same order, somewhere in what was read.
             const auto place =
                 std::search(all.begin(), all.end(), got.begin(), got.end(),
-                            [](const record::SamplePoint& a, const record::SamplePoint& b) {
+                            [](const recording::SamplePoint& a, const recording::SamplePoint& b) {
                                 return a.value == b.value;
                             });
             QVERIFY(place != all.end());
@@ -232,12 +236,12 @@ private Q_SLOTS:
     {
         LiveDataFixture fixture;
         QVERIFY(fixture.reads({position}));
-        fixture.desk.connectTo({.name = QStringLiteral("sim:lx")});
+        fixture.workbench.link().connectTo({.name = QStringLiteral("sim:lx")});
         QTRY_COMPARE(fixture.scope.channels().size(), std::size_t(0));
-        QTRY_COMPARE(fixture.desk.state(), LinkState::Open);
+        QTRY_COMPARE(fixture.workbench.link().state(), LinkState::Open);
         QVERIFY(!fixture.scope.store().span());
     }
 };
 
-QTEST_GUILESS_MAIN(TestLiveData)
+SERVODESK_GUILESS_TEST(TestLiveData)
 #include "tst_live_data.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of ports follows what is plugged in, and an adapter is known again wherever it appears.
 #include "session/port_watcher.h"
+#include "support/test_main.h"
 
 #include <QDir>
 #include <QFile>
@@ -266,5 +267,5 @@ void TestPortWatcher::brailleServiceIsDetected()
     QCOMPARE(transport::adaptersClaimedByBrltty(root.path()), taken);
 }
 
-QTEST_GUILESS_MAIN(TestPortWatcher)
+SERVODESK_GUILESS_TEST(TestPortWatcher)
 #include "tst_port_watcher.moc"

@@ -4,6 +4,7 @@
 #include "device/motion/motion.h"
 #include "jobs/change/change.h"
 #include "session/history/servo_journal.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 
@@ -49,7 +50,7 @@ void TestServoJournal::modeSwitchesAreIncluded()
         const auto done = device::switchMode(context.device, context.servo, text("speed"));
         return done ? base::Result<void>() : tl::unexpected(done.error());
     };
-    fixture.desk.perform(ref, std::move(task));
+    fixture.workbench.tasks().perform(ref, std::move(task));
     QVERIFY(fixture.waitUntilIdle());
     QTRY_VERIFY(keysOf(fixture.entry(ref).history).contains(text("operating_mode")));
 }
@@ -70,7 +71,7 @@ void TestServoJournal::followsTheServoToItsNewId()
             const auto done = jobs::changeId(context.device, context.servo, id);
             return done ? base::Result<void>() : tl::unexpected(done.error());
         };
-        fixture.desk.perform(ref, std::move(task));
+        fixture.workbench.tasks().perform(ref, std::move(task));
         return fixture.waitUntilIdle();
     };
     QVERIFY(change(first, 7));
@@ -94,14 +95,14 @@ void TestServoJournal::anotherSimulatedBusIsExcluded()
     QVERIFY(fixture.opened && fixture.search());
     QVERIFY(fixture.write(fixture.at(1), positionP, 40));
     QTRY_COMPARE(fixture.entry(fixture.at(1)).history.size(), std::size_t(1));
-    fixture.desk.disconnectFrom();
-    QVERIFY(QTest::qWaitFor([&] { return fixture.desk.state() == LinkState::Off; }));
+    fixture.workbench.closing().disconnectFrom();
+    QVERIFY(QTest::qWaitFor([&] { return fixture.workbench.link().state() == LinkState::Off; }));
     QVERIFY(fixture.open(text("sim:sts3215@1,sts3215@9")) && fixture.search());
     const ServoRef other = fixture.at(1);
-    fixture.desk.loadHistory(other);
+    fixture.workbench.writes().loadHistory(other);
     QVERIFY(fixture.write(other, text("position_d"), 20)); // behind it
     QTRY_COMPARE(keysOf(fixture.entry(other).history), QStringList(text("position_d")));
 }
 
-QTEST_GUILESS_MAIN(TestServoJournal)
+SERVODESK_GUILESS_TEST(TestServoJournal)
 #include "tst_servo_journal.moc"

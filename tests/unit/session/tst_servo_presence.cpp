@@ -2,6 +2,7 @@
 // A servo that is exchanged on the open line, that falls silent, or that somebody else writes to:
 // the list never shows one servo for another, and no write reaches the wrong one.
 #include "session/sweep/sweep_test.h"
+#include "support/test_main.h"
 
 #include <QSignalSpy>
 
@@ -20,7 +21,7 @@ struct ReplacementServoFixture : SessionFixture {
         : SessionFixture(QStringLiteral("sim:sts3215@1,scs15@1"))
     {
         withBus([](sim::VirtualBus& bus) { bus.unplug(1); });
-        QObject::connect(&desk, &Desk::eventOccurred, &desk,
+        QObject::connect(&workbench, &Workbench::eventOccurred, &workbench,
                          [this](const Event& event) { events.push_back(event); });
     }
     void exchange()
@@ -77,11 +78,11 @@ private Q_SLOTS:
         QCOMPARE(reported.error->detail, QStringLiteral("SCS15"));
         QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
         QVERIFY(fixture.at(1) != old);
-        QVERIFY(fixture.desk.servo(old) == nullptr);
+        QVERIFY(fixture.workbench.registry().servo(old) == nullptr);
         QCOMPARE(fixture.count(Event::Kind::Replaced), 1);
         QCOMPARE(fixture.events.back().servo, fixture.at(1));
         QCOMPARE(fixture.events.back().task, QStringLiteral("STS3215"));
-        QVERIFY(fixture.desk.undoStep() == nullptr); // it was the other one's
+        QVERIFY(fixture.workbench.writes().undoStep() == nullptr); // it was the other one's
     }
 
     void noRollbackReachesAReplacedServo()
@@ -91,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(fixture.write(fixture.at(1), maxVoltage, 100));
         fixture.exchange();
         const std::int64_t before = fixture.inside(1, maxVoltage);
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.inside(1, maxVoltage), before);
         QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
@@ -109,15 +110,16 @@ private Q_SLOTS:
         ReplacementServoFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef old = fixture.at(1);
-        fixture.desk.subscribe(user, {{{old, {position}}}, {}});
+        fixture.workbench.polling().subscribe(user, {{{old, {position}}}, {}});
         QTRY_VERIFY(fixture.raw(old, position));
         fixture.withBus([](sim::VirtualBus& bus) { bus.unplug(0); });
         QTRY_VERIFY(fixture.entry(old).silent);
         QStringList shown; // while it counted as answering
-        connect(&fixture.desk, &Desk::servoChanged, &fixture.desk, [&](ServoRef ref) {
-            if (!fixture.entry(ref).silent)
-                shown << fixture.entry(ref).servo.profile->modelName;
-        });
+        connect(&fixture.workbench.registry(), &session::ServoRegistry::servoChanged,
+                &fixture.workbench, [&](ServoRef ref) {
+                    if (!fixture.entry(ref).silent)
+                        shown << fixture.entry(ref).servo.profile->modelName;
+                });
         fixture.withBus([exchanged](sim::VirtualBus& bus) { bus.plug(exchanged ? 1 : 0); });
         QTRY_VERIFY(fixture.at(1) != 0 && !fixture.entry(fixture.at(1)).silent);
         QCOMPARE(fixture.model(), exchanged ? QStringLiteral("SCS15") : QStringLiteral("STS3215"));
@@ -135,11 +137,11 @@ private Q_SLOTS:
         QStringList all;
         for (const catalog::Register& reg : fixture.entry(old).servo.profile->registers)
             all << reg.key;
-        fixture.desk.subscribe(user, {{{old, all}}, {}});
+        fixture.workbench.polling().subscribe(user, {{{old, all}}, {}});
         QTRY_VERIFY(fixture.raw(old, position));
         fixture.exchange();
         QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
-        QVERIFY(fixture.desk.servo(old) == nullptr);
+        QVERIFY(fixture.workbench.registry().servo(old) == nullptr);
     }
 
     /// It knows the servo longer than anything else that runs.
@@ -147,10 +149,10 @@ private Q_SLOTS:
     {
         ReplacementServoFixture fixture;
         QVERIFY(fixture.search());
-        session::SweepTest test(fixture.desk);
+        session::SweepTest& test = fixture.workbench.sweepTest();
         session::SweepTestRequest order;
         order.servos = {fixture.at(1)};
-        order.limits = {record::builtInSweepLimits(QStringLiteral("STS3215"), {})};
+        order.limits = {results::builtInSweepLimits(QStringLiteral("STS3215"), {})};
         order.spec.range = {QStringLiteral("1900"), QStringLiteral("2100")};
         order.spec.pause = std::chrono::milliseconds(700);
         order.spec.cycles = 500;
@@ -158,8 +160,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(test.run() && !test.run()->servos.front().legs.empty(), 20'000);
         fixture.exchange();
         QTRY_VERIFY_WITH_TIMEOUT(!test.isRunning(), 20'000);
-        QCOMPARE(record::sweepEndName(test.run()->end), QStringLiteral("exchanged"));
-        QCOMPARE(test.run()->verdict(), record::Grade::NotMeasured);
+        QCOMPARE(results::sweepEndName(test.run()->end), QStringLiteral("exchanged"));
+        QCOMPARE(test.run()->verdict(), results::Grade::NotMeasured);
         QVERIFY(test.unreleasedTorque().empty());
         QCOMPARE(fixture.inside(1, QStringLiteral("torque_switch")), 0);
         QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
@@ -172,9 +174,9 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const ServoRef old = fixture.at(1);
         fixture.exchange();
-        fixture.desk.readTable(old);
+        fixture.workbench.writes().readTable(old);
         QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
-        QVERIFY(fixture.desk.servo(old) == nullptr);
+        QVERIFY(fixture.workbench.registry().servo(old) == nullptr);
     }
 
     /// Nobody polls the second one; that a task asks it in vain is enough.
@@ -191,11 +193,11 @@ private Q_SLOTS:
             (void)device::readAll(context.device, *context.otherServos.front());
             return {}; // says nothing of it
         };
-        fixture.desk.perform(fixture.at(1), task);
+        fixture.workbench.tasks().perform(fixture.at(1), task);
         QTRY_VERIFY(fixture.entry(second).silent);
         QVERIFY(!fixture.entry(fixture.at(1)).silent);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
-        fixture.desk.readTable(second);
+        fixture.workbench.writes().readTable(second);
         QTRY_VERIFY(!fixture.entry(second).silent);
     }
 
@@ -214,11 +216,12 @@ private Q_SLOTS:
         const std::int64_t factory = fixture.inside(0, maxVoltage);
         QVERIFY(fixture.write(ref, maxVoltage, 100));
         if (redo) {
-            fixture.desk.undo();
+            fixture.workbench.writes().undo();
             QVERIFY(fixture.waitUntilIdle());
         }
         fixture.withBus([](sim::VirtualBus& bus) { bus.servo(1)->poke(maxVoltage, 120); });
-        redo ? fixture.desk.redo(true) : fixture.desk.undo();
+        redo ? fixture.workbench.writes().redo(device::Consent::confirmed())
+             : fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.inside(0, maxVoltage), 120);
         const Event& reported = fixture.events.back();
@@ -229,8 +232,8 @@ private Q_SLOTS:
                                               : QStringLiteral("120 100 %1").arg(factory));
         QCOMPARE(fixture.raw(ref, maxVoltage), Value(120));
         QCOMPARE(fixture.outcome(ref, maxVoltage), std::optional(device::WriteOutcome::NotSent));
-        QVERIFY(fixture.desk.undoStep() == nullptr);
-        QVERIFY(fixture.desk.redoStep() == nullptr);
+        QVERIFY(fixture.workbench.writes().undoStep() == nullptr);
+        QVERIFY(fixture.workbench.writes().redoStep() == nullptr);
     }
 
     /// What is as it shall be already is no conflict.
@@ -241,29 +244,29 @@ private Q_SLOTS:
         const std::int64_t factory = fixture.inside(0, maxVoltage);
         QVERIFY(fixture.write(fixture.at(1), maxVoltage, 100));
         fixture.withBus([&](sim::VirtualBus& bus) { bus.servo(1)->poke(maxVoltage, factory); });
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY2(fixture.troubles().isEmpty(), fixture.troubles());
-        QVERIFY(fixture.desk.redoStep() != nullptr);
+        QVERIFY(fixture.workbench.writes().redoStep() != nullptr);
     }
 
     void aSearchReportsMissingServos()
     {
         ReplacementServoFixture fixture;
         QVERIFY(fixture.search());
-        fixture.desk.setExpectedId(7);
+        fixture.workbench.search().setExpectedId(7);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
         QVERIFY(fixture.search());
         const auto ended =
             std::find_if(fixture.events.rbegin(), fixture.events.rend(),
                          [](const Event& event) { return event.kind == Event::Kind::SearchEnded; });
         QCOMPARE(ended->missing, (std::vector<int>{1, 7}));
-        fixture.desk.setExpectedId(std::nullopt);
+        fixture.workbench.search().setExpectedId(std::nullopt);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
         QVERIFY(fixture.search()); // those that were not in the list are not missed
         QVERIFY(fixture.events.back().missing.empty());
     }
 };
 
-QTEST_GUILESS_MAIN(TestServoPresence)
+SERVODESK_GUILESS_TEST(TestServoPresence)
 #include "tst_servo_presence.moc"

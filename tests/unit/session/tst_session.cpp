@@ -4,6 +4,7 @@
 #include "device/writer.h"
 #include "session/paths.h"
 #include "session/session.h"
+#include "support/test_main.h"
 
 #include <QDir>
 #include <QRegularExpression>
@@ -178,5 +179,5 @@ void TestSession::emergencyTakesTorqueOff()
     QCOMPARE(other->raw(QStringLiteral("torque_switch")), std::optional<std::int64_t>(0));
 }
 
-QTEST_GUILESS_MAIN(TestSession)
+SERVODESK_GUILESS_TEST(TestSession)
 #include "tst_session.moc"

@@ -2,6 +2,7 @@
 // What is remembered comes back; a file that is broken, hostile or from another version costs
 // nothing but what cannot be used.
 #include "session/settings.h"
+#include "support/test_main.h"
 
 #include <QDir>
 #include <QFile>
@@ -339,5 +340,5 @@ void TestSettings::onlyTheOwnerMayRead()
     QCOMPARE(readable(settings.brokenCopy()), QFileDevice::Permissions());
 }
 
-QTEST_GUILESS_MAIN(TestSettings)
+SERVODESK_GUILESS_TEST(TestSettings)
 #include "tst_settings.moc"

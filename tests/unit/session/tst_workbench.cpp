@@ -5,6 +5,7 @@
 #include "session/motion/motion_tasks.h"
 #include "session/paths.h"
 #include "snapshot/snapshot.h"
+#include "support/test_main.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -22,12 +23,12 @@ private Q_SLOTS:
     void aMissingPortIsReported()
     {
         session::Session session;
-        Desk desk(session);
-        QSignalSpy failed(&desk, &Desk::connectFailed);
-        desk.connectTo({.name = QStringLiteral("/dev/no-such-port")});
+        Workbench workbench(session);
+        QSignalSpy failed(&workbench.link(), &session::LinkController::connectFailed);
+        workbench.link().connectTo({.name = QStringLiteral("/dev/no-such-port")});
         QVERIFY(failed.wait());
         QCOMPARE(failed.front().front().value<base::Error>().code, base::ErrorCode::PortMissing);
-        QCOMPARE(desk.state(), LinkState::Off);
+        QCOMPARE(workbench.link().state(), LinkState::Off);
     }
 
     /// Whatever is asked while a port is still being opened, the latest wish is what happens.
@@ -35,25 +36,27 @@ private Q_SLOTS:
     {
         support::TemporaryDataFolder dataFolder;
         session::Session session;
-        Desk desk(session);
+        Workbench workbench(session);
         QStringList connected;
-        connect(&desk, &Desk::eventOccurred, &desk, [&](const session::Event& event) {
-            if (event.kind == session::Event::Kind::Connected)
-                connected << event.task;
-        });
-        desk.connectTo({.name = QStringLiteral("sim:modbus")});
-        desk.connectTo({.name = QStringLiteral("sim:lx")});
-        desk.connectTo({.name = QStringLiteral("sim:demo")});
-        QTRY_COMPARE(desk.state(), LinkState::Open);
+        connect(&workbench, &Workbench::eventOccurred, &workbench,
+                [&](const session::Event& event) {
+                    if (event.kind == session::Event::Kind::Connected)
+                        connected << event.task;
+                });
+        workbench.link().connectTo({.name = QStringLiteral("sim:modbus")});
+        workbench.link().connectTo({.name = QStringLiteral("sim:lx")});
+        workbench.link().connectTo({.name = QStringLiteral("sim:demo")});
+        QTRY_COMPARE(workbench.link().state(), LinkState::Open);
         QCOMPARE(connected, QStringList{QStringLiteral("sim:demo")});
-        desk.disconnectFrom();
-        QTRY_COMPARE(desk.state(), LinkState::Off);
-        desk.connectTo({.name = QStringLiteral("sim:lx")});
-        desk.disconnectFrom();
-        desk.disconnectFrom();
-        QCOMPARE(desk.state(), LinkState::Closing); // what is being opened is waited for
-        QTRY_COMPARE(desk.state(), LinkState::Off);
-        QVERIFY(desk.connection() == nullptr);
+        workbench.closing().disconnectFrom();
+        QTRY_COMPARE(workbench.link().state(), LinkState::Off);
+        workbench.link().connectTo({.name = QStringLiteral("sim:lx")});
+        workbench.closing().disconnectFrom();
+        workbench.closing().disconnectFrom();
+        QCOMPARE(workbench.link().state(),
+                 LinkState::Closing); // what is being opened is waited for
+        QTRY_COMPARE(workbench.link().state(), LinkState::Off);
+        QVERIFY(workbench.link().connection() == nullptr);
         QCOMPARE(connected.size(), 1);
     }
 
@@ -61,13 +64,13 @@ private Q_SLOTS:
     {
         SessionFixture fixture;
         QVERIFY(fixture.opened);
-        QSignalSpy closed(&fixture.desk, &Desk::closed);
-        fixture.desk.closeForExit();
+        QSignalSpy closed(&fixture.workbench.closing(), &session::CloseSequence::closed);
+        fixture.workbench.closing().closeForExit();
         QCOMPARE(closed.size(), 0);
         QTRY_COMPARE(closed.size(), 1);
         QCoreApplication::processEvents();
         QCOMPARE(closed.size(), 1);
-        QCOMPARE(fixture.desk.state(), LinkState::Off);
+        QCOMPARE(fixture.workbench.link().state(), LinkState::Off);
     }
 
     void servosAppearWhileTheSearchRuns()
@@ -75,12 +78,14 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.opened);
         bool foundDuring = false;
-        connect(&fixture.desk, &Desk::servoAdded, this,
-                [&](ServoRef) { foundDuring = foundDuring || fixture.desk.isSearching(); });
+        connect(&fixture.workbench.registry(), &session::ServoRegistry::servoAdded, this,
+                [&](ServoRef) {
+                    foundDuring = foundDuring || fixture.workbench.search().isSearching();
+                });
         QVERIFY(fixture.search());
         QVERIFY(foundDuring);
-        QCOMPARE(fixture.desk.servos().size(), std::size_t(6));
-        QVERIFY(fixture.desk.lastSearch());
+        QCOMPARE(fixture.workbench.registry().order().size(), std::size_t(6));
+        QVERIFY(fixture.workbench.search().lastReport());
         QCOMPARE(fixture.entry(fixture.at(1)).servo.profile->modelName, QStringLiteral("STS3215"));
     }
 
@@ -90,11 +95,11 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const ServoRef second = fixture.at(2);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {2}; });
-        QSignalSpy removed(&fixture.desk, &Desk::servoRemoved);
+        QSignalSpy removed(&fixture.workbench.registry(), &session::ServoRegistry::servoRemoved);
         QVERIFY(fixture.search());
         QCOMPARE(removed.size(), 1);
         QCOMPARE(removed.front().front().value<ServoRef>(), second);
-        QVERIFY(fixture.desk.servo(second) == nullptr);
+        QVERIFY(fixture.workbench.registry().servo(second) == nullptr);
         QVERIFY(fixture.at(1) != 0);
     }
 
@@ -103,14 +108,14 @@ private Q_SLOTS:
         SessionFixture fixture;
         jobs::ScanSpec all;
         all.bauds = {1'000'000, 500'000, 115'200, 57'600, 38'400};
-        fixture.desk.search(all);
-        QVERIFY(fixture.desk.isSearching());
-        QSignalSpy progress(&fixture.desk, &Desk::searchProgress);
+        fixture.workbench.search().start(all);
+        QVERIFY(fixture.workbench.search().isSearching());
+        QSignalSpy progress(&fixture.workbench.search(), &session::SearchService::searchProgress);
         QVERIFY(progress.wait());
-        fixture.desk.stopSearch();
-        QTRY_VERIFY(!fixture.desk.isSearching());
-        QVERIFY(fixture.desk.lastSearch()->stopped);
-        QCOMPARE(fixture.desk.baud(), 1'000'000);
+        fixture.workbench.search().stop();
+        QTRY_VERIFY(!fixture.workbench.search().isSearching());
+        QVERIFY(fixture.workbench.search().lastReport()->stopped);
+        QCOMPARE(fixture.workbench.link().baud(), 1'000'000);
     }
 
     /// What is read beside it waits while a search is at other rates, and goes to its own rate.
@@ -119,12 +124,12 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        fixture.desk.search({.firstId = 0, .lastId = 100, .bauds = {500'000}});
-        fixture.desk.readTable(ref);
-        QVERIFY(fixture.desk.isSearching());
+        fixture.workbench.search().start({.firstId = 0, .lastId = 100, .bauds = {500'000}});
+        fixture.workbench.writes().readTable(ref);
+        QVERIFY(fixture.workbench.search().isSearching());
         QVERIFY(fixture.entry(ref).isReadingTable);
-        QTRY_VERIFY(!fixture.desk.isSearching());
-        for (const ServoRef other : fixture.desk.servos())
+        QTRY_VERIFY(!fixture.workbench.search().isSearching());
+        for (const ServoRef other : fixture.workbench.registry().order())
             QCOMPARE(fixture.entry(other).servo.baud, 1'000'000);
         QVERIFY(!fixture.entry(ref).hasFullTable); // it has waited
         QVERIFY(fixture.waitUntilIdle());
@@ -137,17 +142,17 @@ private Q_SLOTS:
     {
         SessionFixture fixture(QStringLiteral("sim:lx"));
         QVERIFY(fixture.search({.firstId = 0, .lastId = 10, .bauds = {}}));
-        QVERIFY(!fixture.desk.servos().empty());
-        const ServoRef ref = fixture.desk.servos().front();
-        const ServoRef other = fixture.desk.servos().back();
+        QVERIFY(!fixture.workbench.registry().order().empty());
+        const ServoRef ref = fixture.workbench.registry().order().front();
+        const ServoRef other = fixture.workbench.registry().order().back();
         QVERIFY(ref != other);
-        fixture.desk.readTable(ref);
-        fixture.desk.search({});
-        fixture.desk.readTable(other);
+        fixture.workbench.writes().readTable(ref);
+        fixture.workbench.search().start({});
+        fixture.workbench.writes().readTable(other);
         QTRY_VERIFY(fixture.entry(other).hasFullTable);
-        QVERIFY(fixture.desk.isSearching());
-        fixture.desk.stopSearch();
-        QTRY_VERIFY(!fixture.desk.isSearching());
+        QVERIFY(fixture.workbench.search().isSearching());
+        fixture.workbench.search().stop();
+        QTRY_VERIFY(!fixture.workbench.search().isSearching());
     }
 
     /// Nothing tells a servo from another one put in its place with the same ID.
@@ -157,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
         QVERIFY(fixture.write(ref, positionP, 40));
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY(fixture.entry(ref).hasFullTable);
         const auto profile = fixture.entry(ref).servo.profile;
@@ -177,18 +182,19 @@ private Q_SLOTS:
         const ServoRef second = fixture.at(2);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {2}; });
         bool busy = true;
-        connect(&fixture.desk, &Desk::taskChanged, &fixture.desk,
-                [&] { busy = fixture.desk.isBusy(); });
+        connect(&fixture.workbench.tasks(), &session::TaskQueue::taskChanged, &fixture.workbench,
+                [&] { busy = fixture.workbench.tasks().isBusy(); });
         std::optional<session::TaskCompletion> end;
         session::Task task;
         task.name = QStringLiteral("nothing");
-        task.guard = &fixture.desk;
+        task.guard = &fixture.workbench;
         task.work = [](session::TaskContext&) -> base::Result<void> { return {}; };
         task.done = [&](const session::TaskCompletion& how) { end = how; };
-        fixture.desk.search({.firstId = 0, .lastId = 10, .bauds = {500'000, 1'000'000}});
-        fixture.desk.perform(second, task);
+        fixture.workbench.search().start(
+            {.firstId = 0, .lastId = 10, .bauds = {500'000, 1'000'000}});
+        fixture.workbench.tasks().perform(second, task);
         QTRY_VERIFY(end);
-        QVERIFY(fixture.desk.servo(second) == nullptr);
+        QVERIFY(fixture.workbench.registry().servo(second) == nullptr);
         QCOMPARE(end->error->code, base::ErrorCode::NoReply);
         QVERIFY(!busy);
     }
@@ -197,15 +203,15 @@ private Q_SLOTS:
     void aServoCanBeReadDuringTheSearch()
     {
         SessionFixture fixture(QStringLiteral("sim:lx"));
-        fixture.desk.search({});
-        QTRY_VERIFY(!fixture.desk.servos().empty());
-        QVERIFY(fixture.desk.isSearching());
-        const ServoRef ref = fixture.desk.servos().front();
-        fixture.desk.readTable(ref);
+        fixture.workbench.search().start({});
+        QTRY_VERIFY(!fixture.workbench.registry().order().empty());
+        QVERIFY(fixture.workbench.search().isSearching());
+        const ServoRef ref = fixture.workbench.registry().order().front();
+        fixture.workbench.writes().readTable(ref);
         QTRY_VERIFY(fixture.entry(ref).hasFullTable);
-        QVERIFY(fixture.desk.isSearching());
-        fixture.desk.stopSearch();
-        QTRY_VERIFY(!fixture.desk.isSearching());
+        QVERIFY(fixture.workbench.search().isSearching());
+        fixture.workbench.search().stop();
+        QTRY_VERIFY(!fixture.workbench.search().isSearching());
     }
 
     void readingATableWritesNothing()
@@ -213,7 +219,7 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.entry(ref).isReadingTable);
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY(fixture.entry(ref).hasFullTable);
@@ -227,12 +233,12 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         const catalog::Register& reg = *fixture.entry(ref).servo.profile->find(positionP);
         QVERIFY(fixture.entry(ref).displayedRaw(reg));
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY(!fixture.entry(ref).displayedRaw(reg));
         QVERIFY(fixture.entry(ref).silent);
@@ -249,8 +255,8 @@ private Q_SLOTS:
         QVERIFY(fixture.write(ref, minAngle, 100, true));
         QCOMPARE(fixture.outcome(ref, minAngle), std::optional(device::WriteOutcome::Temporary));
         QCOMPARE(fixture.raw(ref, minAngle), std::optional<std::int64_t>(100));
-        fixture.desk.powerCycle();
-        fixture.desk.readTable(ref);
+        fixture.workbench.link().powerCycle();
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, positionP), std::optional<std::int64_t>(40));
         QCOMPARE(fixture.raw(ref, minAngle), std::optional<std::int64_t>(0));
@@ -264,11 +270,11 @@ private Q_SLOTS:
         QVERIFY(fixture.write(ref, positionP, 40));
         const QString path = fixture.entry(ref).snapshotPath;
         QVERIFY(QFile::exists(path));
-        const auto saved = record::loadSnapshot(path);
+        const auto saved = snapshot::loadSnapshot(path);
         QVERIFY(saved);
-        const auto row =
-            std::find_if(saved->registers.begin(), saved->registers.end(),
-                         [](const record::SnapshotRegister& one) { return one.key == positionP; });
+        const auto row = std::find_if(
+            saved->registers.begin(), saved->registers.end(),
+            [](const snapshot::SnapshotRegister& one) { return one.key == positionP; });
         QCOMPARE(row->raw, std::optional<std::int64_t>(32));
         QVERIFY(fixture.write(ref, positionP, 41));
         QCOMPARE(fixture.entry(ref).snapshotPath, path);
@@ -280,9 +286,9 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        QSignalSpy happened(&fixture.desk, &Desk::eventOccurred);
-        fixture.desk.write(ref, {{{positionP, 40}}, false, false});
-        fixture.desk.write(ref, {{{positionP, 50}}, false, false});
+        QSignalSpy happened(&fixture.workbench, &Workbench::eventOccurred);
+        fixture.workbench.writes().write(ref, {{{positionP, 40}}, false, {}});
+        fixture.workbench.writes().write(ref, {{{positionP, 50}}, false, {}});
         QCOMPARE(fixture.entry(ref).writes.at(positionP).pending, 2);
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.entry(ref).writes.at(positionP).pending, 0);
@@ -295,18 +301,18 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        QVERIFY(fixture.desk.undoStep() == nullptr);
+        QVERIFY(fixture.workbench.writes().undoStep() == nullptr);
         QVERIFY(fixture.write(ref, positionP, 40));
-        QVERIFY(fixture.desk.undoStep() != nullptr);
-        fixture.desk.undo();
+        QVERIFY(fixture.workbench.writes().undoStep() != nullptr);
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, positionP), std::optional<std::int64_t>(32));
         QCOMPARE(fixture.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
-        QVERIFY(fixture.desk.undoStep() == nullptr);
-        fixture.desk.redo();
+        QVERIFY(fixture.workbench.writes().undoStep() == nullptr);
+        fixture.workbench.writes().redo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, positionP), std::optional<std::int64_t>(40));
-        QVERIFY(fixture.desk.redoStep() == nullptr);
+        QVERIFY(fixture.workbench.writes().redoStep() == nullptr);
     }
 
     /// An undone write to a dangerous register is not done again without consent.
@@ -316,26 +322,26 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
         const QString condition = QStringLiteral("unload_condition");
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         const auto before = fixture.raw(ref, condition);
         QVERIFY(before);
         std::vector<session::Event> written;
-        connect(&fixture.desk, &Desk::eventOccurred, &fixture.desk,
+        connect(&fixture.workbench, &Workbench::eventOccurred, &fixture.workbench,
                 [&](const session::Event& event) {
                     if (event.kind == session::Event::Kind::Written)
                         written.push_back(event);
                 });
         QVERIFY(fixture.write(ref, condition, *before ^ 1));
         QCOMPARE(fixture.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, condition), before);
-        fixture.desk.redo();
+        fixture.workbench.writes().redo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, condition), before);
-        QVERIFY(fixture.desk.redoStep() != nullptr);
-        fixture.desk.redo(true);
+        QVERIFY(fixture.workbench.writes().redoStep() != nullptr);
+        fixture.workbench.writes().redo(device::Consent::confirmed());
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
         QCOMPARE(written.size(), std::size_t(4));
@@ -366,9 +372,9 @@ private Q_SLOTS:
         task.work = [](session::TaskContext& context) {
             return session::switchModeAll(context, {QStringLiteral("speed"), {std::nullopt}});
         };
-        task.guard = &fixture.desk;
+        task.guard = &fixture.workbench;
         task.done = [&](const session::TaskCompletion& end) { done = !end.error; };
-        fixture.desk.perform(ref, std::move(task));
+        fixture.workbench.tasks().perform(ref, std::move(task));
         QTRY_VERIFY(done);
         QTRY_VERIFY2(writes(ref).contains(QStringLiteral("operating_mode")),
                      qPrintable(writes(ref).join(QLatin1Char(' '))));
@@ -380,8 +386,8 @@ private Q_SLOTS:
         QVERIFY(fixture.write(ref, QStringLiteral("id"), 1));
         QTRY_COMPARE(writes(ref).size(), before.size() + 3);
 
-        fixture.desk.disconnectFrom();
-        QTRY_COMPARE(fixture.desk.state(), LinkState::Off);
+        fixture.workbench.closing().disconnectFrom();
+        QTRY_COMPARE(fixture.workbench.link().state(), LinkState::Off);
         QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
         QVERIFY(fixture.search());
         const ServoRef other = fixture.at(1);
@@ -395,7 +401,7 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         QVERIFY(fixture.write(fixture.at(1), positionP, 40));
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         const auto entries = fixture.session.journal().entries().value();
         QCOMPARE(entries.size(), std::size_t(2));
@@ -418,7 +424,7 @@ private Q_SLOTS:
         QVERIFY(fixture.write(ref, positionP, 40)); // saved before this one, which is done
         QCOMPARE(files(), qsizetype(1));
         QVERIFY(!fixture.entry(ref).snapshotPath.isEmpty());
-        const auto history = record::History::open(session::historyFile()).value();
+        const auto history = history::History::open(session::historyFile()).value();
         QCOMPARE(history->log().snapshots().value().size(), std::size_t(1));
     }
 
@@ -429,13 +435,13 @@ private Q_SLOTS:
         const ServoRef ref = fixture.at(1);
         QVERIFY(fixture.write(ref, minAngle, 100));
         QVERIFY(fixture.write(ref, positionP, 40, true));
-        fixture.desk.powerCycle(); // takes the temporary value back by itself
-        fixture.desk.readTable(ref);
+        fixture.workbench.link().powerCycle(); // takes the temporary value back by itself
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, positionP), std::optional<std::int64_t>(32));
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, minAngle), std::optional<std::int64_t>(0));
     }
@@ -447,11 +453,11 @@ private Q_SLOTS:
         const ServoRef ref = fixture.at(1);
         QVERIFY(fixture.write(ref, positionP, 40));
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
-        fixture.desk.undo();
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
-        QVERIFY(fixture.desk.undoStep() != nullptr);
-        fixture.desk.undo();
+        QVERIFY(fixture.workbench.writes().undoStep() != nullptr);
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, positionP), std::optional<std::int64_t>(32));
     }
@@ -465,8 +471,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.entry(ref).servo.id, 77);
         QCOMPARE(fixture.outcome(ref, QStringLiteral("id")),
                  std::optional(device::WriteOutcome::Kept));
-        QCOMPARE(fixture.desk.servos().back(), ref);
-        fixture.desk.undo();
+        QCOMPARE(fixture.workbench.registry().order().back(), ref);
+        fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.entry(ref).servo.id, 1);
     }
@@ -494,10 +500,10 @@ private Q_SLOTS:
                          [](const auto& value) { return value.key == QLatin1String("115200"); });
         QVERIFY(fixture.write(ref, rate.key, slow->value));
         QCOMPARE(fixture.entry(ref).servo.baud, 115'200);
-        fixture.desk.readTable(fixture.at(2));
+        fixture.workbench.writes().readTable(fixture.at(2));
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY(!fixture.entry(fixture.at(2)).readError);
-        fixture.desk.readTable(ref);
+        fixture.workbench.writes().readTable(ref);
         QVERIFY(fixture.waitUntilIdle());
         QVERIFY(!fixture.entry(ref).readError);
     }
@@ -508,17 +514,17 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
         const QString position = QStringLiteral("present_position");
-        fixture.desk.subscribe(user, {{{ref, {position}}}, {}});
+        fixture.workbench.polling().subscribe(user, {{{ref, {position}}}, {}});
         const catalog::Register& reg = *fixture.entry(ref).servo.profile->find(position);
         QTRY_VERIFY(fixture.entry(ref).servo.image.readAt(reg.offset).has_value());
         const auto first = *fixture.entry(ref).servo.image.readAt(reg.offset);
         QTRY_VERIFY(*fixture.entry(ref).servo.image.readAt(reg.offset) > first);
         QVERIFY(fixture.write(ref, QStringLiteral("id"), 70));
-        const auto moved = fixture.desk.now();
+        const auto moved = fixture.workbench.now();
         QTRY_VERIFY(*fixture.entry(ref).servo.image.readAt(reg.offset) > moved);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {70}; });
         QTRY_VERIFY(!fixture.entry(ref).displayedRaw(reg));
-        fixture.desk.subscribe(user, {});
+        fixture.workbench.polling().subscribe(user, {});
     }
 
     /// The stored move of an LX-16A never answers; the rest of the table does.
@@ -531,7 +537,7 @@ private Q_SLOTS:
         QStringList all;
         for (const catalog::Register& reg : fixture.entry(ref).servo.profile->registers)
             all << reg.key;
-        fixture.desk.subscribe(user, {{{ref, all}}, {}});
+        fixture.workbench.polling().subscribe(user, {{{ref, all}}, {}});
         const QString silent = QStringLiteral("wait_angle");
         QTRY_VERIFY(fixture.entry(ref).unreadable.count(silent) > 0);
         const auto& profile = *fixture.entry(ref).servo.profile;
@@ -545,10 +551,10 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        fixture.desk.write(ref, {{{positionP, 40}}, false, false});
-        fixture.desk.write(ref, {{{positionP, 41}}, false, false});
+        fixture.workbench.writes().write(ref, {{{positionP, 40}}, false, {}});
+        fixture.workbench.writes().write(ref, {{{positionP, 41}}, false, {}});
         fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
-        QTRY_COMPARE(fixture.desk.state(), LinkState::Lost);
+        QTRY_COMPARE(fixture.workbench.link().state(), LinkState::Lost);
         QTRY_VERIFY(!fixture.entry(ref).writing());
         QCOMPARE(fixture.outcome(ref, positionP), std::optional(device::WriteOutcome::NotSent));
         QVERIFY(fixture.open(QStringLiteral("sim:demo"))); // and on it goes
@@ -565,7 +571,7 @@ private Q_SLOTS:
             const ServoRef ref = fixture.at(1);
             QVERIFY(fixture.write(ref, positionP, 33)); // and the table is saved
             fixture.withBus([&](sim::VirtualBus& bus) { bus.cutAfterHostBytes(bytes); });
-            fixture.desk.write(ref, {{{positionP, 40}}, false, false});
+            fixture.workbench.writes().write(ref, {{{positionP, 40}}, false, {}});
             QTRY_VERIFY(!fixture.entry(ref).writing());
             const auto outcome = fixture.outcome(ref, positionP);
             QVERIFY(outcome);
@@ -579,12 +585,12 @@ private Q_SLOTS:
         SessionFixture fixture;
         QVERIFY(fixture.search());
         const ServoRef ref = fixture.at(1);
-        QSignalSpy closed(&fixture.desk, &Desk::closed);
-        fixture.desk.write(ref, {{{positionP, 40}}, false, false});
-        fixture.desk.write(ref, {{{minAngle, 50}}, false, false});
-        fixture.desk.closeForExit();
+        QSignalSpy closed(&fixture.workbench.closing(), &session::CloseSequence::closed);
+        fixture.workbench.writes().write(ref, {{{positionP, 40}}, false, {}});
+        fixture.workbench.writes().write(ref, {{{minAngle, 50}}, false, {}});
+        fixture.workbench.closing().closeForExit();
         QVERIFY(closed.wait());
-        QCOMPARE(fixture.desk.state(), LinkState::Off);
+        QCOMPARE(fixture.workbench.link().state(), LinkState::Off);
         QVERIFY(fixture.session.journal().open()->empty());
         QCOMPARE(fixture.troubles(), QByteArray());
         QCOMPARE(fixture.outcome(ref, positionP), std::optional(device::WriteOutcome::Kept));
@@ -601,7 +607,7 @@ private Q_SLOTS:
         std::optional<session::TaskCompletion> end;
         session::Task task;
         task.name = QStringLiteral("between");
-        task.guard = &fixture.desk;
+        task.guard = &fixture.workbench;
         task.work = [&](session::TaskContext& context) -> base::Result<void> {
             begun = true;
             while (!context.stop.isRequested())
@@ -609,9 +615,9 @@ private Q_SLOTS:
             return base::fail(base::ErrorCode::Stopped);
         };
         task.done = [&](const session::TaskCompletion& how) { end = how; };
-        fixture.desk.perform(ref, task);
+        fixture.workbench.tasks().perform(ref, task);
         QTRY_VERIFY(begun);
-        fixture.desk.emergencyStop();
+        fixture.workbench.emergencyStop().trigger();
         QTRY_VERIFY(end);
         QCOMPARE(end->error->code, base::ErrorCode::Stopped);
     }
@@ -624,16 +630,16 @@ private Q_SLOTS:
         QVERIFY(fixture.write(ref, QStringLiteral("torque_switch"), 1));
         QCOMPARE(fixture.troubles(), QByteArray());
         QCOMPARE(fixture.raw(ref, QStringLiteral("torque_switch")), std::optional<std::int64_t>(1));
-        QVERIFY(fixture.desk.undoStep() == nullptr); // undoing must not turn a shaft
-        fixture.desk.emergencyStop();
+        QVERIFY(fixture.workbench.writes().undoStep() == nullptr); // undoing must not turn a shaft
+        fixture.workbench.emergencyStop().trigger();
         QTRY_VERIFY([&] {
-            fixture.desk.readTable(ref);
+            fixture.workbench.writes().readTable(ref);
             return fixture.waitUntilIdle() &&
                    fixture.raw(ref, QStringLiteral("torque_switch")) == 0;
         }());
     }
 };
 
-QTEST_GUILESS_MAIN(TestWorkbench)
+SERVODESK_GUILESS_TEST(TestWorkbench)
 
 #include "tst_workbench.moc"

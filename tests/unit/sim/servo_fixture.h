@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One simulated servo on a table, for the tests of this layer: made by model name, spoken to with
-// the instructions of the protocol notes, watched through its own registers. Test thread only.
+// One simulated servo on a table, for the tests of this layer: made by model name, given the
+// instructions of the protocol notes, observed through its own registers. Test thread only.
 #pragma once
 
 #include "catalog/catalog.h"
@@ -96,7 +96,7 @@ public:
     {
         return std::uint8_t(profile().byRole(catalog::Role::Lock)->address);
     }
-    /// An EPROM write as it should be done: unlock, write, wait until it hears again, lock.
+    /// A correct EPROM write: unlock, write, lock.
     void keep(const char* name, int value)
     {
         set("lock", 0);
@@ -124,7 +124,8 @@ public:
             look();
         }
     }
-    /// Steps of the sensor the shaft has truly turned, independent of what the servo says.
+    /// The true position of the shaft in steps of the sensor, independent of what the servo
+    /// reports.
     double shaftSteps() const { return shaftDegrees() / 360.0 * 4096.0; }
 };
 } // namespace fixture

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens to requests that reach a servo while it writes its EPROM: they wait in its receive
 // buffer, as the programs of the field rely on.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QtTest>
 
@@ -73,7 +75,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.at(1, 23), 42);
     }
 
-    // Nothing asks the bus to look: whoever waits for the next bytes is told when to.
+    // Nothing polls the bus: it reports when the next bytes come.
     void waitingForBytesFindsEveryReply()
     {
         Fixture fixture("sts3215@1");
@@ -134,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(Bytes(received.end() - 7, received.end()), wire::frame(1, 0, {40}));
     }
 
-    // 256 bytes: 32 requests of 8 bytes, whoever they are for; then one that has no room.
+    // 256 bytes: 32 requests of 8 bytes, for any servo; then one without room.
     void theBufferIsBounded_data()
     {
         QTest::addColumn<int>("id");
@@ -229,5 +231,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusyServo)
+SERVODESK_GUILESS_TEST(TestBusyServo)
 #include "tst_busy_servo.moc"

@@ -4,6 +4,7 @@
 // healthy one.
 #include "sim/host/presets.h"
 #include "support/servo_plant.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -100,7 +101,7 @@ void addRows(const std::vector<int>& smallMoves)
     }
 }
 
-/// A path through moves of every kind, as the registers tell it.
+/// A path through moves of every kind, as the registers show it.
 std::vector<std::int64_t> positionTrace(Servo& servo)
 {
     std::vector<std::int64_t> seen;
@@ -526,5 +527,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDefects)
+SERVODESK_GUILESS_TEST(TestDefects)
 #include "tst_defects.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What HLS servos do differently from STS: 44 is a current, 46 = 0 stops, calibration is 0x0B,
 // there is no overload protection, gains act from RAM, and mode 4 knows one turn only.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -297,5 +299,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHlsServo)
+SERVODESK_GUILESS_TEST(TestHlsServo)
 #include "tst_hls_servo.moc"

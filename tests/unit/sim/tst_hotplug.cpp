@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Servos that are plugged in and out: who is off the wire has no power and says nothing, what it
+// Servos that are plugged in and out: an unplugged servo has no power and is silent, what it
 // keeps it keeps, and a bag gives one servo after the other.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -96,5 +98,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHotplug)
+SERVODESK_GUILESS_TEST(TestHotplug)
 #include "tst_hotplug.moc"

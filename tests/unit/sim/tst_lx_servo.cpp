@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LX servos spoken to with the commands of the sheet: what each keeps, what is ignored, how moves,
+// LX servos driven with the commands of the sheet: what each keeps, what is ignored, how moves,
 // motor mode and offset turn the shaft, and what heat and voltage do. Parameters are written out as
 // bytes, low byte first.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -527,5 +529,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLxServo)
+SERVODESK_GUILESS_TEST(TestLxServo)
 #include "tst_lx_servo.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motor, play, shaft and load as physics knows them, and the servo's own sense of time.
 #include "sim/servo/mechanics.h"
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -293,7 +294,7 @@ void TestMechanics::aSleepingServoWakes()
     const double start = servo.shaftDegrees();
     servo.run(5000);
     QCOMPARE(servo.shaftDegrees(), start);
-    servo.load().springRate = 5.0; // somebody pulls
+    servo.load().springRate = 5.0; // a pull by hand
     servo.load().springCenter = pi + 0.5;
     servo.run(2000);
     const double pulled = servo.shaftDegrees();
@@ -306,5 +307,5 @@ void TestMechanics::aSleepingServoWakes()
     QVERIFY(std::abs(servo.at("present_position") - 2048) <= 8);
 }
 
-QTEST_GUILESS_MAIN(TestMechanics)
+SERVODESK_GUILESS_TEST(TestMechanics)
 #include "tst_mechanics.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The SMSMB servo spoken to with Modbus functions: what it refuses, what it keeps under which lock,
+// The SMSMB servo driven with Modbus functions: what it refuses, what it keeps under which lock,
 // what its start values, modes and fault reset do. Register numbers are the sheet's.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -560,5 +562,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestModbusServo)
+SERVODESK_GUILESS_TEST(TestModbusServo)
 #include "tst_modbus_servo.moc"

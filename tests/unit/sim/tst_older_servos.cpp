@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SMCL and SCS-2: the lock at 48, registers at addresses of their own, what they lack, and byte
 // order. Addresses are written out from the sheets.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -227,5 +229,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOlderServos)
+SERVODESK_GUILESS_TEST(TestOlderServos)
 #include "tst_older_servos.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ready-made buses keep what their names promise, seen over the wire; the list syntax says what
 // it does not understand.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -293,5 +295,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPresets)
+SERVODESK_GUILESS_TEST(TestPresets)
 #include "tst_presets.moc"

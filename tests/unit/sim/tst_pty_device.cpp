@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulator's terminal when clients come and go between two of its looks: whose bytes reach
-// whom.
+// The simulator's terminal when clients connect and leave between two of its reads: which bytes
+// reach which client.
 #include "integration/raw_client.h"
 #include "sim/host/pty_device.h"
+#include "support/test_main.h"
 
 #include <QTest>
 
@@ -72,5 +73,5 @@ private:
     std::optional<raw::Client> m_client;
 };
 
-QTEST_GUILESS_MAIN(TestPtyDevice)
+SERVODESK_GUILESS_TEST(TestPtyDevice)
 #include "tst_pty_device.moc"

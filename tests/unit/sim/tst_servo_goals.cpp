@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a goal means: limits, resolution, offset, direction, speed, time, and what tells of the
+// What a goal means: limits, resolution, offset, direction, speed, time, and the flags of the
 // move.
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -337,5 +338,5 @@ void TestServoGoals::torqueOnWithoutAGoal()
     }
 }
 
-QTEST_GUILESS_MAIN(TestServoGoals)
+SERVODESK_GUILESS_TEST(TestServoGoals)
 #include "tst_servo_goals.moc"

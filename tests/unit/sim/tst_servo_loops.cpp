@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The control loops do what the tutorial's fault table says of their gains. Trends between settings
-// over a simulated move, measured at the true shaft; no magic numbers.
+// The control loops behave as the tutorial's fault table states for their gains. Trends between
+// settings over a simulated move, measured at the true shaft; no magic numbers.
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -414,5 +415,5 @@ void TestServoLoops::heavierLoadsTakeLonger()
     QVERIFY2(isDecreasing(times, 0.95), text(times));
 }
 
-QTEST_GUILESS_MAIN(TestServoLoops)
+SERVODESK_GUILESS_TEST(TestServoLoops)
 #include "tst_servo_loops.moc"

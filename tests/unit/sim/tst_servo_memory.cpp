@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a servo keeps, what it forgets, and what its table says.
+// Which values a servo keeps and loses, and the content of its table.
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -422,5 +423,5 @@ void TestServoMemory::restoreBehindAClosedLockDoesNothing()
     QCOMPARE(servo.at("position_p"), 32); // the closed lock had kept 0x09 away as well
 }
 
-QTEST_GUILESS_MAIN(TestServoMemory)
+SERVODESK_GUILESS_TEST(TestServoMemory)
 #include "tst_servo_memory.moc"

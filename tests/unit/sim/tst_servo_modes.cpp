@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Operating modes, directions, torque switch, and what a goal means. Directions as the vendor's
 // tutorial shows them: clockwise is towards larger positions.
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -59,7 +60,7 @@ void TestServoModes::directions_data()
     QTest::addColumn<int>("value");
     QTest::addColumn<int>("shaft"); // +1 clockwise
     QTest::addColumn<int>("speedSign");
-    QTest::addColumn<int>("loadSign"); // 0: the tutorial does not say
+    QTest::addColumn<int>("loadSign"); // 0: not stated in the tutorial
     const QString sts = QStringLiteral("STS3215");
     const QString sms = QStringLiteral("SM40BLHV");
     const QString scs = QStringLiteral("SCS15");
@@ -337,5 +338,5 @@ void TestServoModes::torqueOffReleasesTheShaft()
     QVERIFY(std::abs(servo.shaftDegrees() - 180) < 15); // hangs
 }
 
-QTEST_GUILESS_MAIN(TestServoModes)
+SERVODESK_GUILESS_TEST(TestServoModes)
 #include "tst_servo_modes.moc"

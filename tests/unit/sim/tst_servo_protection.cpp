@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The protections: thresholds, times, what happens, what releases them, what 19 and 20 choose.
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -168,7 +169,7 @@ void TestServoProtection::overloadNeedsItsBit()
     stall(servo);
     servo.run(4000);
     QVERIFY(std::abs(servo.at("present_load")) > 900); // nothing is weakened
-    QCOMPARE(servo.at("servo_status"), overload);      // but it is told
+    QCOMPARE(servo.at("servo_status"), overload);      // but it is reported
     servo.set("torque_limit", 500);
     servo.run(10);
     QCOMPARE(servo.at("servo_status"), 0);
@@ -327,7 +328,7 @@ void TestServoProtection::temperatureUnloadsAndRecovers()
     QCOMPARE(servo.at("present_temperature"), 75);
     QCOMPARE(servo.at("servo_status"), 4);
     QCOMPARE(servo.at("present_load"), 0);
-    // It cools by itself; nobody has to write anything.
+    // It cools down by itself, without any write.
     int seconds = 0;
     while (servo.at("servo_status") != 0 && seconds < 600) {
         servo.run(1000);
@@ -418,5 +419,5 @@ void TestServoProtection::powerOffForgetsTrips()
     QCOMPARE(servo.at("present_load"), 0);
 }
 
-QTEST_GUILESS_MAIN(TestServoProtection)
+SERVODESK_GUILESS_TEST(TestServoProtection)
 #include "tst_servo_protection.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who answers what, and what the instructions do.
+#include "support/test_main.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>
@@ -142,7 +143,7 @@ void TestServoRequests::readReturnsTheTable()
 void TestServoRequests::errorByteIsTheLiveStatus()
 {
     Servo servo(QStringLiteral("STS3215"));
-    servo.environment().supplyVolts = 9.5; // register 14 says 8.0 V
+    servo.environment().supplyVolts = 9.5; // register 14: 8.0 V
     servo.run(200);
     QCOMPARE(int(servo.ask(0x01)->status), 1);
     QCOMPARE(servo.at("servo_status"), 1);
@@ -251,7 +252,7 @@ void TestServoRequests::refusesInvalidIdentity()
     Servo servo(model);
     const int before = present(servo);
     const auto answer = servo.write({std::uint8_t(address), std::uint8_t(value)});
-    QVERIFY(answer); // no error bit says "rejected"
+    QVERIFY(answer); // there is no error bit for "rejected"
     QCOMPARE(int(answer->status), 0);
     QCOMPARE(present(servo), taken ? value : before);
     QCOMPARE(servo.id(), address == 5 && taken ? value : 1);
@@ -330,7 +331,7 @@ void TestServoRequests::syncWriteExtractsItsOwnPart()
     QCOMPARE(servo.at("goal_position"), 2048);
     QCOMPARE(servo.at("goal_speed"), 1000);
 
-    QVERIFY(!servo.sendBroadcast(0x83, {42, 2, 9, 0, 1})); // somebody else's
+    QVERIFY(!servo.sendBroadcast(0x83, {42, 2, 9, 0, 1})); // for another servo
     QVERIFY(!servo.sendBroadcast(0x83, {42, 2, 3, 0}));    // cut short
     QVERIFY(!servo.sendBroadcast(0x83, {42, 0, 3}));
     QCOMPARE(servo.at("goal_position"), 2048);
@@ -539,7 +540,7 @@ void TestServoRequests::noRequestCrashes()
         servo.run(int(random() % 3));
         QVERIFY(std::isfinite(servo.shaftDegrees()));
     }
-    // Switched off and told who it is, it works as on its first day.
+    // After a power cycle with its identity written, it works as a new one.
     servo.powerOff();
     servo.powerOn();
     QCOMPARE(servo.ask(0x01).has_value(), true);
@@ -547,5 +548,5 @@ void TestServoRequests::noRequestCrashes()
     QCOMPARE(servo.at("lock"), 1);
 }
 
-QTEST_GUILESS_MAIN(TestServoRequests)
+SERVODESK_GUILESS_TEST(TestServoRequests)
 #include "tst_servo_requests.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated bus as a link, on a clock that jumps and on the real one.
 #include "sim/host/sim_link.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -160,5 +161,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSimLink)
+SERVODESK_GUILESS_TEST(TestSimLink)
 #include "tst_sim_link.moc"

@@ -2,6 +2,7 @@
 // A state file carries what each kind of servo keeps over a restart of the simulator; a file of
 // other servos, or of another version of the format, is refused and left alone.
 #include "sim/servo/eprom_store.h"
+#include "support/test_main.h"
 
 #include <QDir>
 #include <QFile>
@@ -174,5 +175,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestStateFiles)
+SERVODESK_GUILESS_TEST(TestStateFiles)
 #include "tst_state_files.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is heard when rates differ or two speak at once: levels combine, low wins.
+// What is received when rates differ or two servos send at once: levels combine, low wins.
 #include "sim/bus/uart_receiver.h"
+#include "support/test_main.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -181,7 +182,7 @@ private Q_SLOTS:
         }
     }
 
-    // Same ID, same answer, same instant: two equal replies cannot be told from one.
+    // Same ID, same reply, same instant: two equal replies look like one.
     void duplicatesWithEqualRepliesLookLikeOneServo()
     {
         const auto bus = wire::bus("sts3215@1,sts3215@1");
@@ -217,7 +218,7 @@ private Q_SLOTS:
         const Bytes received = bus->hostReads(now + 10ms);
         QVERIFY(!received.empty());
         QVERIFY(!wire::isStatusOf(received, 1));
-        // Servo 2 heard its ping through the reply of servo 1, which is no ping.
+        // Servo 2 received its ping through the reply of servo 1, which is no ping.
         QVERIFY(received.size() <= 46);
         now += 50ms;
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(2), now), 2));
@@ -235,7 +236,7 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(1), now), 1));
     }
 
-    // Deaf at the start of a frame and awake at its end is not having heard it.
+    // A servo that is deaf at the start of a frame has not received it.
     void aServoMissesTheRestOfAFrame()
     {
         const auto bus = wire::bus("sts3215@1+deaf=1", 4'800 * 8); // 38400: a ping takes 1.6 ms
@@ -285,7 +286,7 @@ private Q_SLOTS:
 
     void repliesOfOthersDoNotConfuse()
     {
-        // The reply of servo 3 with alarm bits looks like an instruction to whoever reads it as
+        // The reply of servo 3 with alarm bits looks like an instruction when it is read as
         // one.
         const auto bus = wire::bus("sts3215@3,sts3215@4");
         bus->servo(3)->injectStatus(0x02);
@@ -297,5 +298,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWireCollisions)
+SERVODESK_GUILESS_TEST(TestWireCollisions)
 #include "tst_wire_collisions.moc"

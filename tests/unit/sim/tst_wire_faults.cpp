@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Named faults, and the ways a link ends. With probability 1 a fault befalls every reply, so each
 // can be looked at by itself; the seed makes runs with lesser probabilities repeatable.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -252,5 +254,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWireFaults)
+SERVODESK_GUILESS_TEST(TestWireFaults)
 #include "tst_wire_faults.moc"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feetech, Modbus and LX servos on one simulated line: each hears its own language only, Modbus
+// Feetech, Modbus and LX servos on one simulated line: each receives its own protocol only, Modbus
 // lives by its silences, and faults, echo and collisions befall all alike. Frames are those of the
 // protocol descriptions or built here from their rules.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -226,7 +228,7 @@ private Q_SLOTS:
                  before.size() == 8 && gap > 3.5 ? 0 : 1);
     }
 
-    // A station hears the replies of others; its own it does not.
+    // A station receives the replies of others, but not its own.
     void anothersReplyNeedsASilenceAfterIt_data()
     {
         QTest::addColumn<Bytes>("first");
@@ -352,7 +354,7 @@ private Q_SLOTS:
         QCOMPARE(line.ask(lxRead), lxReply);
     }
 
-    // HLS: the second ID obeys what is meant for groups, and says nothing.
+    // HLS: the second ID obeys group requests, and does not reply.
     void anHlsServoAcceptsItsSecondaryId()
     {
         const auto bus = wire::bus("hls3606m@1,hls3606m@2");
@@ -381,5 +383,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWireProtocols)
+SERVODESK_GUILESS_TEST(TestWireProtocols)
 #include "tst_wire_protocols.moc"

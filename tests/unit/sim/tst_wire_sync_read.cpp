@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SYNC READ on the wire: one ordinary reply from each listed servo, in the order of the list, each
 // after the one before; the time of a missing one passes unused.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -111,5 +113,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWireSyncRead)
+SERVODESK_GUILESS_TEST(TestWireSyncRead)
 #include "tst_wire_sync_read.moc"

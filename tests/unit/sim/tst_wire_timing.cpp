@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When bytes reach the host: 10 bits a byte at each speaker's rate, reply delay, echo, adapter
 // latency. Expected instants are computed here from the rate, to the microsecond.
+#include "support/test_main.h"
+
 #include <QRegularExpression>
 #include <QTest>
 
@@ -12,7 +14,7 @@ using base::Bytes;
 using base::Duration;
 
 namespace {
-/// Microseconds that `count` bytes take, rounded up as the bus tells them.
+/// Microseconds that `count` bytes take, rounded up as by the bus.
 Duration byteTimes(double count, int baud)
 {
     return Duration(static_cast<Duration::rep>(std::ceil(count * 1e7 / baud - 1e-6)));
@@ -40,7 +42,7 @@ private Q_SLOTS:
         bus->hostReads(start);
         bus->hostWrites(wire::ping(1), baud, start);
         const Duration delay = bus->servos()[0]->replyDelay();
-        // Whether the servo has heard the request is settled when its last byte has passed.
+        // The servo has received the request when its last byte has passed.
         QVERIFY(bus->hostReads(start + byteTimes(6, baud)).empty());
         const auto first = bus->nextHostByte();
         QVERIFY(first);
@@ -149,5 +151,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWireTiming)
+SERVODESK_GUILESS_TEST(TestWireTiming)
 #include "tst_wire_timing.moc"

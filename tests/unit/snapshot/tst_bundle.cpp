@@ -5,6 +5,7 @@
 #include "snapshot/bundle.h"
 #include "snapshot/restore_result.h"
 #include "snapshot/snapshot_template.h"
+#include "support/test_main.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -12,8 +13,8 @@
 #include <QtTest>
 
 using base::ErrorCode;
-using record::Bundle;
-using record::Snapshot;
+using snapshot::Bundle;
+using snapshot::Snapshot;
 
 namespace {
 QString text(const char* word)
@@ -21,7 +22,7 @@ QString text(const char* word)
     return QString::fromUtf8(word);
 }
 
-Snapshot snapshot(int id)
+Snapshot servoSnapshot(int id)
 {
     using catalog::Access;
     using catalog::Area;
@@ -49,7 +50,7 @@ Bundle bundle()
     all.at = QDateTime({2025, 1, 31}, {12, 34, 56}, Qt::UTC);
     all.label = text("left arm");
     all.port = text("/dev/ttyUSB0");
-    all.servos = {snapshot(1), snapshot(2), snapshot(7)};
+    all.servos = {servoSnapshot(1), servoSnapshot(2), servoSnapshot(7)};
     return all;
 }
 } // namespace
@@ -64,16 +65,16 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(text("arm.bundle.json"));
-        QVERIFY(record::saveBundle(bundle(), path));
-        QCOMPARE(record::loadBundle(path).value(), bundle());
+        QVERIFY(snapshot::saveBundle(bundle(), path));
+        QCOMPARE(snapshot::loadBundle(path).value(), bundle());
     }
 
     void theTextIsStableWithOneRegisterPerLine()
     {
         Bundle shuffled = bundle();
         std::reverse(shuffled.servos.begin(), shuffled.servos.end());
-        QCOMPARE(record::encodeBundle(shuffled), record::encodeBundle(bundle()));
-        for (const QByteArray& line : record::encodeBundle(bundle()).split('\n'))
+        QCOMPARE(snapshot::encodeBundle(shuffled), snapshot::encodeBundle(bundle()));
+        for (const QByteArray& line : snapshot::encodeBundle(bundle()).split('\n'))
             QVERIFY(line.count("\"key\"") <= 1);
     }
 
@@ -104,10 +105,10 @@ private Q_SLOTS:
         QFETCH(const QByteArray, old);
         QFETCH(const QByteArray, changed);
         QFETCH(const QString, place);
-        QByteArray content = record::encodeBundle(bundle());
+        QByteArray content = snapshot::encodeBundle(bundle());
         const auto at = content.indexOf(old);
         QVERIFY(at >= 0);
-        const auto loaded = record::decodeBundle(content.replace(at, old.size(), changed));
+        const auto loaded = snapshot::decodeBundle(content.replace(at, old.size(), changed));
         QVERIFY(!loaded);
         QCOMPARE(int(loaded.error().code), int(ErrorCode::FileFormat));
         QVERIFY2(loaded.error().detail.startsWith(place), qPrintable(loaded.error().detail));
@@ -115,18 +116,18 @@ private Q_SLOTS:
 
     void aTruncatedBundleIsRefused()
     {
-        const QByteArray content = record::encodeBundle(bundle()).trimmed();
+        const QByteArray content = snapshot::encodeBundle(bundle()).trimmed();
         for (qsizetype length = 0; length < content.size(); ++length)
-            QVERIFY(!record::decodeBundle(content.left(length)));
+            QVERIFY(!snapshot::decodeBundle(content.left(length)));
     }
 
     void aDuplicateNameInASnapshotIsReported()
     {
-        const QByteArray content = record::encodeSnapshot(snapshot(1));
-        QVERIFY(record::decodeSnapshot(content)); // the note only looks like it
+        const QByteArray content = snapshot::encodeSnapshot(servoSnapshot(1));
+        QVERIFY(snapshot::decodeSnapshot(content)); // the note only looks like it
         QByteArray twice = content;
         twice.replace("\"baud\": 1000000", "\"baud\": 1000000,\n  \"baud\": 500000");
-        const auto loaded = record::decodeSnapshot(twice);
+        const auto loaded = snapshot::decodeSnapshot(twice);
         QVERIFY(!loaded);
         QCOMPARE(loaded.error().detail, text("line 10: \"baud\" is there twice"));
     }
@@ -134,13 +135,13 @@ private Q_SLOTS:
     void aTemplateHasTheSelectedRowsOnly()
     {
         const auto chosen =
-            record::makeTemplate(snapshot(3), {text("position_p"), text("position_p")});
+            snapshot::makeTemplate(servoSnapshot(3), {text("position_p"), text("position_p")});
         QVERIFY(chosen);
         QVERIFY(chosen->isTemplate);
         QCOMPARE(chosen->registers.size(), std::size_t(1));
-        const auto loaded = record::decodeSnapshot(record::encodeSnapshot(*chosen));
+        const auto loaded = snapshot::decodeSnapshot(snapshot::encodeSnapshot(*chosen));
         QCOMPARE(loaded.value(), *chosen);
-        QVERIFY(!record::encodeSnapshot(snapshot(3)).contains("template"));
+        QVERIFY(!snapshot::encodeSnapshot(servoSnapshot(3)).contains("template"));
     }
 
     void aTemplateRefusesConflicts_data()
@@ -148,25 +149,30 @@ private Q_SLOTS:
         QTest::addColumn<QString>("key");
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("detail");
-        QTest::newRow("identity") << text("id") << int(ErrorCode::BadArgument) << text("identity");
-        QTest::newRow("read-only")
-            << text("firmware_major") << int(ErrorCode::BadArgument) << text("read-only");
+        QTest::addColumn<int>("reason");
+        QTest::newRow("identity") << text("id") << int(ErrorCode::BadArgument) << text("identity")
+                                  << int(base::Reason::IdentityRegister);
+        QTest::newRow("read-only") << text("firmware_major") << int(ErrorCode::BadArgument)
+                                   << text("read-only") << int(base::Reason::ReadOnlyRegister);
         QTest::newRow("no value") << text("position_d") << int(ErrorCode::BadArgument)
-                                  << text("no-value");
-        QTest::newRow("unknown") << text("mood") << int(ErrorCode::UnknownRegister) << QString();
+                                  << text("no-value") << int(base::Reason::NoValue);
+        QTest::newRow("unknown") << text("mood") << int(ErrorCode::UnknownRegister) << QString()
+                                 << int(base::Reason::None);
     }
     void aTemplateRefusesConflicts()
     {
         QFETCH(const QString, key);
         QFETCH(const int, code);
         QFETCH(const QString, detail);
-        const auto refused = record::makeTemplate(snapshot(3), {text("position_p"), key});
+        QFETCH(const int, reason);
+        const auto refused = snapshot::makeTemplate(servoSnapshot(3), {text("position_p"), key});
         QVERIFY(!refused);
         QCOMPARE(int(refused.error().code), code);
         QCOMPARE(refused.error().registerKey, key);
         QCOMPARE(refused.error().detail, detail);
-        QVERIFY(record::makeTemplate(snapshot(3), {text("id")}, true));
-        QVERIFY(!record::makeTemplate(snapshot(3), {}));
+        QCOMPARE(int(refused.error().reason), reason);
+        QVERIFY(snapshot::makeTemplate(servoSnapshot(3), {text("id")}, true));
+        QVERIFY(!snapshot::makeTemplate(servoSnapshot(3), {}));
     }
 
     void identityKeysMatchTheMaps()
@@ -175,29 +181,29 @@ private Q_SLOTS:
         for (const catalog::ModelEntry& model : loaded.catalog.models()) {
             const auto profile = loaded.catalog.profileFor(model, 3, 10);
             for (const catalog::Register& reg : profile->registers)
-                QVERIFY2(record::isIdentityKey(reg.key) == reg.identity, qPrintable(reg.key));
+                QVERIFY2(snapshot::isIdentityKey(reg.key) == reg.identity, qPrintable(reg.key));
         }
     }
 
     void aResultIsSavedAsJsonAndCsv()
     {
-        record::RestoreResult result;
+        snapshot::RestoreResult result;
         result.program = text("p");
         result.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
         result.source = text("knee.servo.json");
-        result.servo = snapshot(4).servo;
+        result.servo = servoSnapshot(4).servo;
         result.verdict = text("failed");
         result.lock = text("closed");
         result.rows = {
             {text("position_p"), 21, 40, 32, 40, {}, 32.0, text("refused"), text("refused"), true}};
-        record::RestoreResult silent;
+        snapshot::RestoreResult silent;
         silent.servo.id = 9;
         silent.verdict = text("no-answer");
         const QTemporaryDir folder;
         const QString json = folder.filePath(text("r.json"));
         const QString csv = folder.filePath(text("r.CSV"));
-        QVERIFY(record::saveRestoreResults({result, silent}, json));
-        QVERIFY(record::saveRestoreResults({result, silent}, csv));
+        QVERIFY(snapshot::saveRestoreResults({result, silent}, json));
+        QVERIFY(snapshot::saveRestoreResults({result, silent}, csv));
         QFile file(json);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QJsonArray servos =
@@ -218,5 +224,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBundle)
+SERVODESK_GUILESS_TEST(TestBundle)
 #include "tst_bundle.moc"

@@ -3,6 +3,8 @@
 // and whatever somebody made of a file is named with its place.
 #include "snapshot/snapshot.h"
 #include "support/file_size_limit.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -13,10 +15,10 @@
 using base::ErrorCode;
 using catalog::Access;
 using catalog::Area;
-using record::Snapshot;
+using snapshot::Snapshot;
 
 namespace {
-const QString goldenPath = QStringLiteral(TEST_DATA_DIR "/record/format-1.servo.json");
+const QString goldenPath = QStringLiteral(TEST_DATA_DIR "/snapshot/format-1.servo.json");
 
 /// What format-1.servo.json says.
 Snapshot golden()
@@ -78,44 +80,44 @@ private Q_SLOTS:
         m_path = m_folder->filePath(QStringLiteral("knee.servo.json"));
     }
 
-    void formatOneLoads() { QCOMPARE(record::loadSnapshot(goldenPath).value(), golden()); }
+    void formatOneLoads() { QCOMPARE(snapshot::loadSnapshot(goldenPath).value(), golden()); }
 
     void theTextIsStable()
     {
-        QCOMPARE(record::encodeSnapshot(golden()), goldenText());
+        QCOMPARE(snapshot::encodeSnapshot(golden()), goldenText());
         Snapshot shuffled = golden();
         std::reverse(shuffled.registers.begin(), shuffled.registers.end());
-        QCOMPARE(record::encodeSnapshot(shuffled), goldenText());
+        QCOMPARE(snapshot::encodeSnapshot(shuffled), goldenText());
     }
 
     void roundingNoiseIsNotSaved()
     {
         Snapshot snapshot = golden();
         snapshot.registers[2].value = std::nextafter(8.1, 9.0);
-        QCOMPARE(record::encodeSnapshot(snapshot), goldenText());
+        QCOMPARE(snapshot::encodeSnapshot(snapshot), goldenText());
     }
 
     void nanIsSavedAsUnknown()
     {
         Snapshot snapshot = golden();
         snapshot.registers[0].value = std::numeric_limits<double>::quiet_NaN();
-        const auto loaded = record::decodeSnapshot(record::encodeSnapshot(snapshot)).value();
+        const auto loaded = snapshot::decodeSnapshot(snapshot::encodeSnapshot(snapshot)).value();
         QVERIFY(!loaded.registers[0].value);
         QCOMPARE(loaded.registers[0].raw.value(), 3);
     }
 
     void saveAndLoadRoundTrip()
     {
-        QVERIFY(record::saveSnapshot(golden(), m_path));
+        QVERIFY(snapshot::saveSnapshot(golden(), m_path));
         QCOMPARE(contentOf(m_path), goldenText());
-        QCOMPARE(record::loadSnapshot(m_path).value(), golden());
+        QCOMPARE(snapshot::loadSnapshot(m_path).value(), golden());
     }
 
     void aSnapshotWithoutRegistersRoundTrips()
     {
         Snapshot snapshot = golden();
         snapshot.registers.clear();
-        QCOMPARE(record::decodeSnapshot(record::encodeSnapshot(snapshot)).value(), snapshot);
+        QCOMPARE(snapshot::decodeSnapshot(snapshot::encodeSnapshot(snapshot)).value(), snapshot);
     }
 
     void unknownFieldsAreIgnored()
@@ -125,14 +127,14 @@ private Q_SLOTS:
                 .replace("{\n  \"format\"", "{\n  \"mood\": {\"a\": [1]},\n  \"format\"")
                 .replace("{\"key\"", "{\"colour\": null, \"key\"")
                 .replace("{\"id\"", "{\"serial\": \"x\", \"id\"");
-        QCOMPARE(record::decodeSnapshot(text).value(), golden());
+        QCOMPARE(snapshot::decodeSnapshot(text).value(), golden());
     }
 
     void otherTimeZonesAndByteOrderMarksAreUnderstood()
     {
         QByteArray text = goldenText().replace("12:34:56Z", "14:34:56+02:00");
-        QCOMPARE(record::decodeSnapshot(text).value(), golden());
-        QCOMPARE(record::decodeSnapshot("\xef\xbb\xbf" + text).value(), golden());
+        QCOMPARE(snapshot::decodeSnapshot(text).value(), golden());
+        QCOMPARE(snapshot::decodeSnapshot("\xef\xbb\xbf" + text).value(), golden());
     }
 
     void corruptFilesAreRefusedWithThePosition_data()
@@ -188,7 +190,7 @@ private Q_SLOTS:
         const auto at = text.indexOf(old);
         QVERIFY(at >= 0);
         overwrite(m_path, text.replace(at, old.size(), changed));
-        const auto loaded = record::loadSnapshot(m_path);
+        const auto loaded = snapshot::loadSnapshot(m_path);
         QVERIFY(!loaded);
         QCOMPARE(int(loaded.error().code), int(ErrorCode::FileFormat));
         QVERIFY2(loaded.error().detail.startsWith(m_path + QStringLiteral(": ") + place),
@@ -199,7 +201,7 @@ private Q_SLOTS:
     {
         const QByteArray text = goldenText().trimmed();
         for (qsizetype length = 0; length < text.size(); ++length) {
-            const auto loaded = record::decodeSnapshot(text.left(length));
+            const auto loaded = snapshot::decodeSnapshot(text.left(length));
             QVERIFY(!loaded);
             QCOMPARE(int(loaded.error().code), int(ErrorCode::FileFormat));
         }
@@ -219,7 +221,7 @@ private Q_SLOTS:
     {
         QFETCH(const QByteArray, text);
         overwrite(m_path, text);
-        const auto loaded = record::loadSnapshot(m_path);
+        const auto loaded = snapshot::loadSnapshot(m_path);
         QVERIFY(!loaded);
         QCOMPARE(int(loaded.error().code), int(ErrorCode::FileFormat));
         QVERIFY(loaded.error().detail.startsWith(m_path));
@@ -227,7 +229,7 @@ private Q_SLOTS:
 
     void aMissingFileIsReported()
     {
-        const auto loaded = record::loadSnapshot(m_path);
+        const auto loaded = snapshot::loadSnapshot(m_path);
         QVERIFY(!loaded);
         QCOMPARE(int(loaded.error().code), int(ErrorCode::FileMissing));
         QCOMPARE(loaded.error().detail, m_path);
@@ -235,10 +237,10 @@ private Q_SLOTS:
 
     void aFolderIsNoSnapshot()
     {
-        const auto loaded = record::loadSnapshot(m_folder->path());
+        const auto loaded = snapshot::loadSnapshot(m_folder->path());
         QVERIFY(!loaded);
         QCOMPARE(int(loaded.error().code), int(ErrorCode::FileUnreadable));
-        const auto saved = record::saveSnapshot(golden(), m_folder->path());
+        const auto saved = snapshot::saveSnapshot(golden(), m_folder->path());
         QVERIFY(!saved);
         QCOMPARE(int(saved.error().code), int(ErrorCode::FileUnwritable));
     }
@@ -246,7 +248,7 @@ private Q_SLOTS:
     void aMissingFolderIsReported()
     {
         const auto saved =
-            record::saveSnapshot(golden(), m_folder->filePath(QStringLiteral("no/knee.json")));
+            snapshot::saveSnapshot(golden(), m_folder->filePath(QStringLiteral("no/knee.json")));
         QVERIFY(!saved);
         QCOMPARE(int(saved.error().code), int(ErrorCode::FileUnwritable));
         QVERIFY(saved.error().detail.contains(QStringLiteral("no/knee.json")));
@@ -254,9 +256,9 @@ private Q_SLOTS:
 
     void anEmptyNameIsRefused()
     {
-        QCOMPARE(int(record::saveSnapshot(golden(), {}).error().code),
+        QCOMPARE(int(snapshot::saveSnapshot(golden(), {}).error().code),
                  int(ErrorCode::FileUnwritable));
-        QCOMPARE(int(record::loadSnapshot({}).error().code), int(ErrorCode::FileMissing));
+        QCOMPARE(int(snapshot::loadSnapshot({}).error().code), int(ErrorCode::FileMissing));
     }
 
     void aFailedSaveKeepsTheOldFile()
@@ -264,7 +266,7 @@ private Q_SLOTS:
         overwrite(m_path, "the old one");
         {
             const FileSizeLimit limit(goldenText().size() / 2);
-            QVERIFY(!record::saveSnapshot(golden(), m_path));
+            QVERIFY(!snapshot::saveSnapshot(golden(), m_path));
         }
         QCOMPARE(contentOf(m_path), QByteArray("the old one"));
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 1);
@@ -273,7 +275,7 @@ private Q_SLOTS:
     void aFullDiskIsReported()
     {
         const QString full = QStringLiteral("/dev/full");
-        const auto saved = record::saveSnapshot(golden(), full);
+        const auto saved = snapshot::saveSnapshot(golden(), full);
         QVERIFY(!saved);
         QCOMPARE(int(saved.error().code), int(ErrorCode::DiskFull));
         QVERIFY(saved.error().detail.contains(full));
@@ -285,5 +287,5 @@ private:
     QString m_path;
 };
 
-QTEST_GUILESS_MAIN(TestSnapshot)
+SERVODESK_GUILESS_TEST(TestSnapshot)
 #include "tst_snapshot.moc"

@@ -3,15 +3,16 @@
 // between maps; what nobody knows is never called different. Factory defaults as a table. CSV.
 #include "snapshot/factory_snapshot.h"
 #include "snapshot/snapshot_compare.h"
+#include "support/test_main.h"
 
 #include <QtTest>
 
 using catalog::Access;
 using catalog::Area;
-using record::CellState;
-using record::CompareRow;
-using record::RowVerdict;
-using record::Snapshot;
+using snapshot::CellState;
+using snapshot::CompareRow;
+using snapshot::RowVerdict;
+using snapshot::Snapshot;
 
 namespace {
 QString text(const char* word)
@@ -19,11 +20,11 @@ QString text(const char* word)
     return QString::fromUtf8(word);
 }
 
-record::SnapshotRegister row(const char* key, int address, std::optional<std::int64_t> raw,
-                             double scale = 1, const char* unit = "",
-                             Access access = Access::ReadWrite)
+snapshot::SnapshotRegister row(const char* key, int address, std::optional<std::int64_t> raw,
+                               double scale = 1, const char* unit = "",
+                               Access access = Access::ReadWrite)
 {
-    record::SnapshotRegister reg;
+    snapshot::SnapshotRegister reg;
     reg.key = text(key);
     reg.address = address;
     reg.raw = raw;
@@ -35,7 +36,7 @@ record::SnapshotRegister row(const char* key, int address, std::optional<std::in
     return reg;
 }
 
-Snapshot table(const char* map, std::vector<record::SnapshotRegister> rows)
+Snapshot table(const char* map, std::vector<snapshot::SnapshotRegister> rows)
 {
     Snapshot snapshot;
     snapshot.servo = {1, text("X"), text("9.3"), text("3.10"), text(map), text("feetech")};
@@ -43,7 +44,7 @@ Snapshot table(const char* map, std::vector<record::SnapshotRegister> rows)
     return snapshot;
 }
 
-const CompareRow* find(const record::SnapshotComparison& comparison, const char* key)
+const CompareRow* find(const snapshot::SnapshotComparison& comparison, const char* key)
 {
     for (const CompareRow& row : comparison.rows) {
         if (row.key == text(key))
@@ -78,7 +79,7 @@ private Q_SLOTS:
         const Snapshot b =
             table("m", {row("one", 1, 5), row("two", 2, 9), row("five", 5, 7), row("four", 4, 4),
                         row("seen", 60, 2, 1, "", Access::ReadOnly)});
-        const auto comparison = record::compareSnapshots({&a, &b});
+        const auto comparison = snapshot::compareSnapshots({&a, &b});
         QStringList order;
         for (const CompareRow& one : comparison.rows)
             order << one.key;
@@ -100,10 +101,10 @@ private Q_SLOTS:
         const Snapshot a = table("m", {row("p", 1, 5)});
         const Snapshot b = table("m", {row("p", 1, {})});
         const Snapshot c = table("m", {row("p", 1, 6)});
-        const auto comparison = record::compareSnapshots({&a, &b, &c});
+        const auto comparison = snapshot::compareSnapshots({&a, &b, &c});
         QCOMPARE(find(comparison, "p")->verdict, RowVerdict::Different);
-        QCOMPARE(record::compareSnapshots({&a, &b}).rows[0].verdict, RowVerdict::Unknown);
-        QCOMPARE(record::compareSnapshots({&b, &b}).rows[0].verdict, RowVerdict::Unknown);
+        QCOMPARE(snapshot::compareSnapshots({&a, &b}).rows[0].verdict, RowVerdict::Unknown);
+        QCOMPARE(snapshot::compareSnapshots({&b, &b}).rows[0].verdict, RowVerdict::Unknown);
     }
 
     void otherMapsAreComparedByMeaning()
@@ -112,7 +113,7 @@ private Q_SLOTS:
             "m", {row("v", 1, 80, 0.1, "V"), row("t", 2, 60, 1, "degC"), row("x", 3, 5, 1, "ms")});
         const Snapshot b = table("n", {row("v", 9, 8000, 0.001, "V"), row("t", 8, 61, 1, "degC"),
                                        row("x", 7, 5, 1, "s")});
-        const auto comparison = record::compareSnapshots({&a, &b});
+        const auto comparison = snapshot::compareSnapshots({&a, &b});
         QCOMPARE(find(comparison, "v")->verdict, RowVerdict::Identical);
         QCOMPARE(find(comparison, "t")->verdict, RowVerdict::Different);
         QCOMPARE(find(comparison, "x")->verdict, RowVerdict::Different);
@@ -122,10 +123,10 @@ private Q_SLOTS:
     {
         Snapshot a = table("m", {row("angle", 1, 2345, 360.0 / 4096, "deg")});
         a.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
-        const Snapshot b = record::decodeSnapshot(record::encodeSnapshot(a)).value();
+        const Snapshot b = snapshot::decodeSnapshot(snapshot::encodeSnapshot(a)).value();
         const Snapshot c = table("n", {row("angle", 1, 2345, 360.0 / 4096, "deg")});
-        QCOMPARE(record::compareSnapshots({&a, &b}).rows[0].verdict, RowVerdict::Identical);
-        QCOMPARE(record::compareSnapshots({&b, &c}).rows[0].verdict, RowVerdict::Identical);
+        QCOMPARE(snapshot::compareSnapshots({&a, &b}).rows[0].verdict, RowVerdict::Identical);
+        QCOMPARE(snapshot::compareSnapshots({&b, &c}).rows[0].verdict, RowVerdict::Identical);
     }
 
     void aTemplateComparesOnlyItsRows()
@@ -133,10 +134,10 @@ private Q_SLOTS:
         const Snapshot a = table("m", {row("one", 1, 5), row("two", 2, 6)});
         Snapshot b = table("m", {row("two", 2, 6)});
         b.isTemplate = true;
-        const auto pair = record::compareSnapshots({&a, &b});
+        const auto pair = snapshot::compareSnapshots({&a, &b});
         QCOMPARE(pair.rows.size(), std::size_t(1));
         QCOMPARE(pair.identical, 1);
-        const auto three = record::compareSnapshots({&a, &b, &a});
+        const auto three = snapshot::compareSnapshots({&a, &b, &a});
         QCOMPARE(three.rows.size(), std::size_t(2));
         QCOMPARE(find(three, "one")->verdict, RowVerdict::Identical);
         QCOMPARE(find(three, "one")->cells[1].state, CellState::NotChosen);
@@ -145,24 +146,24 @@ private Q_SLOTS:
     void aSingleTableIsShownCompletely()
     {
         const Snapshot a = table("m", {row("one", 1, 5), row("two", 2, {})});
-        QCOMPARE(record::compareSnapshots({&a}).rows.size(), std::size_t(2));
-        QVERIFY(record::compareSnapshots({}).rows.empty());
+        QCOMPARE(snapshot::compareSnapshots({&a}).rows.size(), std::size_t(2));
+        QVERIFY(snapshot::compareSnapshots({}).rows.empty());
     }
 
     void unknownDefaultsAreUnknown()
     {
-        const Snapshot factory = record::factorySnapshot(*sts());
+        const Snapshot factory = snapshot::factorySnapshot(*sts());
         QVERIFY(!factory.find(text("max_voltage"))->raw); // the sheet states none
         QCOMPARE(factory.find(text("position_p"))->raw.value(), 32);
         QCOMPARE(factory.find(text("max_angle_limit"))->value.value(), 4095 * 360.0 / 4096);
         Snapshot servo = factory;
-        for (record::SnapshotRegister& reg : servo.registers) {
+        for (snapshot::SnapshotRegister& reg : servo.registers) {
             if (reg.key == text("max_voltage"))
                 reg.raw = 80;
             if (reg.key == text("position_p"))
                 reg.raw = 40;
         }
-        const auto comparison = record::compareSnapshots({&servo, &factory});
+        const auto comparison = snapshot::compareSnapshots({&servo, &factory});
         QCOMPARE(comparison.different, 1);
         QCOMPARE(comparison.rows[0].key, text("position_p"));
         QCOMPARE(find(comparison, "max_voltage")->verdict, RowVerdict::Unknown);
@@ -176,8 +177,8 @@ private Q_SLOTS:
             const auto profile = models().profileFor(model, 3, 10);
             if (!profile)
                 continue;
-            const Snapshot factory = record::factorySnapshot(*profile);
-            QCOMPARE(record::compareSnapshots({&factory, &factory}).different, 0);
+            const Snapshot factory = snapshot::factorySnapshot(*profile);
+            QCOMPARE(snapshot::compareSnapshots({&factory, &factory}).different, 0);
             ++tables;
         }
         QVERIFY(tables > 20);
@@ -185,13 +186,13 @@ private Q_SLOTS:
 
     void aFileIdentifiesItsServoType()
     {
-        Snapshot snapshot = record::factorySnapshot(*sts());
+        Snapshot snapshot = snapshot::factorySnapshot(*sts());
         snapshot.servo.id = 1;
-        QCOMPARE(record::profileOf(snapshot, models())->modelName, text("STS3215"));
+        QCOMPARE(snapshot::profileOf(snapshot, models())->modelName, text("STS3215"));
         snapshot.servo.map = text("a map of long ago");
-        QVERIFY(!record::profileOf(snapshot, models()));
+        QVERIFY(!snapshot::profileOf(snapshot, models()));
         snapshot.servo.protocol = text("telegraph");
-        QVERIFY(!record::profileOf(snapshot, models()));
+        QVERIFY(!snapshot::profileOf(snapshot, models()));
     }
 
     void csvHasEveryRowAndItsServo()
@@ -199,7 +200,7 @@ private Q_SLOTS:
         Snapshot a = table("m", {row("b", 2, {}), row("a", 1, -5, 0.5, "deg")});
         a.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
         a.label = text("left, \"knee\"");
-        const QList<QByteArray> lines = record::encodeSnapshotCsv(a).split('\n');
+        const QList<QByteArray> lines = snapshot::encodeSnapshotCsv(a).split('\n');
         QCOMPARE(lines.size(), 4);
         QCOMPARE(lines[0], QByteArray("id,model,firmware,map,label,time,key,address,raw,value,unit,"
                                       "area,access"));
@@ -208,9 +209,9 @@ private Q_SLOTS:
         QCOMPARE(lines[2], QByteArray("1,X,3.10,m,\"left, \"\"knee\"\"\",2025-01-31T12:00:00Z,b,2,"
                                       ",,,EPROM,rw"));
         a.label = text("=1+1"); // a spreadsheet would work it out
-        QVERIFY(record::encodeSnapshotCsv(a).contains(",'=1+1,"));
+        QVERIFY(snapshot::encodeSnapshotCsv(a).contains(",'=1+1,"));
     }
 };
 
-QTEST_GUILESS_MAIN(TestSnapshotCompare)
+SERVODESK_GUILESS_TEST(TestSnapshotCompare)
 #include "tst_snapshot_compare.moc"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words for errors, notices and alarms: complete, specific, and Chinese where Chinese is asked for.
+// The texts of errors, notices and alarms: complete, specific, and Chinese in the Chinese
+// interface.
+#include "support/test_main.h"
 #include "text/error_text.h"
 #include "text/front_end.h"
 #include "text/language.h"
@@ -131,25 +133,24 @@ void TestText::errorsNameTheSubject_data()
     const auto row = [](const char* name, base::Error error, const char* what) {
         QTest::newRow(name) << error << QString::fromUtf8(what);
     };
-    row("silent servo", {ErrorCode::NoReply, {}, {}, 9, {}, 3},
-        "Servo 9: no answer, tried 3 times.");
-    row("nobody in particular", {ErrorCode::NoReply}, "No answer.");
+    row("silent servo", {ErrorCode::NoReply, {}, {}, 9, {}, 3}, "Servo 9: no reply, 3 attempts.");
+    row("nobody in particular", {ErrorCode::NoReply}, "No reply.");
     row("range",
         {ErrorCode::OutOfRange, {}, QStringLiteral("0 … 4095"), 1, QStringLiteral("goal_position")},
-        "Servo 1, goal_position: the value is outside what is allowed (0 … 4095).");
+        "Servo 1, goal_position: the value is outside the allowed range (0 … 4095).");
     row("busy", {ErrorCode::PortBusy, {}, QStringLiteral("minicom (411)")},
         "The port is in use by minicom (411).");
     row("taken", {ErrorCode::PortMissing, {}, QStringLiteral("/dev/ttyUSB0, brltty")},
-        "The braille service (brltty) has taken the adapter (/dev/ttyUSB0).");
+        "The braille service (brltty) has taken over the adapter (/dev/ttyUSB0).");
     row("no key twice",
         {ErrorCode::UnknownRegister, {}, QStringLiteral("speeed"), 2, QStringLiteral("speeed")},
-        "Servo 2, speeed: this servo has no register of that name.");
+        "Servo 2, speeed: this servo has no register with that name.");
     row("travel time",
         {ErrorCode::NotSupported, QStringLiteral("move"), QStringLiteral("position"), 4,
          QStringLiteral("time")},
-        "Servo 4, time: this servo has no travel time in its present mode.");
+        "Servo 4, time: this servo does not support a travel time in its present mode.");
     row("late arrival", {ErrorCode::Refused, QStringLiteral("arrive"), QStringLiteral("time"), 4},
-        "Servo 4: it did not come to rest in time.");
+        "Servo 4: the servo did not stop in time.");
 }
 
 void TestText::errorsNameTheSubject()
@@ -191,7 +192,7 @@ void TestText::remediesAreSpecific()
     QVERIFY(text::describe(error).remedy.contains(contained));
 }
 
-/// It is also said of a write that was refused or never sent.
+/// The notice is also used for a write that was refused or never sent.
 void TestText::unrecordedClaimsNoChange()
 {
     const QString said = text::describe({NoticeCode::NotRecorded, 1, QStringLiteral("full")});
@@ -250,7 +251,7 @@ void TestText::unnamedAlarmBitsKeepTheirNumber()
              (QStringList{QStringLiteral("bit4"), QStringLiteral("bit7")}));
 }
 
-/// The window has no "recover", the command line no menu.
+/// The window has no "recover" command, and the command line has no menu.
 void TestText::recoveryUsesTheProgramsTerm()
 {
     const QString menu = QStringLiteral("Port → Interrupted writes");
@@ -283,5 +284,5 @@ void TestText::recoveryUsesTheProgramsTerm()
         QVERIFY2(sentence.contains(QStringLiteral("“端口 → 中断的写入”")), qPrintable(sentence));
 }
 
-QTEST_GUILESS_MAIN(TestText)
+SERVODESK_GUILESS_TEST(TestText)
 #include "tst_text.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Chinese of the interface: every text of the sources has its translation, the translation is
-// what the program shows, and the language is chosen as the user's system asks.
+// The Chinese translation: every text of the sources has one, the program shows it, and the
+// language follows the system of the user.
+#include "support/test_main.h"
+#include "support/test_paths.h"
 #include "text/language.h"
 
 #include <QDir>
@@ -16,6 +18,7 @@ struct Message {
     QString source;
     QString comment;
     QString translation;
+    QStringList plurals; ///< "%n servo(s)": one form in Chinese, two in English
     bool finished = true;
     QString name() const { return context + QStringLiteral(" | ") + source; }
     QString identity() const { return name() + QStringLiteral(" | ") + comment; }
@@ -29,29 +32,35 @@ QList<Message> messagesOf(const QString& path)
     QXmlStreamReader xml(&file);
     QList<Message> messages;
     QString context;
+    bool isPlural = false;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement)
             continue;
         if (xml.name() == u"name") {
             context = xml.readElementText();
         } else if (xml.name() == u"message") {
-            messages.append({context, {}, {}, {}, true});
+            isPlural = xml.attributes().value(QLatin1String("numerus")) == u"yes";
+            messages.append({context, {}, {}, {}, {}, true});
         } else if (xml.name() == u"source") {
             messages.last().source = xml.readElementText();
         } else if (xml.name() == u"comment") {
             messages.last().comment = xml.readElementText();
         } else if (xml.name() == u"translation") {
             messages.last().finished = xml.attributes().value(QLatin1String("type")).isEmpty();
-            messages.last().translation = xml.readElementText();
+            if (!isPlural)
+                messages.last().translation = xml.readElementText();
+        } else if (xml.name() == u"numerusform") {
+            messages.last().plurals.append(xml.readElementText());
+            messages.last().translation = messages.last().plurals.first();
         }
     }
     return messages;
 }
 
-/// "%1", "%2", "%L1", "%n": what the program fills in.
+/// "%1", "%2", "%L1", "%n".
 QStringList placeholdersOf(const QString& text)
 {
-    static const QRegularExpression gap(QStringLiteral("%(?:L?\\d+|n)"));
+    static const QRegularExpression gap(QStringLiteral("%L?(?:\\d+|n)"));
     QStringList gaps;
     for (auto it = gap.globalMatch(text); it.hasNext();)
         gaps.append(it.next().captured());
@@ -83,19 +92,30 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
     void cleanup() { text::installTranslator(QStringLiteral("en")); }
 
+    void everySourceTextIsInTheTsFiles_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("Chinese") << m_file << QStringList();
+        QTest::newRow("plurals of English")
+            << m_english << QStringList(QStringLiteral("-pluralonly"));
+    }
     void everySourceTextIsInTheTsFiles()
     {
+        QFETCH(const QString, path);
+        QFETCH(const QStringList, options);
         const QTemporaryDir folder;
-        const QString copy = folder.filePath(QFileInfo(m_file).fileName());
-        QVERIFY(QFile::copy(m_file, copy));
+        const QString copy = folder.filePath(QFileInfo(path).fileName());
+        QVERIFY(QFile::copy(path, copy));
         QProcess lupdate;
         lupdate.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         lupdate.start(QStringLiteral(LUPDATE), QStringLiteral(LUPDATE_ARGUMENTS).split(u'\n') +
+                                                   options +
                                                    QStringList{QStringLiteral("-ts"), copy});
         QVERIFY(lupdate.waitForFinished());
         QCOMPARE(lupdate.exitCode(), 0);
         const QStringList now = identitiesOf(messagesOf(copy));
-        const QStringList before = identitiesOf(m_messages);
+        const QStringList before = identitiesOf(messagesOf(path));
         for (const QString& identity : now)
             QVERIFY2(before.contains(identity), qPrintable(hint + identity));
         for (const QString& identity : before)
@@ -112,6 +132,27 @@ private Q_SLOTS:
         }
     }
 
+    void pluralsHaveTheirForms()
+    {
+        const QList<Message> english = messagesOf(m_english);
+        QVERIFY(!english.isEmpty());
+        for (const Message& message : english) {
+            QVERIFY2(message.finished && message.plurals.size() == 2, qPrintable(message.name()));
+            for (const QString& form : message.plurals) {
+                QCOMPARE(placeholdersOf(form), placeholdersOf(message.source));
+                QVERIFY2(!form.contains(u"(s)"), qPrintable(form));
+            }
+        }
+        (void)text::installTranslator(QStringLiteral("en"));
+        QCOMPARE(QCoreApplication::translate("cli", "%n row(s) written to %1", nullptr, 1),
+                 QStringLiteral("1 row written to %1"));
+        QCOMPARE(QCoreApplication::translate("cli", "%n row(s) written to %1", nullptr, 0),
+                 QStringLiteral("0 rows written to %1"));
+        (void)text::installTranslator(QStringLiteral("zh_CN"));
+        QCOMPARE(QCoreApplication::translate("cli", "%n row(s) written to %1", nullptr, 1),
+                 QStringLiteral("已向 %1 写入 1 行"));
+    }
+
     void theTranslationIsUsed()
     {
         const auto shown = [](const Message& message) {
@@ -122,8 +163,25 @@ private Q_SLOTS:
         for (const Message& message : m_messages)
             QCOMPARE(shown(message), message.translation);
         QCOMPARE(text::installTranslator(QStringLiteral("en")), QStringLiteral("en"));
-        for (const Message& message : m_messages)
-            QCOMPARE(shown(message), message.source);
+        for (const Message& message : m_messages) {
+            if (message.plurals.isEmpty())
+                QCOMPARE(shown(message), message.source);
+        }
+    }
+
+    /// The reports show both languages, whatever the language of the interface.
+    void theChineseIsFoundInEveryLanguage()
+    {
+        for (const char* language : {"en", "zh_CN"}) {
+            (void)text::installTranslator(QLatin1String(language));
+            for (const Message& message : m_messages) {
+                if (message.plurals.isEmpty())
+                    QCOMPARE(text::inChinese(message.context.toUtf8(), message.source.toUtf8(),
+                                             message.comment.toUtf8()),
+                             message.translation);
+            }
+        }
+        QCOMPARE(text::inChinese("SweepText", "no text of this program"), QString());
     }
 
     void theLanguageIsChosenByItsName_data()
@@ -185,18 +243,20 @@ private Q_SLOTS:
             environment.insert(variable.section(u'=', 0, 0), variable.section(u'=', 1));
         QProcess program;
         program.setProcessEnvironment(environment);
-        program.start(QCoreApplication::applicationFilePath(), {QStringLiteral("print-language")});
+        program.start(QCoreApplication::applicationFilePath(),
+                      {QStringLiteral("tst_translations"), QStringLiteral("print-language")});
         QVERIFY(program.waitForFinished());
         QCOMPARE(program.readAllStandardOutput(), language);
     }
 
 private:
     const QString m_file = QStringLiteral(SOURCE_DIR "/translations/servodesk_zh_CN.ts");
+    const QString m_english = QStringLiteral(SOURCE_DIR "/translations/servodesk_en.ts");
     const QString hint = QStringLiteral("run the target update_translations: ");
     QList<Message> m_messages;
 };
 
-int main(int argc, char* argv[])
+static int run(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     if (argc == 2 && qstrcmp(argv[1], "print-language") == 0) {
@@ -206,5 +266,6 @@ int main(int argc, char* argv[])
     TestTranslations test;
     return QTest::qExec(&test, argc, argv);
 }
+SERVODESK_TEST_RUN(run)
 
 #include "tst_translations.moc"

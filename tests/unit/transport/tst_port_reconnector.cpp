@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which port is opened again after a plug was pulled: the same adapter, also under another name,
 // and never another adapter that has taken the name.
+#include "support/test_main.h"
 #include "transport/port_reconnector.h"
 
 #include <QRegularExpression>
@@ -101,5 +102,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPortReconnector)
+SERVODESK_GUILESS_TEST(TestPortReconnector)
 #include "tst_port_reconnector.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of ports and of rates.
+#include "support/test_main.h"
 #include "transport/port_inventory.h"
 #include "transport/port_opener.h"
 
@@ -42,5 +43,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPorts)
+SERVODESK_GUILESS_TEST(TestPorts)
 #include "tst_ports.moc"

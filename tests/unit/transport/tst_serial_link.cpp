@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The serial link against a real kernel terminal: a pseudo-terminal whose far end the test holds.
 #include "base/clock.h"
+#include "support/test_main.h"
 #include "transport/port_lease.h"
 #include "transport/port_opener.h"
 #include "transport/serial_link.h"
@@ -312,5 +313,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSerialLink)
+SERVODESK_GUILESS_TEST(TestSerialLink)
 #include "tst_serial_link.moc"

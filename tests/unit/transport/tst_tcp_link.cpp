@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The TCP link against a plain socket, as a serial bridge on the network offers it.
 #include "base/clock.h"
+#include "support/test_main.h"
 #include "transport/port_opener.h"
 
 #include <QRegularExpression>
@@ -174,5 +175,5 @@ private Q_SLOTS:
     void refusesAnEmptyName() { QCOMPARE(open(QString()).error().code, ErrorCode::BadArgument); }
 };
 
-QTEST_GUILESS_MAIN(TestTcpLink)
+SERVODESK_GUILESS_TEST(TestTcpLink)
 #include "tst_tcp_link.moc"

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs all benches and prints their measurements. `--smoke`: the short form of each, two minutes in
+# total, which shows that they run; their ratios mean little on a shared machine.
+set -euo pipefail
+
+# shellcheck source=packaging/common.sh
+. "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
+
+smoke=false
+[ "${1:-}" != --smoke ] || smoke=true
+
+for bench in "$BUILD_DIR"/tests/bench_*; do
+    [ -x "$bench" ] || continue
+    name=$(basename -- "$bench")
+    arguments=()
+    case $name in
+    bench_scenes) continue ;; # makes pictures, measures nothing
+    bench_interruption_campaign)
+        ! $smoke || continue # takes an hour; tst_interruption_campaign runs a part of it
+        ;;
+    bench_recorder) ! $smoke || arguments=(1000000) ;;  # instead of 26 million rows
+    bench_sweep_overnight) ! $smoke || arguments=(1) ;; # instead of eight hours
+    esac
+    step "$name" ""
+    "$bench" "${arguments[@]}" 2>&1 | sed 's/^/      /'
+done

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Step responses that are stored: shown, compared and saved as reports.
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/output/step_output.h"
+#include "cli/run.h"
+#include "cli/sweep_history.h"
+#include "cli/translate.h"
+#include "jobs/step/step_advice.h"
+#include "results/step_json.h"
+
+namespace cli {
+namespace {
+base::Result<std::vector<results::StepRun>> loadArgument(const Values& values, const char* name)
+{
+    const auto word = parseRunSelector(values.argument(name));
+    if (!word)
+        return tl::unexpected(word.error());
+    auto runs = loadSteps(*word);
+    if (runs && runs->empty())
+        return badArgument(translate("cli", "%1 contains no step response").arg(word->name));
+    return runs;
+}
+
+std::vector<results::StepAdvice> adviceFor(Run& run, const results::StepRun& step)
+{
+    return jobs::adviseStoredStep(step, run.session().catalog());
+}
+
+base::Result<Exit> runStepReport(Run& run, const Values& values)
+{
+    const QString path = values.argument("FILE");
+    const auto format = stepFileFormat(path);
+    if (!format)
+        return tl::unexpected(format.error());
+    const auto runs = loadArgument(values, "RUN");
+    if (!runs)
+        return tl::unexpected(runs.error());
+    const auto advice = adviceFor(run, runs->back());
+    if (const auto saved = saveStepReport(*runs, advice, *format, path); !saved)
+        return tl::unexpected(saved.error());
+    run.finish(Json::object().add("run", values.argument("RUN")).add("file", path),
+               translate("cli", "Report: %1").arg(path) + QLatin1Char('\n'));
+    return Exit::Success;
+}
+
+/// Of a report file with several runs the last one counts.
+base::Result<Exit> runStepCompare(Run& run, const Values& values)
+{
+    const auto path = values.option("--report");
+    base::Result<StepFileFormat> format = StepFileFormat::Html;
+    if (path)
+        format = stepFileFormat(*path);
+    if (!format)
+        return tl::unexpected(format.error());
+    std::vector<results::StepRun> pair;
+    for (const char* name : {"A", "B"}) {
+        auto runs = loadArgument(values, name);
+        if (!runs)
+            return tl::unexpected(runs.error());
+        pair.push_back(std::move(runs->back()));
+    }
+    const auto advice = adviceFor(run, pair.back());
+    if (path) {
+        if (const auto saved = saveStepReport(pair, advice, *format, *path); !saved)
+            return tl::unexpected(saved.error());
+    }
+    if (run.console().isJson())
+        run.console().write(results::encodeStepRuns(pair, advice));
+    else
+        run.console().print(
+            stepRunsText(pair, advice) +
+            (path ? translate("cli", "Report: %1").arg(*path) + QLatin1Char('\n') : QString()));
+    return Exit::Success;
+}
+} // namespace
+
+Command stepReportCommand()
+{
+    return {"step-report",
+            QT_TRANSLATE_NOOP("cli", "create a report of an earlier step response; needs no port"),
+            {{"RUN",
+              QT_TRANSLATE_NOOP("cli", "test run number in the history, or a .json report file")},
+             {"FILE", QT_TRANSLATE_NOOP("cli", "report file; its extension sets the format: "
+                                               ".html, .json or .csv")}},
+            {},
+            runStepReport};
+}
+
+Command stepCompareCommand()
+{
+    return {
+        "step-compare",
+        QT_TRANSLATE_NOOP("cli", "compare two step responses; needs no port"),
+        {{"A",
+          QT_TRANSLATE_NOOP(
+              "cli",
+              "step response before the change: number in the history, or a .json report file")},
+         {"B", QT_TRANSLATE_NOOP("cli", "step response after")}},
+        {{"--report", QT_TRANSLATE_NOOP("cli", "write both runs to a file"), "FILE.html|json|csv"}},
+        runStepCompare};
+}
+} // namespace cli

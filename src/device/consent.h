@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The user's consent to writes that can make a servo unreachable or dangerous. A value; the device
+// layer refuses without it. Only the place that asked makes one and states how it asked; a test
+// checks where each kind may be made.
+#pragma once
+
+#include "base/error.h"
+#include "catalog/register.h"
+
+namespace device {
+class Consent {
+public:
+    constexpr Consent() = default; ///< none
+
+    /// The user accepted a question that named the risk (window).
+    static constexpr Consent confirmed() { return Consent(true); }
+    /// An option of the command line.
+    static constexpr Consent byOption(bool given) { return Consent(given); }
+    /// Given for the change that is now finished, undone or rolled back.
+    static constexpr Consent ofEarlierChange() { return Consent(true); }
+    /// The task itself names the risk: changing the mode, clearing an alarm.
+    static constexpr Consent byTask(bool given = true) { return Consent(given); }
+
+    constexpr explicit operator bool() const { return m_isGiven; }
+
+private:
+    constexpr explicit Consent(bool given)
+        : m_isGiven(given)
+    {}
+
+    bool m_isGiven = false;
+};
+/// NeedsConsent (write_meaning.h decides) where writing this value needs a consent that is not
+/// given; "turns" as detail where it also moves the shaft. `id`: of the servo, for the error.
+base::Result<void> requireConsent(const catalog::Register& reg, std::int64_t raw, Consent consent,
+                                  int id);
+} // namespace device

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/write_meaning.h"
+
+namespace device {
+using catalog::Role;
+
+namespace {
+/// Bit of the fault reset register: "the present position becomes the middle" (Modbus sheet).
+constexpr std::int64_t centerBit = 4;
+
+WriteProcedure procedureOf(const catalog::Register& reg, std::int64_t raw)
+{
+    switch (reg.role) {
+    case Role::Id:
+        return WriteProcedure::Id;
+    case Role::BaudRate:
+        return WriteProcedure::BaudRate;
+    case Role::TorqueSwitch:
+        return valueName(reg, raw) == QLatin1String("center") ? WriteProcedure::Center
+                                                              : WriteProcedure::Torque;
+    case Role::FaultReset:
+        return (raw & centerBit) != 0 ? WriteProcedure::Center : WriteProcedure::Register;
+    default:
+        return WriteProcedure::Register;
+    }
+}
+} // namespace
+
+QString valueName(const catalog::Register& reg, std::int64_t raw)
+{
+    for (const catalog::NamedValue& value : reg.values) {
+        if (value.value == raw && reg.encoding == catalog::Encoding::Enum)
+            return value.key;
+    }
+    return {};
+}
+
+bool mayNeedConsent(const catalog::Register& reg)
+{
+    return reg.dangerous;
+}
+
+WriteMeaning classify(const catalog::Register& reg, std::int64_t raw)
+{
+    WriteMeaning meaning;
+    meaning.procedure = procedureOf(reg, raw);
+    meaning.needsConsent = mayNeedConsent(reg);
+    meaning.moves = reg.motion && reg.role != Role::TorqueSwitch;
+    meaning.enablesTorque = meaning.procedure == WriteProcedure::Torque && raw != 0;
+    return meaning;
+}
+} // namespace device

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What writing a value to a register means: the one answer for memory table, tasks, jobs and
+// command line. Pure; any thread; never fails.
+#pragma once
+
+#include "catalog/register.h"
+
+namespace device {
+/// How a value is written; a mixture is written in this order.
+enum class WriteProcedure : std::uint8_t {
+    Torque,
+    Center,   ///< the present position becomes the midpoint
+    Register, ///< the safe write
+    BaudRate, ///< the servo replies at another baud rate afterwards
+    Id,       ///< the servo replies under another ID afterwards
+};
+
+struct WriteMeaning {
+    WriteProcedure procedure = WriteProcedure::Register;
+    bool needsConsent = false; ///< can make the servo unreachable or dangerous
+    bool moves = false;        ///< a goal: the shaft may turn at once
+    bool enablesTorque = false;
+
+    bool changesAddress() const
+    {
+        return procedure == WriteProcedure::BaudRate || procedure == WriteProcedure::Id;
+    }
+    /// Undo excludes it: reverting a setting must not turn a shaft.
+    bool isMotion() const { return moves || procedure == WriteProcedure::Torque; }
+};
+
+WriteMeaning classify(const catalog::Register& reg, std::int64_t raw);
+
+/// Whether some value of this register needs consent; for lists that show no value yet.
+bool mayNeedConsent(const catalog::Register& reg);
+
+/// The name of this number in the register's list; empty if it has none.
+QString valueName(const catalog::Register& reg, std::int64_t raw);
+} // namespace device

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/link/link_controller.h"
+
+#include "session/workbench.h"
+
+namespace session {
+using namespace std::chrono_literals;
+
+namespace {
+/// Unplugging is noticed by the bus within 200 ms, and here within as much again.
+constexpr auto linkCheckInterval = 200ms;
+} // namespace
+
+LinkController::LinkController(Workbench& bench)
+    : m_bench(bench)
+{
+    m_timer.setInterval(linkCheckInterval);
+    connect(&m_timer, &QTimer::timeout, this, &LinkController::checkLink);
+}
+
+bool LinkController::isSimulated() const
+{
+    return m_connection && m_connection->isSimulated();
+}
+
+int LinkController::baud() const
+{
+    return m_connection ? m_connection->bus().baud() : 0;
+}
+
+bool LinkController::canSetBaud() const
+{
+    return m_connection && m_connection->bus().canSetBaud();
+}
+
+bus::Statistics LinkController::statistics() const
+{
+    return m_connection ? m_connection->bus().statistics() : bus::Statistics{};
+}
+
+void LinkController::setState(LinkState state)
+{
+    if (state == m_state)
+        return;
+    m_state = state;
+    if (state == LinkState::Open)
+        m_timer.start();
+    else
+        m_timer.stop();
+    m_bench.polling().updatePolling();
+    Q_EMIT linkChanged();
+}
+
+void LinkController::connectTo(const PortRequest& request)
+{
+    if (m_connection || m_opening) {
+        m_nextRequest = request;
+        m_bench.closing().disconnectFrom();
+        return;
+    }
+    if (request.name != m_request.name)
+        m_bench.registry().clear();
+    m_request = request;
+    m_bench.recovery().reset();
+    m_bench.presence().reset();
+    m_opening = true;
+    setState(LinkState::Opening);
+    m_bench.backgroundThread().start([this, request] {
+        auto result = std::make_shared<base::Result<std::unique_ptr<Connection>>>(
+            m_bench.session().connect(request));
+        m_bench.mainQueue().post([this, result] { portOpened(std::move(*result)); });
+    });
+}
+
+void LinkController::portOpened(base::Result<std::unique_ptr<Connection>> result)
+{
+    m_opening = false;
+    if (m_state == LinkState::Closing) { // the user has changed their mind meanwhile
+        result = base::fail(base::ErrorCode::Stopped);
+        m_bench.scheduleNext();
+        return;
+    }
+    if (!result) {
+        setState(LinkState::Off);
+        Q_EMIT connectFailed(result.error());
+        return;
+    }
+    m_connection = std::move(*result);
+    m_portName = m_connection->bus().portName();
+    for (auto& [ref, known] : m_bench.registry().entries()) {
+        m_connection->addStopTarget(known.servo);
+        known.turns.reset();
+    }
+    setState(LinkState::Open);
+    m_bench.emitEvent({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
+    m_bench.emergencyStop().portOpened();
+}
+
+void LinkController::powerCycle()
+{
+    if (!m_connection || !m_connection->powerCycle())
+        return;
+    for (auto& [ref, known] : m_bench.registry().entries())
+        known.turns.reset();
+}
+
+void LinkController::checkLink()
+{
+    if (m_connection) {
+        m_bench.presence().update();
+        m_bench.presence().identifyReturned();
+    }
+    if (!m_connection || !m_connection->bus().lost())
+        return;
+    setState(LinkState::Lost);
+    m_bench.search().stop();
+    m_bench.tasks().clearQueue(base::ErrorCode::LinkLost);
+    m_bench.emitEvent({.kind = Event::Kind::LinkLost, .task = m_request.name});
+    m_bench.scheduleNext();
+}
+
+void LinkController::connectToNext()
+{
+    if (const auto next = std::exchange(m_nextRequest, std::nullopt))
+        connectTo(*next);
+}
+
+/// Closing a port may take as long as its adapter likes. Opening waits in the same line.
+void LinkController::closeConnection()
+{
+    m_bench.backgroundThread().start(
+        [old = std::shared_ptr<Connection>(std::move(m_connection))]() mutable { old.reset(); });
+}
+} // namespace session

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/servos/presence_monitor.h"
+
+#include "session/tasks/work.h"
+#include "session/workbench.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+/// This number of requests in a row without an answer is no lost reply.
+constexpr std::uint64_t maxMissedReplies = 3;
+
+/// Proves nothing about which servo is there: the next attempt may.
+bool isTransient(base::ErrorCode code)
+{
+    return code == base::ErrorCode::Held || code == base::ErrorCode::Preempted ||
+           code == base::ErrorCode::Stopped;
+}
+
+QString modelOf(const device::Servo& servo)
+{
+    return servo.profile ? servo.profile->modelName : QString();
+}
+} // namespace
+
+PresenceMonitor::PresenceMonitor(Workbench& bench)
+    : m_bench(bench)
+{}
+
+/// What a job reads comes into the list when it has ended; that its servos answer, or do not, is
+/// seen here. What is asked elsewhere, or while a search asks everybody, says nothing of them.
+void PresenceMonitor::update()
+{
+    const bool counted = m_bench.polling().canPoll() && !m_bench.search().isSearching();
+    for (const auto& [id, counters] : m_bench.link().connection()->bus().statistics().byId) {
+        const auto [place, fresh] = m_counters.try_emplace(id);
+        ReplyCounters& before = place->second;
+        const bool heard = std::exchange(before.ok, counters.ok) != counters.ok;
+        if (heard || fresh || !counted)
+            before.missed = counters.timeouts;
+        const bool missed = counters.timeouts - before.missed >= maxMissedReplies;
+        if (!heard && !missed)
+            continue;
+        const auto answers = [this, id = id](const auto& item) {
+            const device::Servo& servo = item.second.servo;
+            return servo.id == id &&
+                   (!m_bench.link().canSetBaud() || servo.baud == m_bench.link().baud());
+        };
+        const auto first = std::find_if(m_bench.registry().entries().begin(),
+                                        m_bench.registry().entries().end(), answers);
+        const bool alone = first != m_bench.registry().entries().end() &&
+                           std::find_if(std::next(first), m_bench.registry().entries().end(),
+                                        answers) == m_bench.registry().entries().end();
+        if (!alone)
+            continue;
+        ServoEntry& known = first->second;
+        if (heard) {
+            known.lastSeen = m_bench.now();
+            known.answeredAgain = known.silent;
+        } else if (!std::exchange(known.silent, true)) {
+            Q_EMIT m_bench.registry().servoChanged(first->first);
+        }
+    }
+}
+
+/// A servo that answers after a silence is identified before it counts as the same.
+void PresenceMonitor::identifyReturned()
+{
+    std::vector<ServoRef> heard;
+    for (const auto& [ref, known] : m_bench.registry().entries()) {
+        if (known.silent && known.answeredAgain)
+            heard.push_back(ref);
+    }
+    for (const ServoRef ref : heard)
+        reidentify(ref);
+}
+
+void PresenceMonitor::reidentify(ServoRef ref)
+{
+    const ServoEntry* known = m_bench.registry().servo(ref);
+    const bool here = known != nullptr &&
+                      (!m_bench.link().canSetBaud() || known->servo.baud == m_bench.link().baud());
+    if (!here || !m_bench.polling().canPoll() || m_bench.search().isSearching() ||
+        !m_identifying.insert(ref).second)
+        return;
+    m_bench.searchThread().start(
+        [this, ref, id = known->servo.id, protocol = known->servo.protocol] {
+            base::StopToken stop;
+            device::Notices notices;
+            const auto now =
+                device::identify(m_bench.link().connection()->context(stop, notices), id, protocol);
+            m_bench.mainQueue().post([this, ref, now] { reidentified(ref, now); });
+        });
+}
+
+void PresenceMonitor::reidentified(ServoRef ref, const base::Result<device::Servo>& now)
+{
+    m_identifying.erase(ref);
+    ServoEntry* known = m_bench.registry().entry(ref);
+    if (known != nullptr && !now) {
+        known->answeredAgain = isTransient(now.error().code);
+    } else if (known != nullptr && now->id == known->servo.id && now->baud == known->servo.baud) {
+        if (!isSameKind(known->servo, *now)) {
+            replace(ref, {*now});
+        } else if (known->silent) {
+            known->silent = known->garbled = known->answeredAgain = false;
+            known->snapshotPath.clear(); // another one of its kind may have been put in its place
+            known->lastSeen = m_bench.now();
+            m_bench.registry().changed(*known);
+        }
+    }
+    m_bench.scheduleNext();
+}
+
+/// Its journal stays with the servo that was here. While a task is at work with it the list keeps
+/// it, as silent.
+void PresenceMonitor::replace(ServoRef ref, const jobs::FoundServo& now)
+{
+    ServoEntry& known = m_bench.registry().entries().at(ref);
+    const bool working = m_bench.tasks().running() && [&] {
+        const auto refs = m_bench.tasks().running()->refs();
+        return std::find(refs.begin(), refs.end(), ref) != refs.end();
+    }();
+    if (working) {
+        known.silent = known.answeredAgain = true;
+        return;
+    }
+    const QString before = modelOf(known.servo);
+    const device::Servo& servo = now.servo;
+    m_bench.link().connection()->bus().verifiedIds().remove(servo.protocol, servo.id, servo.baud);
+    m_bench.link().connection()->addStopTarget(servo);
+    m_bench.registry().remove(ref);
+    const ServoRef added = m_bench.registry().add(now);
+    m_bench.emitEvent({.kind = Event::Kind::Replaced, .servo = added, .task = before});
+}
+
+/// A write was refused because another servo answers.
+void PresenceMonitor::suspectReplacement(const Work& ended)
+{
+    if (!ended.error || ended.error->code != base::ErrorCode::IdentityMismatch)
+        return;
+    for (const ServoRef ref : ended.refs()) {
+        ServoEntry* known = m_bench.registry().entry(ref);
+        if (known == nullptr || (ended.error->id >= 0 && known->servo.id != ended.error->id))
+            continue;
+        known->silent = known->answeredAgain = true; // identifyReturned() follows
+    }
+}
+} // namespace session

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window at its smallest useful size, in both languages, in its own font, in a larger font and
+// in the font of a new machine: nothing is cut off without a tooltip that has the rest, and every
+// control has a name for people, for screen readers and for tests.
+#include "gui/main_window_fixture.h"
+#include "support/test_main.h"
+#include "support/test_paths.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabBar>
+#include <QTableView>
+#include <QTreeView>
+
+namespace {
+QString displayName(const QWidget& widget)
+{
+    QString path;
+    for (const QWidget* w = &widget; w != nullptr && !w->isWindow(); w = w->parentWidget()) {
+        const QString name = w->objectName().isEmpty()
+                                 ? QString::fromLatin1(w->metaObject()->className())
+                                 : w->objectName();
+        path.prepend(QLatin1Char('/') + name);
+    }
+    return path;
+}
+
+/// Qt's own parts of larger widgets are named by those.
+bool isInternalChild(const QWidget& widget)
+{
+    const QWidget* parent = widget.parentWidget();
+    return widget.objectName().startsWith(QLatin1String("qt_")) ||
+           qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
+           qobject_cast<const QComboBox*>(parent) != nullptr ||
+           qobject_cast<const QLineEdit*>(parent) != nullptr ||
+           qobject_cast<const QTabBar*>(parent) != nullptr ||
+           (parent != nullptr && parent->inherits("QMenuBar")) ||
+           (parent != nullptr && parent->inherits("QToolBar") &&
+            widget.inherits("QToolBarExtension")) ||
+           widget.inherits("QComboBoxListView") || widget.inherits("QDockWidgetTitleButton") ||
+           widget.inherits("QTableCornerButton");
+}
+
+bool isInteractive(const QWidget& widget)
+{
+    return qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
+           qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
+           qobject_cast<const QComboBox*>(&widget) != nullptr ||
+           (qobject_cast<const QAbstractItemView*>(&widget) != nullptr &&
+            qobject_cast<const QHeaderView*>(&widget) == nullptr);
+}
+
+/// The text of a label or button that does not fit.
+QString isTruncated(const QWidget& widget)
+{
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        if (label->text().isEmpty() || !label->toolTip().isEmpty())
+            return {};
+        const int wanted =
+            label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        const bool narrow = !label->wordWrap() && label->width() < label->sizeHint().width();
+        return narrow || label->height() < wanted ? label->text() : QString();
+    }
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+        const QSize hint = button->minimumSizeHint().isValid()
+                               ? button->minimumSizeHint().boundedTo(button->sizeHint())
+                               : button->sizeHint();
+        const bool small = button->width() < hint.width() || button->height() < hint.height() - 1;
+        return !button->text().isEmpty() && small ? button->text() : QString();
+    }
+    return {};
+}
+
+QStringList elidedHeaders(const QHeaderView& header)
+{
+    QStringList cut;
+    if (header.orientation() != Qt::Horizontal || header.model() == nullptr || header.isHidden())
+        return cut;
+    for (int i = 0; i < header.count(); ++i) {
+        const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
+        const int wanted = QFontMetrics(header.font()).horizontalAdvance(text);
+        const bool tip =
+            !header.model()->headerData(i, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty();
+        if (!header.isSectionHidden(i) && header.sectionSize(i) < wanted && !tip)
+            cut << text;
+    }
+    return cut;
+}
+
+/// Cells whose text is wider than the cell, without the whole text in a tooltip.
+QStringList elidedCellsWithoutTooltip(const QAbstractItemView& view)
+{
+    QStringList silent;
+    const QAbstractItemModel* model = view.model();
+    if (model == nullptr)
+        return silent;
+    for (int row = 0; row < model->rowCount(); ++row) {
+        for (int column = 0; column < model->columnCount(); ++column) {
+            const QModelIndex index = model->index(row, column);
+            const QString text = index.data(Qt::DisplayRole).toString();
+            const QRect rect = view.visualRect(index);
+            const int wanted = QFontMetrics(view.font()).horizontalAdvance(text);
+            if (rect.width() > 0 && wanted > rect.width() &&
+                index.data(Qt::ToolTipRole).toString().isEmpty())
+                silent << text;
+        }
+    }
+    return silent;
+}
+QStringList elidedWidgets(const QWidget& window)
+{
+    QStringList faults;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (!widget->isVisible() || isInternalChild(*widget))
+            continue;
+        if (const QString text = isTruncated(*widget); !text.isEmpty())
+            faults << displayName(*widget) + QStringLiteral(": ") + text;
+        if (const auto* header = qobject_cast<const QHeaderView*>(widget)) {
+            for (const QString& text : elidedHeaders(*header))
+                faults << displayName(*widget) + QStringLiteral(": header ") + text;
+        } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) {
+            for (const QString& text : elidedCellsWithoutTooltip(*view))
+                faults << displayName(*widget) + QStringLiteral(": cell ") + text;
+        }
+    }
+    return faults;
+}
+
+} // namespace
+
+class TestLayout : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_font = QApplication::font();
+        for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
+            QVERIFY(QFontDatabase::addApplicationFont(QStringLiteral(DEJAVU_FONTS "/") +
+                                                      QLatin1String(file)) >= 0);
+    }
+    void init() { gui::failOnWarnings(); }
+    void cleanup()
+    {
+        gui::fontOverride.reset();
+        QApplication::setFont(m_font);
+    }
+
+    void nothingIsCutOff_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("port");
+        QTest::addColumn<QString>("page");
+        QTest::addColumn<QString>("family"); // empty: the program's own
+        QTest::addColumn<double>("size");
+        const QString english = QStringLiteral("en");
+        const QString chinese = QStringLiteral("zh_CN");
+        const QString memory = QStringLiteral("memory");
+        const QString operate = QStringLiteral("operate");
+        struct FontCase {
+            const char* name;
+            const char* family;
+            double size;
+        };
+        for (const FontCase& letters : {FontCase{"own font", "", 1}, FontCase{"120 %", "", 1.2},
+                                        FontCase{"DejaVu", "DejaVu Sans", 1}}) {
+            const auto row = [&](const char* what, const QString& language, const char* port,
+                                 const QString& page) {
+                QTest::addRow("%s, %s, %s", what, qPrintable(page), letters.name)
+                    << language << QString::fromLatin1(port) << page
+                    << QString::fromLatin1(letters.family) << letters.size;
+            };
+            row("English, no port", english, "", memory);
+            row("Chinese, no port", chinese, "", memory);
+            for (const char* page : {"sweep", "step", "snapshots", "commission", "history"}) {
+                row("English, STS", english, "sim:demo", QString::fromLatin1(page));
+                row("Chinese, STS", chinese, "sim:demo", QString::fromLatin1(page));
+            }
+            for (const QString& page : {memory, operate}) {
+                row("English, STS", english, "sim:demo", page);
+                row("Chinese, STS", chinese, "sim:demo", page);
+                row("English, SCS", english, "sim:scs15@1", page);
+                row("Chinese, HLS", chinese, "sim:hls3625@1", page);
+                row("English, LX", english, "sim:lx", page);
+                row("Chinese, Modbus", chinese, "sim:modbus", page);
+            }
+        }
+    }
+    void nothingIsCutOff()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, port);
+        QFETCH(QString, page);
+        QFETCH(QString, family);
+        QFETCH(double, size);
+        QFont font = m_font;
+        font.setPointSizeF(m_font.pointSizeF() * size);
+        QApplication::setFont(font);
+        if (!family.isEmpty()) {
+            font.setFamilies({family});
+            gui::fontOverride = font;
+        }
+        gui::MainWindowFixture fixture(language);
+        QCOMPARE(QFontInfo(fixture.window->font()).family(),
+                 family.isEmpty() ? QStringLiteral("Noto Sans") : family);
+        fixture.page = page;
+        fixture.window->resize(1024, 700);
+        if (!port.isEmpty())
+            QVERIFY(fixture.ready(1, port));
+        QVERIFY(QTest::qWaitForWindowExposed(fixture.window.get()));
+        QCOMPARE(fixture.window->size(), QSize(1024, 700));
+        QString faults;
+        const auto nothing = [&] {
+            faults = elidedWidgets(*fixture.window).join(QLatin1Char('\n'));
+            return faults.isEmpty();
+        };
+        // A widget with a new text is resized in the next turn of the event loop.
+        QVERIFY2(QTest::qWaitFor(nothing), qPrintable(faults));
+    }
+
+    void theDefaultWindowShowsEveryColumn_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << "en";
+        QTest::newRow("Chinese") << "zh_CN";
+    }
+    void theDefaultWindowShowsEveryColumn()
+    {
+        QFETCH(QString, language);
+        gui::MainWindowFixture fixture(language);
+        QVERIFY(fixture.ready(1));
+        const auto* table = fixture.find<QTableView>("memoryTable");
+        for (int column = 0; column < table->model()->columnCount(); ++column)
+            QVERIFY2(!table->isColumnHidden(column), qPrintable(QString::number(column)));
+    }
+
+    void interactiveWidgetsHaveNames()
+    {
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QStringList faults;
+        int seen = 0;
+        for (const QWidget* widget : fixture.window->findChildren<QWidget*>()) {
+            if (!isInteractive(*widget) || isInternalChild(*widget))
+                continue;
+            ++seen;
+            if (widget->objectName().isEmpty())
+                faults << displayName(*widget) + QStringLiteral(": no object name");
+            if (widget->accessibleName().isEmpty())
+                faults << displayName(*widget) + QStringLiteral(": no accessible name");
+            if (widget->toolTip().isEmpty())
+                faults << displayName(*widget) + QStringLiteral(": no tooltip");
+        }
+        QVERIFY(seen > 20);
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    void switchingToChineseLeavesNoEnglish()
+    {
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        fixture.setLanguage(QStringLiteral("zh_CN"));
+        static const QRegularExpression sentence(
+            QStringLiteral("\\b[A-Za-z]{3,} [a-z]{2,} [a-z]{2,}\\b"));
+        QStringList faults;
+        for (const QWidget* widget : fixture.window->findChildren<QWidget*>()) {
+            QStringList texts{widget->toolTip(), widget->accessibleName()};
+            if (const auto* label = qobject_cast<const QLabel*>(widget))
+                texts << label->text();
+            if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+                texts << button->text();
+            for (const QString& text : texts) {
+                if (text.contains(sentence))
+                    faults << displayName(*widget) + QStringLiteral(": ") + text;
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+private:
+    QFont m_font; ///< of the platform
+};
+
+SERVODESK_TEST(TestLayout)
+#include "tst_layout.moc"

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outputs of the trend chart: image files, presets, copied readings; and its rules for colors,
+// ticks and ranges.
+#include "gui/trend_chart_fixture.h"
+#include "support/test_main.h"
+#include "ui/charts/auto_range.h"
+#include "ui/charts/axis_ticks.h"
+#include "ui/charts/cursor_table.h"
+#include "ui/charts/trend_preset.h"
+
+#include <QClipboard>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+#include <cmath>
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace std::chrono_literals;
+
+namespace {
+QString q(const char* text)
+{
+    return QString::fromUtf8(text);
+}
+} // namespace
+
+class TestTrendChartFiles : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(q("^(?!This plugin)"))); }
+    void savesImages();
+    void imageExportFailsWithAMessage();
+    void fullDiskKeepsTheOldImage();
+    void presets();
+    void brokenPresets();
+    void cursorTable();
+    void colorsAreDistinct();
+    void timeTexts_data();
+    void timeTexts();
+    void roundRanges_data();
+    void roundRanges();
+    void axisDoesNotJitter();
+};
+
+void TestTrendChartFiles::savesImages()
+{
+    const QTemporaryDir folder;
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    QString trouble;
+    const QString png = folder.filePath(q("a.png"));
+    QVERIFY2(fixture.chart.savePng(png, {900, 500}, &trouble), qPrintable(trouble));
+    const QImage image(png);
+    QCOMPARE(image.size(), QSize(900, 500));
+    QCOMPARE(image.pixelColor(2, 2), QColor(Qt::white));
+    const QRgb blue = ui::trendColor(0, Qt::white).rgb();
+    int painted = 0;
+    for (int y = 60; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            painted += gui::TrendChartFixture::near(image.pixel(x, y), blue) ? 1 : 0;
+    }
+    QVERIFY(painted > 500);
+
+    const QString svg = folder.filePath(q("a.svg"));
+    QVERIFY2(fixture.chart.saveSvg(svg, {900, 500}, &trouble), qPrintable(trouble));
+    QFile file(svg);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    QString texts;
+    int lines = 0;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isCharacters())
+            texts += xml.text();
+        lines += xml.isStartElement() && xml.name() == q("polyline") ? 1 : 0;
+    }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    QVERIFY(texts.contains(q("Alpha")) && texts.contains(q("Beta")));
+    QVERIFY(texts.contains(q("10 s")));
+    QVERIFY(lines >= 1);
+}
+
+void TestTrendChartFiles::imageExportFailsWithAMessage()
+{
+    gui::TrendChartFixture fixture;
+    QString trouble;
+    QVERIFY(!fixture.chart.savePng(q("/nonexistent-folder/a.png"), {400, 300}, &trouble));
+    QVERIFY(trouble.contains(q("/nonexistent-folder/a.png")));
+    trouble.clear();
+    QVERIFY(!fixture.chart.saveSvg(q("/nonexistent-folder/a.svg"), {400, 300}, &trouble));
+    QVERIFY(!trouble.isEmpty());
+    trouble.clear();
+    QVERIFY(!fixture.chart.saveSvg(QString(), {400, 300}, &trouble));
+    QVERIFY(!trouble.isEmpty());
+}
+
+/// As a full disk has it, without one: no file may grow beyond a few bytes.
+void TestTrendChartFiles::fullDiskKeepsTheOldImage()
+{
+    const QTemporaryDir folder;
+    gui::TrendChartFixture fixture;
+    const QString path = folder.filePath(q("a.svg"));
+    QString trouble;
+    QVERIFY(fixture.chart.saveSvg(path, {400, 300}, &trouble));
+    const qint64 size = QFileInfo(path).size();
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1000, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const bool saved = fixture.chart.saveSvg(path, {400, 300}, &trouble);
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    QVERIFY(!saved);
+    QVERIFY(trouble.contains(path));
+    QCOMPARE(QFileInfo(path).size(), size);
+}
+
+void TestTrendChartFiles::presets()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(q("s.ini"));
+    const ui::TrendPreset preset{
+        42s, {{q("1/a"), true, Qt::blue, 1, 0}, {q("1/b"), false, Qt::red, -2.5, 100}}};
+    {
+        session::Settings settings(file);
+        QVERIFY(ui::presetNames(settings).isEmpty());
+        QVERIFY(ui::savePreset(settings, q("  夹持 grip "), preset));
+        QVERIFY(ui::savePreset(settings, q("Alone"), {5s, {{q("1/b"), true, QColor(), 1, 0}}}));
+        QVERIFY(!ui::savePreset(settings, q("  "), preset));
+    }
+    session::Settings settings(file);
+    QCOMPARE(ui::presetNames(settings), QStringList({q("Alone"), q("夹持 grip")}));
+    QVERIFY(ui::loadPreset(settings, q("夹持 grip")) == preset);
+    QVERIFY(!ui::loadPreset(settings, q("other")));
+    // A color by its place stays so.
+    QVERIFY(!ui::loadPreset(settings, q("Alone"))->channels.front().color.isValid());
+    ui::deletePreset(settings, q("Alone"));
+    QCOMPARE(ui::presetNames(settings), QStringList({q("夹持 grip")}));
+}
+
+void TestTrendChartFiles::brokenPresets()
+{
+    const QTemporaryDir folder;
+    session::Settings settings(folder.filePath(q("s.ini")));
+    settings.setPageValue(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
+                                                "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3"));
+    QVERIFY(ui::presetNames(settings).isEmpty());
+    settings.setPageValue(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
+                                                "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3}"));
+    const auto preset = ui::loadPreset(settings, q("a"));
+    QVERIFY(preset);
+    QCOMPARE(preset->width, base::Duration(10s));
+    QCOMPARE(preset->channels.size(), std::size_t(1));
+    QCOMPARE(preset->channels[0].scale, 1.0);
+    QVERIFY(!ui::loadPreset(settings, q("b")));
+}
+
+void TestTrendChartFiles::cursorTable()
+{
+    gui::TrendChartFixture fixture;
+    ui::CursorTable table(&fixture.chart);
+    auto* const cells = table.findChild<QTableWidget*>(q("cursorTable"));
+    QCOMPARE(cells->rowCount(), 0);
+    fixture.fill(0, 10s, [](double t) { return 2 * t; });
+    fixture.chart.show({0s, 10s});
+    fixture.chart.setCursors(2s, 6s);
+    QCOMPARE(cells->rowCount(), 2);
+    QCOMPARE(cells->item(0, 0)->text(), q("Alpha"));
+    QCOMPARE(cells->item(0, 1)->text().toDouble(), 4.0);
+    QCOMPARE(cells->item(0, 2)->text().toDouble(), 12.0);
+    QCOMPARE(cells->item(0, 3)->text().toDouble(), 8.0);
+    QCOMPARE(cells->item(0, 4)->text().toDouble(), 2.0);
+    QCOMPARE(cells->item(0, 5)->text().toDouble(), 8.0);
+    QCOMPARE(cells->item(0, 6)->text().toDouble(), 4.0);
+    QCOMPARE(cells->item(0, 7)->text().toDouble(), 12.0);
+    QCOMPARE(cells->item(0, 9)->text(), q("401"));
+    QCOMPARE(cells->item(1, 1)->text(), q("–")); // no sample
+    table.copy();
+    const QString copied = QGuiApplication::clipboard()->text();
+    QVERIFY(copied.contains(q("4.000 s")));
+    QVERIFY(copied.contains(q("Alpha\t")));
+    fixture.chart.setChannelVisible(0, false);
+    QCOMPARE(cells->rowCount(), 1);
+    fixture.chart.setCursorsShown(false);
+    QCOMPARE(cells->rowCount(), 0);
+}
+
+void TestTrendChartFiles::colorsAreDistinct()
+{
+    for (const QColor& ground : {QColor(Qt::white), QColor(0x2d, 0x31, 0x38)}) {
+        for (int i = 0; i < ui::trendColorCount; ++i) {
+            const QColor color = ui::trendColor(i, ground);
+            QVERIFY2(ui::contrast(color, ground) >= 3.0, qPrintable(color.name()));
+            for (int k = 0; k < i; ++k)
+                QVERIFY(color != ui::trendColor(k, ground));
+        }
+        for (const QColor& wanted : {QColor(Qt::yellow), QColor(0, 0, 60), QColor(Qt::white),
+                                     QColor(Qt::black), QColor(0x30, 0x34, 0x38), QColor()})
+            QVERIFY(ui::contrast(ui::trendColorOn(wanted, ground), ground) >= 3.0);
+    }
+    const QColor light = ui::trendColor(2, Qt::white);
+    const QColor dark = ui::trendColor(2, QColor(0x2d, 0x31, 0x38));
+    QCOMPARE(ui::trendColorOn(light, QColor(0x2d, 0x31, 0x38)), dark);
+    QCOMPARE(ui::trendColorOn(dark, Qt::white), light);
+    QCOMPARE(ui::contrast(Qt::white, Qt::black), 21.0);
+}
+
+void TestTrendChartFiles::timeTexts_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<double>("at");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("following") << -10.0 << 0.0 << -4.0 << q("-4 s");
+    QTest::newRow("now") << -10.0 << 0.0 << 0.0 << q("0 s");
+    QTest::newRow("short") << -0.5 << 0.0 << -0.25 << q("-250 ms");
+    QTest::newRow("parts of a second") << 0.0 << 4.0 << 1.5 << q("1.5 s");
+    QTest::newRow("minutes") << 0.0 << 600.0 << 60.0 << q("1:00");
+    QTest::newRow("back in minutes") << -600.0 << 0.0 << -120.0 << q("-2:00");
+    QTest::newRow("hours") << 0.0 << 7200.0 << 3600.0 << q("1:00:00");
+    QTest::newRow("close, late") << 3600.0 << 3600.05 << 3600.01 << q("1:00:00.010");
+}
+
+void TestTrendChartFiles::timeTexts()
+{
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(double, at);
+    const ui::AxisRange range{low, high};
+    const double step = ui::timeStep(range.size(), 10);
+    QFETCH(QString, text);
+    QCOMPARE(ui::timeText(at, range, step), text);
+    const auto places = ui::ticks(range, step);
+    QVERIFY(places.size() >= 4 && places.size() <= 11);
+}
+
+void TestTrendChartFiles::roundRanges_data()
+{
+    QTest::addColumn<double>("min");
+    QTest::addColumn<double>("max");
+    QTest::addColumn<QString>("unit");
+    QTest::newRow("one turn") << 0.0 << 360.0 << q("°");
+    QTest::newRow("part of a turn") << 51.0 << 299.0 << q("°");
+    QTest::newRow("negative") << -133.0 << 134.0 << q("rpm");
+    QTest::newRow("constant") << 7.4 << 7.4 << q("V");
+    QTest::newRow("tiny") << 1.0 << 1.0 + 1e-12 << QString();
+    QTest::newRow("huge") << -1e12 << 3e12 << QString();
+    QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString();
+}
+
+void TestTrendChartFiles::roundRanges()
+{
+    QFETCH(double, min);
+    QFETCH(double, max);
+    QFETCH(QString, unit);
+    const ui::AxisRange range = ui::roundRange(min, max, unit);
+    QVERIFY(range.low <= min + 1e-9 * std::abs(min) && range.high >= max - 1e-9 * std::abs(max));
+    QVERIFY(range.size() > 0);
+    const double step = range.size() / ui::axisDivisions;
+    QVERIFY(std::abs(range.low / step - std::round(range.low / step)) < 1e-6);
+    if (max - min > 100)
+        QVERIFY((max - min) / range.size() > 0.3); // not lost in an empty plot
+}
+
+void TestTrendChartFiles::axisDoesNotJitter()
+{
+    ui::AutoRange axis(q("°"));
+    axis.update(0, 300, 0s);
+    const ui::AxisRange first = axis.paddedRange();
+    axis.update(20, 250, 1s);
+    QCOMPARE(axis.paddedRange().high, first.high);
+    axis.update(0, 700, 2s); // grows at once
+    QVERIFY(axis.paddedRange().high > 700);
+    const ui::AxisRange samplesAdded = axis.paddedRange();
+    axis.update(0, 100, 3s);
+    axis.update(0, 100, 4s);
+    QCOMPARE(axis.paddedRange().high, samplesAdded.high);
+    axis.update(0, 600, 4500ms);
+    axis.update(0, 100, 6s); // needed again in between: the patience starts anew
+    QCOMPARE(axis.paddedRange().high, samplesAdded.high);
+    axis.update(0, 100, 9s);
+    QVERIFY(axis.paddedRange().high < samplesAdded.high);
+    axis.setFixed({1, 2});
+    axis.update(-1000, 1000, 10s);
+    QCOMPARE(axis.paddedRange().high, 2.0);
+    axis.update(qQNaN(), 1, 11s);
+    axis.setAutomatic();
+    axis.update(0, 10, 12s);
+    QVERIFY(axis.paddedRange().high >= 10 && axis.paddedRange().high < 20);
+}
+
+SERVODESK_TEST(TestTrendChartFiles)
+#include "tst_trend_chart_files.moc"

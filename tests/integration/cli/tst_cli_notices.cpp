@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The messages of the command line beside its result: notices of a failed command, an interrupted
+// change, a second servo; neither a closed pipe nor a full disk suppresses them.
+#include "integration/raw_servo_bus.h"
+#include "support/cli_program.h"
+#include "support/test_main.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+using support::CliProgram;
+using support::ProgramResult;
+using support::SimProgram;
+using support::words;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr qint64 promptMs = 5000; ///< ms
+
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+QString historyOf(const CliProgram& cli)
+{
+    return cli.dataFolder() + text("/history.sqlite");
+}
+
+QStringList noticeCodes(const ProgramResult& result)
+{
+    QStringList codes;
+    for (const QJsonValue& note : result.json()[text("notes")].toArray())
+        codes << note[text("code")].toString();
+    return codes;
+}
+
+void killDuringWrite(CliProgram& cli, bytes::Bus& bus)
+{
+    cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
+    QTRY_VERIFY_WITH_TIMEOUT(bus.byteAt(1, 55) == 0, 60'000); // unlocked
+    cli.signal(SIGKILL);
+    QCOMPARE(cli.finish().exit, -1);
+}
+
+/// Limits the size of files of this program and of those that it starts.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN); // also for programs that are started
+        ::getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit little = m_before;
+        little.rlim_cur = bytes;
+        ::setrlimit(RLIMIT_FSIZE, &little);
+    }
+    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit m_before = {};
+};
+} // namespace
+
+class TestCliNotices : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void aFailedCommandShowsItsNotices();
+    void anOpenChangeIsReportedByEveryCommand();
+    void aFullDiskIsReportedAndHidesNothing();
+    void nonFilesAreRefusedAtOnce_data();
+    void nonFilesAreRefusedAtOnce();
+    void duplicateIdsAreNotSaved();
+};
+
+void TestCliNotices::aFailedCommandShowsItsNotices()
+{
+    bytes::Bus bus({1}, 0ms, bytes::RestartBehavior::Ignored);
+    bus.setByte(1, 40, 1);
+    CliProgram cli;
+    cli.setPort(bus.port());
+    const ProgramResult result = cli.json("reboot 1");
+    QVERIFY(result.exit != 0);
+    QVERIFY2(result.json().contains(text("error")), qPrintable(result.out + result.err));
+    QCOMPARE(bus.byteAt(1, 40), 0);
+    QVERIFY2(noticeCodes(result).contains(text("torque-switched-off")), qPrintable(result.out));
+}
+
+void TestCliNotices::anOpenChangeIsReportedByEveryCommand()
+{
+    CliProgram cli;
+    bytes::Bus bus({1}, 60ms);
+    cli.setPort(bus.port());
+    QVERIFY(!cli.run("read 1 position_p").err.contains(text("recover")));
+    killDuringWrite(cli, bus);
+    if (QTest::currentTestFailed())
+        return;
+    const QString command = text("servodesk-cli recover --port ") + bus.port();
+    for (const char* line : {"read 1 position_p", "info 1", "scan --ids 1", "torque 1 off"}) {
+        const ProgramResult result = cli.run(line);
+        QVERIFY2(result.err.contains(command), qPrintable(result.err + result.out));
+        QVERIFY2(noticeCodes(cli.json(line)).contains(text("open-change")), line);
+    }
+    const ProgramResult info = cli.run("info 1");
+    QVERIFY2(info.out.contains(command) && !info.out.contains(text("lock=1")),
+             qPrintable(info.out));
+    QVERIFY(!cli.run("recover").err.contains(command)); // it lists them
+    QCOMPARE(cli.run("recover --finish").exit, 0);
+    QVERIFY(!cli.run("read 1 position_p").err.contains(command));
+}
+
+void TestCliNotices::aFullDiskIsReportedAndHidesNothing()
+{
+    CliProgram cli;
+    bytes::Bus bus({1}, 60ms);
+    cli.setPort(bus.port());
+    killDuringWrite(cli, bus);
+    if (QTest::currentTestFailed())
+        return;
+    QFile::remove(historyOf(cli) + text("-shm"));
+    {
+        const FullDisk disk(4096); // no room for SQLite's index
+        const ProgramResult recover = cli.json("recover");
+        QCOMPARE(recover.json()[text("intents")].toArray().size(), 1);
+        const ProgramResult history = cli.json("history");
+        QVERIFY2(history.exit == 0, qPrintable(history.out + history.err));
+        QCOMPARE(cli.run("write 1 position_p=33").exit, 5);
+    }
+    QCOMPARE(cli.run("recover --finish").exit, 0);
+}
+
+void TestCliNotices::nonFilesAreRefusedAtOnce_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::newRow("snapshot save") << text("snapshot save 1 PIPE");
+    QTest::newRow("bundle save") << text("bundle save PIPE 1");
+    QTest::newRow("watch --csv") << text("watch 1 --csv PIPE");
+    QTest::newRow("history --csv") << text("history --csv PIPE");
+    QTest::newRow("commission --batch") << text("commission --batch PIPE --first-id 5 --auto");
+    QTest::newRow("a file that waits") << text("snapshot show /proc/kmsg");
+}
+
+void TestCliNotices::nonFilesAreRefusedAtOnce()
+{
+    QFETCH(QString, line);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    QCOMPARE(cli.run("write 1 position_p=40").exit, 0); // there is a history
+    const QString pipe = cli.dataFolder() + text("/pipe");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    QElapsedTimer timer;
+    timer.start();
+    cli.start(line.replace(text("PIPE"), pipe).split(QLatin1Char(' ')));
+    QVERIFY(cli.process().waitForFinished(promptMs));
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.exit > 0, qPrintable(result.out + result.err));
+    if (!line.contains(text("/proc/")))
+        QVERIFY2(result.err.contains(text("not a regular file")), qPrintable(result.err));
+}
+
+void TestCliNotices::duplicateIdsAreNotSaved()
+{
+    CliProgram cli;
+    SimProgram sim(words("--preset trouble"));
+    cli.setPort(sim.port());
+    const QString file = cli.dataFolder() + text("/one.servo.json");
+    for (const QStringList& line : {QStringList{text("snapshot"), text("save"), text("1"), file},
+                                    QStringList{text("bundle"), text("save"), file, text("1")}}) {
+        const ProgramResult result = cli.run(QStringList(line) << text("--json"));
+        QVERIFY2(result.exit != 0, qPrintable(result.out));
+        QCOMPARE(result.json()[text("error")][text("code")].toString(), text("several-servos"));
+        QVERIFY(!QFile::exists(file));
+    }
+}
+
+SERVODESK_GUILESS_TEST(TestCliNotices)
+#include "tst_cli_notices.moc"

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// servodesk-cli sweep as a user runs it: exit codes, its files, and the figures of the report,
+// which this test calculates again from the readings.
+#include "results/sweep_json.h"
+#include "support/cli_program.h"
+#include "support/cut_cable.h"
+#include "support/test_main.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+#include <csignal>
+#include <map>
+
+using support::CliProgram;
+using support::ProgramResult;
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+/// One reading of servo 1 from the file: numbers by column name, NaN for an empty cell.
+using Reading = std::map<QString, double>;
+
+std::vector<Reading> readings(const QString& path)
+{
+    QFile file(path);
+    std::vector<Reading> found;
+    if (!file.open(QIODevice::ReadOnly))
+        return found;
+    QStringList names;
+    for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+        if (line.isEmpty() || line.startsWith(QLatin1Char('#')))
+            continue;
+        const QStringList cells = line.split(QLatin1Char(','));
+        if (names.isEmpty()) {
+            names = cells;
+            continue;
+        }
+        Reading reading;
+        for (int i = 0; i < cells.size() && i < names.size(); ++i) {
+            const QString name = names.at(i).section(QLatin1Char('['), 0, 0); // "1.goal[step]"
+            reading[name.section(QLatin1Char('.'), -1)] =
+                cells.at(i).isEmpty() ? NAN : cells.at(i).toDouble();
+        }
+        found.push_back(reading);
+    }
+    return found;
+}
+
+/// The readings of one leg.
+std::vector<Reading> ofLeg(const std::vector<Reading>& all, int leg)
+{
+    std::vector<Reading> found;
+    for (const Reading& one : all) {
+        if (one.at(text("leg")) == leg && !std::isnan(one.at(text("position"))))
+            found.push_back(one);
+    }
+    return found;
+}
+
+QJsonObject rowOf(const QJsonArray& rows, const char* name, const QJsonValue& value)
+{
+    for (const QJsonValue& row : rows) {
+        if (row[QLatin1String(name)] == value)
+            return row.toObject();
+    }
+    return {};
+}
+
+QJsonObject loaded(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                          : QJsonObject();
+}
+} // namespace
+
+class TestCliSweep : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void goodAndBadServos();
+    void reportsOfEveryKind_data();
+    void reportsOfEveryKind();
+    void metricsMatchTheSamples();
+    void usageErrorsAreReported_data();
+    void usageErrorsAreReported();
+    void tooShortADelayIsReported();
+    void ctrlCEndsItSafely();
+    void silenceInTheLastLegIsALostLink();
+    void aSuspendedRunIsReported();
+};
+
+void TestCliSweep::tooShortADelayIsReported()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const ProgramResult coarseUpdates =
+        cli.run("sweep 1 --from 1000 --to 3000 --delay 150 --cycles 1 --speed 3000");
+    QVERIFY2(coarseUpdates.err.contains(text("reverses before it arrives")),
+             qPrintable(coarseUpdates.err));
+    const ProgramResult calm =
+        cli.run("sweep 1 --from 2000 --to 2200 --delay 700 --cycles 1 --speed 3000");
+    QVERIFY2(!calm.err.contains(text("reverses")), qPrintable(calm.err));
+}
+
+void TestCliSweep::goodAndBadServos()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1,sts3215@2+overshoot=10"));
+    const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000";
+    const ProgramResult passed = cli.run(good);
+    QVERIFY2(passed.exit == 0, qPrintable(passed.out + passed.err));
+    QVERIFY(passed.out.contains(text("Passed")));
+    const ProgramResult failed =
+        cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000");
+    QCOMPARE(failed.exit, 1);
+    QCOMPARE(failed.json()[text("verdict")].toString(), text("fail"));
+    QCOMPARE(failed.json()[text("legs")].toArray().size(), 8);
+    const auto decoded = results::decodeSweepRun(failed.out.toUtf8());
+    QVERIFY2(decoded, decoded ? "" : qPrintable(decoded.error().detail));
+    QVERIFY(decoded->simulated);
+}
+
+void TestCliSweep::reportsOfEveryKind_data()
+{
+    QTest::addColumn<QByteArray>("begins");
+    QTest::newRow("html") << QByteArray("<!DOCTYPE html>");
+    QTest::newRow("pdf") << QByteArray("%PDF-");
+    QTest::newRow("json") << QByteArray("{");
+    QTest::newRow("csv") << QByteArray("servo,leg,");
+}
+
+void TestCliSweep::reportsOfEveryKind()
+{
+    QFETCH(QByteArray, begins);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const QString path =
+        cli.dataFolder() + text("/report.") + QLatin1String(QTest::currentDataTag());
+    const ProgramResult result =
+        cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 3 --report ")
+                    .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+                << path);
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().startsWith(begins));
+    QVERIFY(QFile::exists(cli.dataFolder() + text("/report.readings.csv")));
+}
+
+/// A defect of each kind, so that no figure is 0 by chance.
+void TestCliSweep::metricsMatchTheSamples()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1+overshoot=4+static-error=5+supply-ohms=0.4"));
+    const QString path = cli.dataFolder() + text("/report.json");
+    const ProgramResult result =
+        cli.run(text("sweep 1 --from 1500 --to 2500 --dwell 400 --cycles 4 --speed 3000 --report ")
+                    .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+                << path);
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    const QJsonObject report = loaded(path);
+    const auto all = readings(cli.dataFolder() + text("/report.readings.csv"));
+    const QJsonArray legs = report[text("legs")].toArray();
+    QCOMPARE(legs.size(), 8);
+    double worst = 0;
+    double overshoot = 0;
+    double peak = 0;
+    double lowest = HUGE_VAL;
+    for (const QJsonValue& leg : legs) {
+        const auto rows = ofLeg(all, leg[text("leg")].toInt());
+        QCOMPARE(double(rows.size()), leg[text("samples")].toDouble());
+        const double target = leg[text("target")].toDouble();
+        QCOMPARE(rows.back().at(text("goal")), target);
+        double sum = 0; // of the last ten readings, at rest
+        for (std::size_t i = rows.size() - 10; i < rows.size(); ++i)
+            sum += rows[i].at(text("position")) / 10;
+        QVERIFY(std::abs(sum - leg[text("reached")].toDouble()) < 1);
+        QVERIFY(std::abs(leg[text("steady_error")].toDouble() - (sum - target)) < 1);
+        worst = std::max(worst, std::abs(sum - target));
+        const double sense = target > rows.front().at(text("position")) ? 1 : -1;
+        double beyond = 0;
+        for (const Reading& row : rows) {
+            beyond = std::max(beyond, sense * (row.at(text("position")) - sum));
+            peak = std::max(peak, std::abs(row.at(text("current"))));
+            lowest = std::min(lowest, row.at(text("voltage")));
+        }
+        const double way = std::abs(target - leg[text("start")].toDouble());
+        QVERIFY(std::abs(100 * beyond / way - leg[text("overshoot")].toDouble()) < 1);
+        overshoot = std::max(overshoot, 100 * beyond / way);
+    }
+    const QJsonArray metrics = report[text("metrics")].toArray();
+    const auto value = [&](const char* key) {
+        return rowOf(metrics, "metric", text(key))[text("value")].toDouble(NAN);
+    };
+    QVERIFY(std::abs(value("steady_error") - worst) < 1);
+    QVERIFY(std::abs(value("overshoot") - overshoot) < 1);
+    QCOMPARE(value("current_peak"), peak);
+    QCOMPARE(value("voltage_min"), lowest);
+    QVERIFY(lowest < 7.3); // the supply sags
+    QVERIFY(overshoot > 3 && overshoot < 5);
+    QVERIFY(worst > 4 && worst < 6);
+}
+
+void TestCliSweep::usageErrorsAreReported_data()
+{
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<int>("exit");
+    QTest::addColumn<QString>("word"); ///< a part of the message
+    const auto row = [](const char* options, int exit, const char* word) {
+        QTest::newRow(options) << text(options) << exit << text(word);
+    };
+    row("--from 1000 --to 1000 --delay 500", 2, "same position");
+    row("--from 1000 --to 2000", 2, "--delay");
+    row("--from 1000 --delay 500", 2, "--to");
+    row("--from 1000 --to 2000 --delay 0", 2, "0");
+    row("--from 1000 --to 2000 --delay 500 --dwell 5", 2, "--dwell");
+    row("--from 1000 --to 2000 --delay 500 --step 5000", 2, "step");
+    row("--from 1000 --to 5000 --delay 500", 2, "goal_position");
+    row("--from 1000 --to 2000 --delay 500 --report /nowhere/report.html", 5, "/nowhere");
+    row("--from 1000 --to 2000 --delay 500 --report report.doc", 2, ".html");
+    row("--from 1000 --to 2000 --delay 500 --limits /nowhere.json", 5, "/nowhere.json");
+    row("--points /nowhere.csv --delay 500", 5, "/nowhere.csv");
+    row("--from 1000 --to 2000 --delay 500 --sine 2 --step 3", 2, "--sine");
+    row("--from 1000 --to 2000 --delay 500 --step -5", 2,
+        "--step \"-5\": specify a step greater than 0");
+    row("--from 1000 --to 2000 --delay 500 --step -5deg", 2, "swap --from and --to");
+    row("--from 1000 --to 2000 --sine 0", 2, "--sine \"0\": specify a number of seconds from 0.1");
+    row("--from 1000 --to 2000 --sine nan", 2, "--sine \"nan\"");
+    row("--from 1000 --to 2000 --sine 1e9", 2, "to 3600");
+    row("--from 1000 --to 2000 --delay 500 --for -1", 2, "--for \"-1\"");
+    row("--from 1000 --to 2000 --delay 500 --warm-up inf", 2, "--warm-up \"inf\"");
+    row("--from 1000 --to 2000 --delay 500 --cycles 0", 2, "whole number from 1 to 1000000");
+    row("--from 1000 --to 2000 --delay 500 --time -3", 2, "--time \"-3\"");
+    row("--from 1000 --to 2000 --delay 500 --speed -100", 2,
+        "--speed \"-100\": specify a value of 0 or more");
+    row("--from 1000 --to 2000 --delay 500 --acceleration -1deg", 2, "--acceleration");
+    row("--from 1000 --to 2000 --delay 500 --random -1", 2, "--random \"-1\"");
+}
+
+void TestCliSweep::usageErrorsAreReported()
+{
+    QFETCH(QString, options);
+    QFETCH(int, exit);
+    QFETCH(QString, word);
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const ProgramResult result =
+        cli.run(QStringList{text("sweep"), text("1")} + options.split(QLatin1Char(' ')));
+    QVERIFY2(result.exit == exit, qPrintable(QString::number(result.exit) + result.err));
+    QVERIFY2(result.err.contains(word), qPrintable(result.err));
+}
+
+void TestCliSweep::silenceInTheLastLegIsALostLink()
+{
+    support::SimProgram sim({text("--servos"), text("sts3215@1,sts3215@2")});
+    support::CutCable cable(sim.port(), false);
+    CliProgram cli;
+    cli.setPort(cable.port());
+    cli.start(text("sweep 1 2 --from 1500 --to 2500 --dwell 5000 --cycles 1 --json")
+                  .split(QLatin1Char(' ')));
+    QTRY_VERIFY_WITH_TIMEOUT(cable.writes() == 3, 60'000); // to the start, there, and back
+    QTest::qWait(200); // usually the goal has been read back by then; else it is lost a leg earlier
+    cable.dropAll();
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.exit == 3, qPrintable(QString::number(result.exit) + result.out + result.err));
+    QCOMPARE(result.json()[text("end")].toString(), text("link-lost"));
+    QCOMPARE(result.json()[text("verdict")].toString(), text("not-measured"));
+    for (const char* servo : {"ervo 1 could not be", "ervo 2 could not be"})
+        QVERIFY2(result.err.contains(text(servo)), qPrintable(result.err));
+}
+
+/// Ctrl-Z and fg: what the servo did meanwhile is unknown and must not count against it.
+void TestCliSweep::aSuspendedRunIsReported()
+{
+    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    CliProgram cli;
+    cli.setPort(sim.port());
+    cli.start(text("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 8").split(QLatin1Char(' ')));
+    QVERIFY(cli.waitForError("cycle 2"));
+    cli.signal(SIGSTOP);
+    QTest::qWait(2000); // suspended for this time
+    cli.signal(SIGCONT);
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.out.contains(text("Gaps without readings: ")), qPrintable(result.out));
+    QVERIFY2(!result.out.contains(text("stalled before reaching its goal")),
+             qPrintable(result.out));
+}
+
+void TestCliSweep::ctrlCEndsItSafely()
+{
+    CliProgram cli;
+    cli.setPort(text("sim:sts3215@1"));
+    const QString path = cli.dataFolder() + text("/report.json");
+    cli.start(text("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --release --report ")
+                  .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+              << path);
+    QVERIFY(cli.waitForError("cycle 1"));
+    cli.signal(SIGINT);
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 1);
+    const QJsonObject report = loaded(path);
+    QCOMPARE(report[text("end")].toString(), text("stopped"));
+    QVERIFY(!report[text("legs")].toArray().isEmpty());
+    QCOMPARE(report[text("verdict")].toString(), text("not-measured"));
+    QCOMPARE(report[text("servos")][0][text("verdict")].toString(), text("not-measured"));
+    QCOMPARE(report[text("servos")][0][text("no_verdict")].toString(), text("ended"));
+    QVERIFY2(result.out.contains(text(" 1: No verdict")), qPrintable(result.out));
+    QVERIFY2(result.out.contains(text("Verdict: No verdict")), qPrintable(result.out));
+    const QJsonValue kept = cli.json("sweep-runs").json()[text("runs")][0];
+    QCOMPARE(kept[text("servos")][0][text("verdict")].toString(), text("not-measured"));
+    const ProgramResult reference = cli.run("sweep-reference 1");
+    QCOMPARE(reference.exit, 1);
+    QVERIFY2(reference.err.contains(text("did not finish")), qPrintable(reference.err));
+    QVERIFY(readings(cli.dataFolder() + text("/report.readings.csv")).size() > 50);
+}
+
+SERVODESK_GUILESS_TEST(TestCliSweep)
+#include "tst_cli_sweep.moc"

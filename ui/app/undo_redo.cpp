@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/app/undo_redo.h"
+
+#include "ui/memory/write_question.h"
+
+namespace ui {
+namespace {
+std::vector<Question> questionsOf(const session::Workbench& workbench,
+                                  const session::UndoStep& step)
+{
+    std::vector<Question> all;
+    const session::ServoEntry* entry = workbench.registry().servo(step.servo);
+    if (entry == nullptr || !entry->servo.profile)
+        return all;
+    for (const device::WriteItem& item : step.newItems) {
+        const catalog::Register* reg = entry->servo.profile->find(item.key);
+        if (reg == nullptr)
+            continue;
+        if (auto question = writeQuestion(*entry, *reg, item.raw, step.temporary))
+            all.push_back(std::move(*question));
+    }
+    return all;
+}
+
+bool sameStep(const session::UndoStep& a, const session::UndoStep& b)
+{
+    const auto same = [](const device::WriteItem& one, const device::WriteItem& other) {
+        return one.key == other.key && one.raw == other.raw;
+    };
+    return a.servo == b.servo && std::equal(a.newItems.begin(), a.newItems.end(),
+                                            b.newItems.begin(), b.newItems.end(), same);
+}
+
+void confirmFrom(session::Workbench& workbench, QWidget* parent, const session::UndoStep& step,
+                 std::vector<Question> questions)
+{
+    const session::UndoStep* next = workbench.writes().redoStep();
+    if (next == nullptr || !sameStep(*next, step))
+        return;
+    if (questions.empty()) {
+        workbench.writes().redo(device::Consent::confirmed());
+        return;
+    }
+    Question first = std::move(questions.front());
+    questions.erase(questions.begin());
+    first.guard = parent;
+    ask(parent, first, [&workbench, parent, step, questions = std::move(questions)] {
+        confirmFrom(workbench, parent, step, questions);
+    });
+}
+
+void selectServoOf(const session::UndoStep& step, Selection& selection)
+{
+    if (step.servo != selection.current())
+        selection.select(step.servo);
+}
+} // namespace
+
+void undo(session::Workbench& workbench, Selection& selection)
+{
+    const session::UndoStep* next = workbench.writes().undoStep();
+    if (next == nullptr)
+        return;
+    selectServoOf(*next, selection);
+    workbench.writes().undo();
+}
+
+void redo(session::Workbench& workbench, Selection& selection, QWidget* parent)
+{
+    const session::UndoStep* next = workbench.writes().redoStep();
+    if (next == nullptr)
+        return;
+    selectServoOf(*next, selection);
+    const std::vector<Question> questions = questionsOf(workbench, *next);
+    if (questions.empty())
+        workbench.writes().redo(); // refuses dangerous registers that it has not read
+    else
+        confirmFrom(workbench, parent, *next, questions);
+}
+} // namespace ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/history/history_list_view.h"
+
+#include "ui/widgets/fit_columns.h"
+#include "ui/widgets/tone_delegate.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include <utility>
+
+namespace ui {
+namespace {
+constexpr int historyRowPadding = 8;
+}
+
+HistoryListView::HistoryListView(HistoryTableModel& model, QWidget* parent)
+    : QTableView(parent)
+{
+    setObjectName(QStringLiteral("historyTable"));
+    setModel(&model);
+    setItemDelegate(new ToneDelegate(this));
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setTabKeyNavigation(false);
+    setWordWrap(false);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + historyRowPadding);
+    m_columns = new FitColumns(this);
+    horizontalHeader()->setHighlightSections(false);
+    const auto save = [this](const QModelIndex&, int first) { saveTopRow(first); };
+    connect(&model, &HistoryTableModel::rowsAboutToBeInserted, this, save);
+    connect(&model, &HistoryTableModel::rowsAboutToBeRemoved, this, save);
+}
+
+std::optional<int> HistoryListView::selectedRow() const
+{
+    const QModelIndexList rows = selectionModel()->selectedRows();
+    return rows.size() == 1 ? std::optional<int>(rows.front().row()) : std::nullopt;
+}
+
+void HistoryListView::saveTopRow(int changedFrom)
+{
+    const QModelIndex top = indexAt(QPoint(0, 0));
+    if (!m_topRow.isValid() && verticalScrollBar()->value() > 0 && changedFrom <= top.row())
+        m_topRow = top;
+}
+
+void HistoryListView::updateAfterChange()
+{
+    if (m_topRow.isValid()) {
+        const int across = horizontalScrollBar()->value();
+        doItemsLayout();
+        scrollTo(m_topRow, QAbstractItemView::PositionAtTop);
+        horizontalScrollBar()->setValue(across);
+        m_topRow = QPersistentModelIndex();
+    }
+    const bool isEmpty = model()->rowCount() == 0;
+    if (std::exchange(m_columnsUnsized, isEmpty) && !isEmpty)
+        m_columns->fit();
+}
+} // namespace ui

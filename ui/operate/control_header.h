@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The head of the control panel: which servos are controlled, the torque switch, and the line that
+// an emergency stop leaves until torque is turned on again. Its height never changes, because
+// controls below it would move. Owned by the control panel; main thread.
+#pragma once
+
+#include "ui/common/commands.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace ui {
+class ControlTorque;
+
+class ControlHeader final : public QWidget {
+    Q_OBJECT
+
+public:
+    ControlHeader(Commands& commands, QWidget* parent);
+
+    ControlTorque* torque() const { return m_torque; }
+    /// nullptr: no servo is selected. `others`: servos that are controlled together with it.
+    void showServo(const session::ServoEntry* entry, std::size_t others);
+    /// `stopped`: an emergency stop forbids movement.
+    void showStopped(const session::ServoEntry* entry, bool stopped);
+
+private:
+    QLabel* m_title;
+    ControlTorque* m_torque;
+    QLabel* m_stopped;
+};
+} // namespace ui
