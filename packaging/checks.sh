@@ -49,7 +49,7 @@ trap 'report_failure >&2' EXIT
 
 # run_tests NAME BUILD_FOLDER COMMAND...: the command runs ctest in that folder. Tests that fail are
 # repeated alone, at most twice, so that a busy machine does not fail the check; those that pass then are
-# named as unstable at the end. More than a handful is not chance.
+# named as unstable at the end. More than a tenth of them is not chance.
 run_tests() {
     local name=$1 folder=$2 log failed names
     shift 2
@@ -59,7 +59,7 @@ run_tests() {
     if ! "$@" 2>&1 | tee -- "$log"; then
         [ -s "$failed" ] || return 1 # it failed before the tests
         mapfile -t names < <(cut -d: -f2 -- "$failed")
-        [ ${#names[@]} -le 12 ] || return 1
+        [ ${#names[@]} -le 24 ] || return 1
         printf '\n%d of the tests failed; repeating them alone: %s\n' "${#names[@]}" "${names[*]}"
         ctest --test-dir "$folder" --rerun-failed --parallel 1 --repeat until-pass:2 --output-on-failure
         unstable_tests+=("${names[@]/%/ ($name)}")
