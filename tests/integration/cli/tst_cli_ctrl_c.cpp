@@ -9,6 +9,7 @@
 #include "results/commission_batch.h"
 #include "support/cli_program.h"
 #include "support/commission_fixture.h"
+#include "support/deep_check.h"
 #include "support/test_main.h"
 
 #include <QFile>
@@ -99,10 +100,14 @@ QByteArray contents(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-void addOnceAndTwice(const char* name, int address, int skip)
+enum class Always { None, Once, Repeated }; ///< what runs outside the deep check too
+
+void addOnceAndRepeated(const char* name, int address, int skip, Always always)
 {
-    QTest::addRow("%s", name) << address << skip << 1;
-    QTest::addRow("%s, again and again", name) << address << skip << repeatedInterrupts;
+    if (always == Always::Once || support::isDeepCheck())
+        QTest::addRow("%s", name) << address << skip << 1;
+    if (always == Always::Repeated || support::isDeepCheck())
+        QTest::addRow("%s, again and again", name) << address << skip << repeatedInterrupts;
 }
 } // namespace
 
@@ -131,11 +136,17 @@ void TestCliCtrlC::sweep_data()
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
     QTest::addColumn<bool>("release");
-    for (const int times : {1, repeatedInterrupts}) {
-        QTest::addRow("on the way to the start, hold, %d", times) << 0 << times << false;
-        QTest::addRow("third goal, hold, %d", times) << 2 << times << false;
-        QTest::addRow("third goal, release, %d", times) << 2 << times << true;
-    }
+    const auto row = [](const char* name, int skip, int times, bool release) {
+        QTest::addRow("%s, %d", name, times) << skip << times << release;
+    };
+    row("on the way to the start, hold", 0, 1, false);
+    row("third goal, hold", 2, repeatedInterrupts, false);
+    row("third goal, release", 2, 1, true);
+    if (!support::isDeepCheck())
+        return;
+    row("on the way to the start, hold", 0, repeatedInterrupts, false);
+    row("third goal, hold", 2, 1, false);
+    row("third goal, release", 2, repeatedInterrupts, true);
 }
 
 /// The servo stops, with or without torque, and does not move to its last goal.
@@ -184,8 +195,8 @@ void TestCliCtrlC::sweepInATemporaryMode_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    addOnceAndTwice("while the mode is switched", modeAddress, 0);
-    addOnceAndTwice("while the servo moves", goalAddress, 3);
+    addOnceAndRepeated("while the mode is switched", modeAddress, 0, Always::Repeated);
+    addOnceAndRepeated("while the servo moves", goalAddress, 3, Always::Once);
 }
 
 void TestCliCtrlC::sweepInATemporaryMode()
@@ -214,9 +225,9 @@ void TestCliCtrlC::stepResponse_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    addOnceAndTwice("first run", goalFrame, 1);
-    addOnceAndTwice("values of the trial written", gainAddress, 0);
-    addOnceAndTwice("trial, on its way", goalFrame, 4);
+    addOnceAndRepeated("first run", goalFrame, 1, Always::Once);
+    addOnceAndRepeated("values of the trial written", gainAddress, 0, Always::Repeated);
+    addOnceAndRepeated("trial, on its way", goalFrame, 4, Always::None);
 }
 
 /// The gains are restored, and the measurements so far are saved.
@@ -255,10 +266,10 @@ void TestCliCtrlC::bundleRestore_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    addOnceAndTwice("first servo, first row", maxTemperature, 0);
-    addOnceAndTwice("first servo, lock opened", lockAddress, 0);
-    addOnceAndTwice("first servo, lock being closed", lockAddress, 1);
-    addOnceAndTwice("second servo, first row", maxTemperature, 1);
+    addOnceAndRepeated("first servo, first row", maxTemperature, 0, Always::None);
+    addOnceAndRepeated("first servo, lock opened", lockAddress, 0, Always::Repeated);
+    addOnceAndRepeated("first servo, lock being closed", lockAddress, 1, Always::Once);
+    addOnceAndRepeated("second servo, first row", maxTemperature, 1, Always::None);
 }
 
 /// The result of each row is the value in the servo, and no lock is open.
@@ -316,10 +327,10 @@ void TestCliCtrlC::commission_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    addOnceAndTwice("template", gainAddress, 0);
-    addOnceAndTwice("lock opened", lockAddress, 0);
-    addOnceAndTwice("ID", idAddress, 0);
-    addOnceAndTwice("rate", rateAddress, 0);
+    addOnceAndRepeated("template", gainAddress, 0, Always::Once);
+    addOnceAndRepeated("lock opened", lockAddress, 0, Always::None);
+    addOnceAndRepeated("ID", idAddress, 0, Always::Repeated);
+    addOnceAndRepeated("rate", rateAddress, 0, Always::None);
 }
 
 /// The batch contains the servo as unfinished or set up, never otherwise; the same command finishes
@@ -382,12 +393,14 @@ void TestCliCtrlC::onASlowAdapter_data()
     };
     const char* write = "write 1 max_temperature=60 position_p=20 position_d=10";
     row("write, lock opened", write, lockAddress, 0);
+    row("sweep", "sweep 1 --from 1500 --to 2600 --delay 2500 --cycles 50 --speed 900 --release",
+        goalAddress, 2);
+    if (!support::isDeepCheck())
+        return;
     row("write, first row", write, maxTemperature, 0);
     row("write, lock being closed", write, lockAddress, 1);
     row("new ID", "set-id 1 9", idAddress, 0);
     row("mode", "mode 1 speed", modeAddress, 0);
-    row("sweep", "sweep 1 --from 1500 --to 2600 --delay 2500 --cycles 50 --speed 900 --release",
-        goalAddress, 2);
 }
 
 /// The same with replies that are 150 ms late.
