@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Creates the pictures of README and help with the program itself, without a screen: the window at its
-# first start, a search, the pages in use, the memory table; both languages, both themes. Needs a build with the benches and a Chinese
-# font (fonts-noto-cjk).
+# first start, a search, the pages in use, the memory table; both languages, both themes. Needs a build
+# with the benches and a Chinese font (fonts-noto-cjk).
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
