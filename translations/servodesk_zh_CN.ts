@@ -3753,6 +3753,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>Torque stays off until you turn it on.</source>
         <translation>扭矩保持关闭，直到您打开。</translation>
     </message>
+    <message>
+        <source>The present position becomes the midpoint. Afterwards, every position corresponds to a different angle, also for other programs.</source>
+        <translation>当前位置将成为中位。此后每个位置值都对应另一个角度，其他程序也受影响。</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>

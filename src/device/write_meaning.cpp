@@ -35,7 +35,7 @@ QString valueName(const catalog::Register& reg, std::int64_t raw)
     return {};
 }
 
-bool mayNeedConsent(const catalog::Register& reg)
+bool alwaysNeedsConsent(const catalog::Register& reg)
 {
     return reg.dangerous;
 }
@@ -44,7 +44,7 @@ WriteMeaning classify(const catalog::Register& reg, std::int64_t raw)
 {
     WriteMeaning meaning;
     meaning.procedure = procedureOf(reg, raw);
-    meaning.needsConsent = mayNeedConsent(reg);
+    meaning.needsConsent = alwaysNeedsConsent(reg) || meaning.procedure == WriteProcedure::Center;
     meaning.moves = reg.motion && reg.role != Role::TorqueSwitch;
     meaning.enablesTorque = meaning.procedure == WriteProcedure::Torque && raw != 0;
     return meaning;

@@ -17,8 +17,9 @@ enum class WriteProcedure : std::uint8_t {
 
 struct WriteMeaning {
     WriteProcedure procedure = WriteProcedure::Register;
-    bool needsConsent = false; ///< can make the servo unreachable or dangerous
-    bool moves = false;        ///< a goal: the shaft may turn at once
+    bool needsConsent =
+        false;          ///< can make the servo unreachable or dangerous, or its positions wrong
+    bool moves = false; ///< a goal: the shaft may turn at once
     bool enablesTorque = false;
 
     bool changesAddress() const
@@ -31,8 +32,8 @@ struct WriteMeaning {
 
 WriteMeaning classify(const catalog::Register& reg, std::int64_t raw);
 
-/// Whether some value of this register needs consent; for lists that show no value yet.
-bool mayNeedConsent(const catalog::Register& reg);
+/// Whether every value of this register needs consent; for lists that show no value yet.
+bool alwaysNeedsConsent(const catalog::Register& reg);
 
 /// The name of this number in the register's list; empty if it has none.
 QString valueName(const catalog::Register& reg, std::int64_t raw);

@@ -21,7 +21,7 @@ QString accessCellText(const MemoryRow& row)
     if (!row.isWritable)
         return translate("MemoryTable", "r", "read-only");
     const QString both = translate("MemoryTable", "rw", "read/write");
-    return device::mayNeedConsent(*row.reg) ? QStringLiteral("⚠ ") + both : both;
+    return device::alwaysNeedsConsent(*row.reg) ? QStringLiteral("⚠ ") + both : both;
 }
 
 QString accessHelp(const MemoryRow& row)
@@ -29,7 +29,7 @@ QString accessHelp(const MemoryRow& row)
     if (!row.isWritable)
         return text::accessLabel(catalog::Access::ReadOnly);
     const QString word = text::accessLabel(catalog::Access::ReadWrite);
-    return device::mayNeedConsent(*row.reg)
+    return device::alwaysNeedsConsent(*row.reg)
                ? translate("MemoryTable",
                            "%1. A wrong value can make the servo unreachable or dangerous. "
                            "ServoDesk asks for confirmation before each write.")

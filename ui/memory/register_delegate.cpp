@@ -37,7 +37,7 @@ std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
 {
     if (column == MemoryColumn::State)
         return stateTone(row.state);
-    if (column == MemoryColumn::Access && row.isWritable && device::mayNeedConsent(*row.reg))
+    if (column == MemoryColumn::Access && row.isWritable && device::alwaysNeedsConsent(*row.reg))
         return Tone::Warn;
     if (column == MemoryColumn::Value && (row.isStale || !row.raw))
         return Tone::Quiet;

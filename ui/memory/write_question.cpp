@@ -89,6 +89,10 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
 
 QString roleRisk(const catalog::Register& reg, std::int64_t raw)
 {
+    if (device::classify(reg, raw).procedure == device::WriteProcedure::Center)
+        return translate("WriteQuestion",
+                         "The present position becomes the midpoint. Afterwards, every position "
+                         "corresponds to a different angle, also for other programs.");
     switch (reg.role) {
     case Role::Id:
         return translate("WriteQuestion", "After this, the servo answers as ID %1. Programs that "

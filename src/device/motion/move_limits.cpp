@@ -201,7 +201,7 @@ TorqueLimit torqueLimit(const catalog::Profile& profile)
         return {now, false};
     const catalog::Register* start = profile.byRole(Role::MaxTorque);
     const bool possible = start != nullptr && start->writable() &&
-                          retentionOf(*start) == Retention::Lock && !mayNeedConsent(*start);
+                          retentionOf(*start) == Retention::Lock && !alwaysNeedsConsent(*start);
     return possible ? TorqueLimit{start, true} : TorqueLimit{};
 }
 

@@ -92,7 +92,7 @@ RestoreReasons registerReasons(const catalog::Register& reg)
     if (!reg.writable())
         return reasons;
     reasons.setFlag(RestoreReason::OptIn, reg.area == Area::Sram && !isLive(reg));
-    reasons.setFlag(RestoreReason::NeedsConsent, device::mayNeedConsent(reg) && !reg.identity);
+    reasons.setFlag(RestoreReason::NeedsConsent, device::alwaysNeedsConsent(reg) && !reg.identity);
     return reasons;
 }
 

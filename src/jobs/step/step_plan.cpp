@@ -213,7 +213,7 @@ std::vector<const catalog::Register*> loopRegisters(const catalog::Profile& prof
     for (const Role role : loopRoles) {
         const catalog::Register* reg = profile.byRole(role);
         // Factory rows take a consent that a trial does not ask for.
-        if (reg != nullptr && reg->writable() && !device::mayNeedConsent(*reg))
+        if (reg != nullptr && reg->writable() && !device::alwaysNeedsConsent(*reg))
             found.push_back(reg);
     }
     return found;

@@ -57,6 +57,8 @@ private Q_SLOTS:
         torque.values.push_back({128, QStringLiteral("center"), {}});
         QCOMPARE(device::classify(torque, 128).procedure, WriteProcedure::Center);
         QVERIFY(!device::classify(torque, 128).enablesTorque);
+        QVERIFY(device::classify(torque, 128).needsConsent);
+        QVERIFY(!device::classify(torque, 1).needsConsent);
         const catalog::Register reset = registerOf(Role::FaultReset);
         QCOMPARE(device::classify(reset, 4).procedure, WriteProcedure::Center);
         QCOMPARE(device::classify(reset, 3).procedure, WriteProcedure::Register);
