@@ -10,12 +10,13 @@ using Steady = std::chrono::steady_clock;
 
 Duration SystemClock::now() const
 {
-    return std::chrono::duration_cast<Duration>(Steady::now().time_since_epoch());
+    return std::chrono::duration_cast<Duration>(Steady::now().time_since_epoch() * m_speed);
 }
 
 bool SystemClock::sleepUntil(Duration instant, const StopToken* stop)
 {
-    const Steady::time_point deadline{std::chrono::duration_cast<Steady::duration>(instant)};
+    const auto real = std::chrono::duration_cast<Steady::duration>(instant) / m_speed;
+    const Steady::time_point deadline{real};
     if (stop != nullptr)
         return stop->waitUntil(deadline);
     std::this_thread::sleep_until(deadline);

@@ -25,15 +25,27 @@ public:
         return sleepUntil(now() + span, stop);
     }
 
+    /// How long the system must wait for `span` of this clock.
+    virtual Duration realTime(Duration span) const { return span; }
+
     /// True when waiting costs no real time; do not wait for another thread with such a clock.
     virtual bool isManual() const { return false; }
 };
 
-/// Monotonic system time.
+/// Monotonic system time; `speed` times as fast for tests on simulated servos, which keep its time.
 class SystemClock final : public Clock {
 public:
+    explicit SystemClock(int speed = 1)
+        : m_speed(speed)
+    {}
+
     Duration now() const override;
     bool sleepUntil(Duration instant, const StopToken* stop = nullptr) override;
+    Duration realTime(Duration span) const override { return span / m_speed; }
+    bool isRealTime() const { return m_speed == 1; }
+
+private:
+    int m_speed;
 };
 
 /// Time that passes only when a caller waits or advances it. For tests and fast simulation.

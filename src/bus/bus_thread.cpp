@@ -189,7 +189,8 @@ void BusThread::idle()
     if (!lost())
         until = std::min(until, m_core->nextPoll().value_or(until));
     std::unique_lock lock(m_mutex);
-    m_work.wait_for(lock, std::max(until - now, Duration{}), [this] { return m_signal; });
+    m_work.wait_for(lock, m_clock.realTime(std::max(until - now, Duration{})),
+                    [this] { return m_signal; });
 }
 
 void BusThread::wake()

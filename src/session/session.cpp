@@ -46,11 +46,16 @@ int defaultRate(std::optional<base::Protocol> protocol)
     constexpr int others = 115'200;
     return protocol.value_or(base::Protocol::Feetech) == base::Protocol::Feetech ? feetech : others;
 }
+
+/// For tests: how many times as fast as usual the time of a simulated bus passes. Servos outside
+/// this program keep their own time, so other ports are refused then.
+const char* const clockSpeed = "SERVODESK_CLOCK_SPEED";
 } // namespace
 
 Session::Session()
     : m_loaded(catalog::Catalog::load({modelFolder()}))
     , m_journal(historyFile(), programName())
+    , m_clock(std::max(1, qEnvironmentVariableIntValue(clockSpeed)))
 {}
 
 base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)
@@ -65,6 +70,9 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
         if (!request.baud)
             spec.baud = commonRate(**made);
         simulation = std::make_shared<sim::SharedBus>(std::move(*made));
+    } else if (!m_clock.isRealTime()) {
+        return base::fail(base::ErrorCode::BadArgument, QStringLiteral("connect"),
+                          QLatin1String(clockSpeed));
     }
     // Kept by the bus, which opens the port again when a plug is put back.
     base::Clock& clock = m_clock;
