@@ -6,6 +6,7 @@
 
 #include "support/feetech_bytes.h"
 #include "support/port_endpoints.h"
+#include "support/simulator_priority.h"
 
 #include <algorithm>
 #include <atomic>
@@ -31,7 +32,10 @@ public:
             openTerminal();
         else
             listenOnTcp();
-        m_thread = std::thread([this] { serve(); });
+        m_thread = std::thread([this] {
+            support::raisePriority();
+            serve();
+        });
     }
     ~FloodCable()
     {

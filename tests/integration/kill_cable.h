@@ -7,6 +7,7 @@
 #pragma once
 
 #include "support/port_endpoints.h"
+#include "support/simulator_priority.h"
 #include "transport/tty_speed.h"
 
 #include <atomic>
@@ -40,7 +41,10 @@ public:
         m_slave = own.slave; // held open, so that the rate can be asked for
         m_port = own.port;
         makeRaw(m_terminal);
-        m_thread = std::thread([this] { serve(); });
+        m_thread = std::thread([this] {
+            support::raisePriority();
+            serve();
+        });
     }
     ~KillCable()
     {

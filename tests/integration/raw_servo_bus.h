@@ -8,6 +8,7 @@
 #include "support/feetech_bytes.h"
 #include "support/port_endpoints.h"
 #include "support/raw_servo_line.h"
+#include "support/simulator_priority.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +38,10 @@ public:
         m_master = terminal.master;
         m_name = terminal.port;
         close(terminal.slave); // or another program would seem to have the port open
-        m_thread = std::thread([this] { serve(); });
+        m_thread = std::thread([this] {
+            support::raisePriority();
+            serve();
+        });
     }
     ~Bus()
     {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "support/port_endpoints.h"
+#include "support/simulator_priority.h"
 #include "transport/tty_speed.h"
 
 #include <QFile>
@@ -30,7 +31,10 @@ public:
             listenForClient();
         else
             openTerminal();
-        m_thread = std::thread([this] { serve(); });
+        m_thread = std::thread([this] {
+            support::raisePriority();
+            serve();
+        });
     }
     ~CutCable()
     {
