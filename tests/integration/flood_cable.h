@@ -6,7 +6,6 @@
 
 #include "support/feetech_bytes.h"
 #include "support/port_endpoints.h"
-#include "support/simulator_priority.h"
 
 #include <algorithm>
 #include <atomic>
@@ -32,10 +31,7 @@ public:
             openTerminal();
         else
             listenOnTcp();
-        m_thread = std::thread([this] {
-            support::raisePriority();
-            serve();
-        });
+        m_thread = std::thread([this] { serve(); });
     }
     ~FloodCable()
     {
