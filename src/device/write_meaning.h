@@ -17,9 +17,8 @@ enum class WriteProcedure : std::uint8_t {
 
 struct WriteMeaning {
     WriteProcedure procedure = WriteProcedure::Register;
-    bool needsConsent =
-        false;          ///< can make the servo unreachable or dangerous, or its positions wrong
-    bool moves = false; ///< a goal: the shaft may turn at once
+    bool needsConsent = false; ///< can make the servo unreachable, dangerous or wrong in position
+    bool moves = false;        ///< a goal: the shaft may turn at once
     bool enablesTorque = false;
 
     bool changesAddress() const

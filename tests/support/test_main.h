@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A test program holds the tests of one folder and runs the one its first argument names:
-// "unit_base tst_json_reader". Each source registers itself under its file's name with one of the
+// "unit_base tst_layering". Each source registers itself under its file's name with one of the
 // macros below, in place of Qt's QTEST_MAIN and its kin.
 #pragma once
 
