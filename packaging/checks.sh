@@ -68,9 +68,9 @@ run_tests() {
     rm -f -- "$log"
 }
 
-# build_preset PRESET
+# build_preset PRESET [OPTION OF CMAKE...]
 build_preset() {
-    cmake --preset "$1" >/dev/null
+    cmake --preset "$@" >/dev/null
     cmake --build --preset "$1"
 }
 

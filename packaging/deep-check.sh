@@ -19,7 +19,7 @@ chapter "Release build and tests"
 CI=true run_tests release build packaging/test.sh
 
 chapter "Address and undefined-behavior sanitizers, all tests"
-build_preset asan
+build_preset asan -DSERVODESK_SANITIZE_TESTS=ON
 run_tests asan build-asan ctest --preset asan
 
 chapter "Thread sanitizer, all tests without the window"
