@@ -3,6 +3,7 @@
 // polls, reads bytes. And servodesk-sim as a program under test. POSIX only.
 #pragma once
 
+#include "support/held_port_name.h"
 #include "support/simulator_priority.h"
 #include "support/test_paths.h"
 
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <optional>
 #include <poll.h>
 #include <termios.h>
 #include <unistd.h>
@@ -122,8 +124,10 @@ public:
     /// SIGTERM unless it has ended already; the exit code, -1 for a crash.
     int end(int signal = SIGTERM)
     {
-        if (m_process.state() != QProcess::NotRunning)
+        if (m_process.state() != QProcess::NotRunning) {
+            m_name.emplace(port());
             kill(static_cast<pid_t>(m_process.processId()), signal);
+        }
         return wait();
     }
     int wait()
@@ -150,5 +154,6 @@ public:
 private:
     QProcess m_process;
     QString m_firstLine;
+    std::optional<support::HeldPortName> m_name; ///< once it has ended
 };
 } // namespace raw

@@ -41,6 +41,8 @@ public:
         cut();
         m_over = true;
         m_thread.join();
+        if (m_slave >= 0)
+            close(m_slave);
     }
     CutCable(const CutCable&) = delete;
     CutCable& operator=(const CutCable&) = delete;
@@ -67,7 +69,7 @@ private:
     {
         if (!m_name.isEmpty())
             QFile::remove(m_name);
-        for (int* side : {&m_slave, &m_host, &m_listener, &m_terminal}) {
+        for (int* side : {&m_host, &m_listener, &m_terminal}) { // m_slave keeps the port's number
             if (*side >= 0)
                 close(*side);
             *side = -1;

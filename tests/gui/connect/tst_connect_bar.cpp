@@ -400,16 +400,15 @@ void TestConnectBar::closedMessagesStayClosed()
 void TestConnectBar::unpluggedAndBack()
 {
     const QString serial = QStringLiteral("5A2F31");
-    auto before = std::make_unique<PtyPair>();
+    PtyPair before;
     PtyPair after;
     Fixture fixture;
-    fixture.portList.plug(gui::adapter(before->path, serial));
-    QTRY_VERIFY(fixture.ports.find(before->path) != nullptr);
-    QVERIFY(fixture.connected(before->path));
-    const QString old = before->path;
-    before.reset(); // the cable
+    fixture.portList.plug(gui::adapter(before.path, serial));
+    QTRY_VERIFY(fixture.ports.find(before.path) != nullptr);
+    QVERIFY(fixture.connected(before.path));
+    before.dropConnection();
     QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 1000);
-    fixture.portList.unplug(old);
+    fixture.portList.unplug(before.path);
     QVERIFY(!fixture.banner.isHidden());
     QVERIFY2(fixture.labelText("bannerWhat").contains(QStringLiteral("was unplugged")),
              qPrintable(fixture.labelText("bannerWhat")));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pseudo-terminal for the transport tests: `path` is the port under test, `master` the far end of
-// its cable. POSIX only. dropConnection() unplugs it.
+// its cable. POSIX only. dropConnection() unplugs it; its name stays taken.
 #pragma once
 
-#include <QString>
+#include "support/held_port_name.h"
 
 #include <fcntl.h>
+#include <memory>
 #include <poll.h>
 #include <stdlib.h>
 #include <string>
@@ -26,8 +27,10 @@ public:
 
     void dropConnection()
     {
-        if (master >= 0)
-            close(master);
+        if (master < 0)
+            return;
+        m_name = std::make_unique<support::HeldPortName>(path);
+        close(master);
         master = -1;
     }
 
@@ -54,4 +57,7 @@ public:
 
     int master = -1;
     QString path;
+
+private:
+    std::unique_ptr<support::HeldPortName> m_name;
 };
