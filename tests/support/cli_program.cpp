@@ -18,6 +18,13 @@ QString program(const char* name)
     return QCoreApplication::applicationDirPath() + QStringLiteral("/../bin/") +
            QLatin1String(name);
 }
+
+/// The time of the simulated buses alone may pass faster.
+bool usesOtherPort(const QStringList& arguments)
+{
+    const auto option = arguments.lastIndexOf(QStringLiteral("--port"));
+    return option >= 0 && !arguments.value(option + 1).startsWith(QLatin1String("sim:"));
+}
 } // namespace
 
 QStringList words(const char* line)
@@ -45,14 +52,17 @@ void CliProgram::setEnvironment(const QString& name, const QString& value)
     m_environment.insert(name, value);
 }
 
-void CliProgram::start(const QStringList& arguments)
+void CliProgram::start(const QStringList& arguments, Time time)
 {
     m_out.clear();
     m_err.clear();
-    m_process.setProcessEnvironment(m_environment);
     QStringList all = m_globals + arguments;
     if (!m_port.isEmpty())
         all << QStringLiteral("--port") << m_port;
+    QProcessEnvironment environment = m_environment;
+    if (time == Time::Real || usesOtherPort(all))
+        environment.remove(QStringLiteral("SERVODESK_CLOCK_SPEED"));
+    m_process.setProcessEnvironment(environment);
     m_process.start(program("servodesk-cli"), all);
     m_process.waitForStarted(timeoutMs);
 }
@@ -107,7 +117,7 @@ ProgramResult CliProgram::finish()
 
 ProgramResult CliProgram::run(const QStringList& arguments)
 {
-    start(arguments);
+    start(arguments, Time::Fast);
     return finish();
 }
 

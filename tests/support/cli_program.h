@@ -8,6 +8,8 @@
 #include <QStringList>
 #include <QTemporaryDir>
 
+#include <cstdint>
+
 namespace support {
 /// Blanks separate, as in a shell without quotes.
 QStringList words(const char* line);
@@ -35,8 +37,10 @@ public:
     ProgramResult run(const char* line) { return run(words(line)); }
     ProgramResult json(const char* line) { return run(words(line) << QStringLiteral("--json")); }
 
+    /// Fast: the time of a simulated bus passes as SERVODESK_CLOCK_SPEED says, as it does in run().
+    enum class Time : std::uint8_t { Real, Fast };
     /// Starts it and comes back; for Ctrl-C.
-    void start(const QStringList& arguments);
+    void start(const QStringList& arguments, Time time = Time::Real);
     QProcess& process() { return m_process; }
     bool waitForOutput(const QByteArray& text); ///< on stdout
     bool waitForError(const QByteArray& text);  ///< on stderr

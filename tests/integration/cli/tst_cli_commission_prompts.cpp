@@ -31,7 +31,10 @@ public:
     InteractiveCommission() { m_cli.setPort(text("sim:line")); }
 
     QString csv() const { return m_cli.dataFolder() + text("/batch.csv"); }
-    void start(const char* line) { m_cli.start(support::words(line) << text("--batch") << csv()); }
+    void start(const char* line)
+    {
+        m_cli.start(support::words(line) << text("--batch") << csv(), CliProgram::Time::Fast);
+    }
     /// Whether it asks this; false: it has ended without asking.
     bool asks(const char* question) { return m_cli.waitForError(question); }
     /// Before start(); otherwise the input is a pipe.
