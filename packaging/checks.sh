@@ -114,7 +114,7 @@ check_tidy() {
     absolute=$SOURCE_DIR/${sources//$'\n'/$'\n'$SOURCE_DIR/}
     cmake -S . -B build-tidy -G Ninja -DCMAKE_BUILD_TYPE=Release -DSERVODESK_TESTS=OFF \
         -DSERVODESK_UNITY=ON >/dev/null
-    cmake --build build-tidy --target sd_ui_autogen sd_text >/dev/null
+    cmake --build build-tidy --target sd_text >/dev/null
     mapfile -d '' units < <(
         find build-tidy/src build-tidy/ui -name 'unity_*.cxx' -print0 | xargs -0 grep -lZF -e "$sources"
         # those that are compiled on their own
