@@ -19,11 +19,11 @@ chapter "Release build and tests"
 CI=true run_tests release build packaging/test.sh
 
 chapter "Address and undefined-behavior sanitizers, all tests"
-build_preset asan -DSERVODESK_SANITIZE_TESTS=ON
+build_preset asan -DSERVODESK_SANITIZE_ALL=ON
 run_tests asan build-asan ctest --preset asan
 
 chapter "Thread sanitizer, all tests without the window"
-cmake --preset tsan >/dev/null
+cmake --preset tsan -DSERVODESK_SANITIZE_ALL=ON >/dev/null
 cmake --build --preset tsan --target core_tests
 run_tests tsan build-tsan ctest --test-dir build-tsan -LE 'window|no_tsan' --parallel 3 --output-on-failure
 
