@@ -5,7 +5,9 @@
 #include "session/history/history_sender.h"
 
 namespace support {
-inline session::HistorySender::Timing shortSenderTimes(std::chrono::milliseconds silence)
+/// `silence`: short only where the server is silent; a busy machine answers late.
+inline session::HistorySender::Timing
+shortSenderTimes(std::chrono::milliseconds silence = std::chrono::minutes(1))
 {
     using namespace std::chrono_literals;
     session::HistorySender::Timing times;

@@ -102,8 +102,8 @@ void TestCliInterrupt::watchEndsWithItsSummary()
 void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
 {
     CliProgram cli;
-    // 16 ms a transaction: five registers take most of a second.
-    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    // 60 ms a transaction: five registers take some seconds, enough for a busy machine.
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
     cli.setPort(sim.port());
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
                     "overload_torque=70 --json"));
@@ -195,7 +195,7 @@ void TestCliInterrupt::openChangeCanBeDiscarded()
 {
     CliProgram cli;
     {
-        SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+        SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
         cli.setPort(sim.port());
         killDuringWrite(cli);
         if (QTest::currentTestFailed())
@@ -218,7 +218,7 @@ void TestCliInterrupt::openChangeCanBeDiscarded()
 void TestCliInterrupt::discardedChangesAreReported()
 {
     CliProgram cli;
-    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
     cli.setPort(sim.port());
     killDuringWrite(cli);
     if (QTest::currentTestFailed())
@@ -236,7 +236,7 @@ void TestCliInterrupt::killedWriteIsRecovered()
     QFETCH(int, temperature);
     QFETCH(int, overload);
     CliProgram cli;
-    SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
+    SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
     cli.setPort(sim.port());
     killDuringWrite(cli);
     if (QTest::currentTestFailed())

@@ -78,7 +78,7 @@ void TestHistorySender::disabledUntilAServerIsSet()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, shortSenderTimes(200ms));
+    HistorySender sender(bench.path, shortSenderTimes());
     sender.notifyChanged();
     QCOMPARE(int(sender.state().phase), int(Phase::Off));
     QVERIFY(sender.state().server.isEmpty());
@@ -88,7 +88,7 @@ void TestHistorySender::newEntriesAreSent()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender::Timing slowTimes = shortSenderTimes(200ms);
+    HistorySender::Timing slowTimes = shortSenderTimes();
     slowTimes.checkInterval = 1h;
     HistorySender sender(bench.path, slowTimes);
     QList<Phase> phases;
@@ -113,7 +113,7 @@ void TestHistorySender::newEntriesAreSent()
 void TestHistorySender::changesOfOtherProgramsAreSentToo()
 {
     Bench bench;
-    HistorySender sender(bench.path, shortSenderTimes(200ms));
+    HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     history_example::write(bench.journal, 4, 1); // nobody pokes
@@ -127,7 +127,7 @@ void TestHistorySender::serverComesUpLater()
     history_example::fill(bench);
     m_pg.stop();
     {
-        HistorySender sender(bench.path, shortSenderTimes(200ms));
+        HistorySender sender(bench.path, shortSenderTimes());
         sender.setServer(address(), utf8("Bench 1"));
         QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
         QCOMPARE(serverErrorKind(*sender.state().error), utf8("away"));
@@ -141,14 +141,14 @@ void TestHistorySender::serverComesUpLater()
     // Missed by a program that has ended, sent by the next one.
     m_pg.stop();
     {
-        HistorySender sender(bench.path, shortSenderTimes(200ms));
+        HistorySender sender(bench.path, shortSenderTimes());
         sender.setServer(address(), utf8("Bench 1"));
         history_example::write(bench.journal, 1, 99);
         sender.notifyChanged();
         QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
     }
     QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
-    HistorySender sender(bench.path, shortSenderTimes(200ms));
+    HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
@@ -157,7 +157,7 @@ void TestHistorySender::serverComesUpLater()
 void TestHistorySender::aRestartedServerMissesNothing()
 {
     Bench bench;
-    HistorySender sender(bench.path, shortSenderTimes(200ms));
+    HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
     for (int round = 0; round < 3; ++round) {
         for (int i = 0; i < 40; ++i)

@@ -212,7 +212,7 @@ void TestHistoryTls::connectionLostAnywhereLosesNothing()
     Bench bench;
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
-    HistorySender sender(bench.path, shortSenderTimes(500ms));
+    HistorySender sender(bench.path, shortSenderTimes());
     int troubles = 0;
     connect(&sender, &HistorySender::stateChanged, this, [&] {
         const session::SendState& state = sender.state();
@@ -274,9 +274,7 @@ void TestHistoryTls::aSlowServerIsWaitedFor()
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
     relay.setRateLimit(60);
-    HistorySender::Timing times = shortSenderTimes(500ms);
-    times.silence = 60s;
-    HistorySender sender(bench.path, times);
+    HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(through(relay), utf8("Bench"));
     QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);

@@ -437,6 +437,9 @@ private:
     void checkLeg(const QJsonObject& json, const Leg& leg);
     void collect(const Leg& leg);
     void checkMetrics(const QJsonArray& metrics, int servo);
+    QString readingsPath() const { return m_legsPath.chopped(4) + text(".readings.csv"); }
+    void runSweep(const QStringList& options);
+    bool hasGap() const;
     void checkServo(int servo);
     void checkLegsFile();
     void checkPdf();
@@ -548,9 +551,8 @@ void TestSweepMetrics::checkMetrics(const QJsonArray& metrics, int servo)
 
 void TestSweepMetrics::checkServo(int servo)
 {
-    const QString readings = m_legsPath.chopped(4) + text(".readings.csv");
-    const auto all = readingsOf(readings, servo);
-    auto goals = goalsOf(readings, servo);
+    const auto all = readingsOf(readingsPath(), servo);
+    auto goals = goalsOf(readingsPath(), servo);
     std::vector<QJsonObject> legs;
     for (const QJsonValue& leg : m_report[text("legs")].toArray()) {
         if (leg[text("servo")].toInt() == servo)
@@ -671,19 +673,42 @@ void TestSweepMetrics::everyMetric_data()
                 "--acceleration 100");
 }
 
+void TestSweepMetrics::runSweep(const QStringList& options)
+{
+    QFile::remove(m_cli.dataFolder() + text("/history.sqlite"));
+    const ProgramResult result = m_cli.run(QStringList{text("sweep")} + options
+                                           << text("--report") << m_legsPath << text("--json"));
+    m_report = result.json();
+    QVERIFY2(!m_report.isEmpty(), qPrintable(result.err));
+    QCOMPARE(m_report[text("end")].toString(), text("finished"));
+}
+
+/// A busy machine may keep the program waiting while a leg goes on. What it then has too few
+/// readings for it leaves out, and the definitions here have no words for that.
+bool TestSweepMetrics::hasGap() const
+{
+    constexpr double longGapMs = 50;
+    for (const QJsonValue& servo : m_report[text("servos")].toArray()) {
+        for (const Reading& one : readingsOf(readingsPath(), servo[text("id")].toInt())) {
+            if (one.leg > 0 && one.gap > longGapMs)
+                return true;
+        }
+    }
+    return false;
+}
+
 void TestSweepMetrics::everyMetric()
 {
     QFETCH(QString, servos);
     QFETCH(QString, options);
     m_legsPath = m_cli.dataFolder() + text("/legs.csv");
-    QFile::remove(m_cli.dataFolder() + text("/history.sqlite"));
     m_cli.setPort(servos);
-    const ProgramResult result =
-        m_cli.run(QStringList{text("sweep")} + options.split(QLatin1Char(' '))
-                  << text("--report") << m_legsPath << text("--json"));
-    m_report = result.json();
-    QVERIFY2(!m_report.isEmpty(), qPrintable(result.err));
-    QCOMPARE(m_report[text("end")].toString(), text("finished"));
+    int attempts = 0;
+    do {
+        runSweep(options.split(QLatin1Char(' ')));
+        if (QTest::currentTestFailed())
+            return;
+    } while (hasGap() && ++attempts < 10);
     for (const QJsonValue& servo : m_report[text("servos")].toArray()) {
         checkServo(servo[text("id")].toInt());
         if (QTest::currentTestFailed())

@@ -36,10 +36,13 @@ void overwrite(const QString& path, const QByteArray& content)
     QCOMPARE(file.write(content), content.size());
 }
 
+/// Where several write without a pause, on a busy disk.
+constexpr auto longTimeout = 60s;
+
 // The other program: begins intents and prints the uuid of each that is on disk.
 int appendIntents(const QString& path, int count)
 {
-    HistoryJournal journal(path, program, 5s); // several of them write without a pause
+    HistoryJournal journal(path, program, longTimeout);
     for (int i = 0; i < count; ++i) {
         const auto uuid = journal.begin(exampleIntent(i % 254));
         if (!uuid)
@@ -357,10 +360,10 @@ private Q_SLOTS:
         constexpr int each = 25;
         std::vector<std::thread> writers;
         std::atomic<int> failures{0};
-        HistoryJournal shared(m_path, program);
+        HistoryJournal shared(m_path, program, longTimeout);
         for (int i = 0; i < threads; ++i) {
             writers.emplace_back([this, &failures, &shared, i] {
-                HistoryJournal own(m_path, program);
+                HistoryJournal own(m_path, program, longTimeout);
                 HistoryJournal& journal = i % 2 == 0 ? own : shared;
                 for (int n = 0; n < each; ++n) {
                     const auto uuid = journal.begin(exampleIntent(n));
