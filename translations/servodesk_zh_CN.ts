@@ -4391,10 +4391,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>还没有历史记录</translation>
     </message>
     <message>
-        <source>an earlier version</source>
-        <translation>较早的版本</translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation>无</translation>
     </message>
@@ -5807,10 +5803,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>不支持的语言“%1”（en、zh_CN）</translation>
     </message>
     <message>
-        <source>  File and line count: %1</source>
-        <translation>  文件及行数：%1</translation>
-    </message>
-    <message>
         <source>no adapter is connected; select a port with --port: %1</source>
         <translation>没有连接适配器；请用 --port 选择：%1</translation>
     </message>
@@ -6283,10 +6275,6 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>the history cannot be written</source>
         <translation>历史记录无法写入</translation>
-    </message>
-    <message>
-        <source>the journal was written by an earlier version of this program and cannot be read</source>
-        <translation>较早版本的日志无法读取</translation>
     </message>
     <message>
         <source>Choose a later time.</source>
@@ -7110,26 +7098,6 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>Get write permission for the file and its folder, or use another data folder (SERVODESK_DATA_DIR).</source>
         <translation>请取得该文件及其文件夹的写权限，或使用另一个数据文件夹（SERVODESK_DATA_DIR）。</translation>
-    </message>
-    <message>
-        <source>The journal may contain an interrupted change, so nothing is written to a servo until the journal is imported into the history.</source>
-        <translation>该写入日志中可能有被中断的更改，因此在将其导入历史记录之前不向舵机写入。</translation>
-    </message>
-    <message>
-        <source>Get read permission for the journal, or move the file away if you are sure that you do not need it.</source>
-        <translation>请取得读取它的权限；如果确知它没有用处，请把它移走。</translation>
-    </message>
-    <message>
-        <source>the journal has lines from an earlier version of this program that cannot be read</source>
-        <translation>早期版本的写入日志中有无法读取的行</translation>
-    </message>
-    <message>
-        <source>The file was damaged, or a newer program wrote to it. The readable part is now in the history; the file is kept.</source>
-        <translation>文件已损坏，或由更新的程序写入。可读的内容已存入历史记录；文件予以保留。</translation>
-    </message>
-    <message>
-        <source>Such a line may record an interrupted change: check the EPROM lock and the settings of the servos used at that time.</source>
-        <translation>这样的行可能记录了中断的更改：请检查当时所用舵机的 EPROM 锁和设置。</translation>
     </message>
     <message>
         <source>no snapshot was taken before that time</source>

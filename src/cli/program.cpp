@@ -4,7 +4,6 @@
 #include "cli/output/report_text.h"
 #include "cli/parser.h"
 #include "cli/translate.h"
-#include "history/journal_import.h"
 #include "text/language.h"
 
 #include <cerrno>
@@ -38,9 +37,6 @@ Exit runCommand(const ParsedCommandLine& parsed, Console& console, const base::S
 {
     Run run(parsed.globals, console, stop);
     const auto done = parsed.command->run(run, parsed.values);
-    for (const base::Error& journal : history::importUnreadableJournals())
-        console.printMessage(errorText(journal) + QLatin1Char('\n') +
-                             translate("cli", "  File and line count: %1").arg(journal.detail));
     if (done)
         return *done == Exit::Success && run.hasUnrecordedChange() ? Exit::File : *done;
     run.fail(done.error());

@@ -4,8 +4,6 @@
 
 #include "history/history_file.h"
 #include "history/history_query.h"
-#include "history/journal_import.h"
-#include "history/sweep_reevaluation.h"
 #include "results/step_json.h"
 #include "results/sweep_json.h"
 #include "results/sweep_verdict.h"
@@ -106,10 +104,6 @@ base::Result<std::unique_ptr<History>> History::open(const QString& path,
     auto file = HistoryFile::open(path, timeout);
     if (!file)
         return tl::unexpected(file.error());
-    // An unreadable old journal is reported by the journal; runs are recorded anyway.
-    (void)importJournal(**file);
-    // If this fails, the next program that opens the file does it; readers check the end anyway.
-    (void)reevaluateStoredSweeps(**file);
     return std::unique_ptr<History>(new History(std::move(*file)));
 }
 

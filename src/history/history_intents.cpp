@@ -171,14 +171,11 @@ base::Result<void> insertIntent(const HistoryFile& file, const base::Intent& int
     const qint64 at = intent.at.toMSecsSinceEpoch();
     const auto added = file.run(
         QStringLiteral("INSERT INTO intents (uuid, servo, at, kind, temporary, lock_opened, port, "
-                       "baud, program) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) "
-                       "ON CONFLICT (uuid) DO NOTHING"),
+                       "baud, program) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
         {intent.uuid, qint64(*servo), at, base::intentKindName(intent.kind), int(intent.temporary),
          int(intent.lockOpened), nonNull(intent.servo.port), intent.servo.baud, nonNull(program)});
     if (!added)
         return tl::unexpected(added.error());
-    if (added->changed == 0)
-        return {};
     int place = 0;
     for (const base::JournalItem& item : intent.items) {
         const auto one = file.run(
@@ -193,19 +190,15 @@ base::Result<void> insertIntent(const HistoryFile& file, const base::Intent& int
 }
 
 base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
-                             const base::IntentResult& end, const QDateTime& at,
-                             ConflictPolicy conflictPolicy)
+                             const base::IntentResult& end, const QDateTime& at)
 {
     const auto found =
-        file.run(QStringLiteral("SELECT number, ended FROM intents WHERE uuid = ?"), {uuid});
+        file.run(QStringLiteral("SELECT number FROM intents WHERE uuid = ?"), {uuid});
     if (!found)
         return tl::unexpected(found.error());
     if (found->rows.empty())
         return false;
-    const auto before = toOptionalInteger(found->rows.front().value(1));
     const std::int64_t number = found->rows.front().value(0).toLongLong();
-    if (conflictPolicy == ConflictPolicy::UnlessOlder && before && *before > at.toMSecsSinceEpoch())
-        return true;
     const auto ended = file.run(
         QStringLiteral("UPDATE intents SET outcome = ?, detail = ?, ended = ? WHERE number = ?"),
         {nonNull(end.outcome), nonNull(end.detail), at.toMSecsSinceEpoch(), qint64(number)});
@@ -222,7 +215,7 @@ base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
 
 base::Result<void> saveFact(const HistoryFile& file, const base::ServoIdentity& servo,
                             const QString& name, const std::vector<std::int64_t>& values,
-                            const QDateTime& at, ConflictPolicy conflictPolicy)
+                            const QDateTime& at)
 {
     const auto number = findOrAddServo(file, servo);
     if (!number)
@@ -234,9 +227,8 @@ base::Result<void> saveFact(const HistoryFile& file, const base::ServoIdentity& 
     const auto kept = file.run(
         QStringLiteral("INSERT INTO facts (uuid, servo, name, at, content) VALUES (?, ?, ?, ?, ?) "
                        "ON CONFLICT (servo, name) DO UPDATE SET content = excluded.content, "
-                       "at = excluded.at WHERE ? = 1 OR excluded.at >= facts.at"),
-        {newUuid(), qint64(*number), nonNull(name), at.toMSecsSinceEpoch(), content,
-         conflictPolicy == ConflictPolicy::Always ? 1 : 0});
+                       "at = excluded.at"),
+        {newUuid(), qint64(*number), nonNull(name), at.toMSecsSinceEpoch(), content});
     return kept ? base::Result<void>() : tl::unexpected(kept.error());
 }
 

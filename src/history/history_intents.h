@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The journal's rows in the history: intents with their writes, and facts. Internal to
-// history/history_journal.h and history/journal_import.h. The thread of the connection. Errors of
-// history/history_file.h.
+// history/history_journal.h. The thread of the connection. Errors of history/history_file.h.
 #pragma once
 
 #include "history/history_file.h"
@@ -16,19 +15,15 @@ base::Result<std::int64_t> findOrAddServo(const HistoryFile& file,
 base::Result<std::int64_t> makeCurrentServo(const HistoryFile& file,
                                             const base::ServoIdentity& identity,
                                             const QString& label);
-/// uuid and time are those of `intent`. Does nothing if one with this uuid is there.
+/// uuid and time are those of `intent`.
 base::Result<void> insertIntent(const HistoryFile& file, const base::Intent& intent,
                                 const QString& program);
-/// Whether a line that is taken over may overrule what is there.
-enum class ConflictPolicy : std::uint8_t { Always, UnlessOlder };
 /// False: there is no such intent.
 base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
-                             const base::IntentResult& end, const QDateTime& at,
-                             ConflictPolicy conflictPolicy = ConflictPolicy::Always);
+                             const base::IntentResult& end, const QDateTime& at);
 base::Result<void> saveFact(const HistoryFile& file, const base::ServoIdentity& servo,
                             const QString& name, const std::vector<std::int64_t>& values,
-                            const QDateTime& at,
-                            ConflictPolicy conflictPolicy = ConflictPolicy::Always);
+                            const QDateTime& at);
 
 base::Result<std::optional<std::vector<std::int64_t>>>
 loadFact(const HistoryFile& file, const base::ServoIdentity& servo, const QString& name);

@@ -5,7 +5,6 @@
 #include "files/file_handle.h"
 #include "history/history_intents.h"
 #include "history/history_query.h"
-#include "history/journal_import.h"
 
 #include <QFileInfo>
 
@@ -68,7 +67,7 @@ public:
         return answer;
     }
 
-    /// Neither a history nor an older journal to import exists. Reading must not create one.
+    /// There is no history. Reading must not create one.
     bool isNothingStored() const;
     const QString& program() const { return m_program; }
     std::chrono::milliseconds timeout() const { return m_timeout; }
@@ -120,14 +119,12 @@ base::Result<const HistoryFile*> HistoryJournal::Worker::ensureOpen()
         m_file = std::move(*opened);
         m_fileId = files::FileHandle::infoOf(m_path).value_or(files::FileHandle::Info()).id;
     }
-    if (const auto taken = importJournal(*m_file); !taken)
-        return tl::unexpected(taken.error());
     return m_file.get();
 }
 
 bool HistoryJournal::Worker::isNothingStored() const
 {
-    return !QFileInfo::exists(m_path) && !QFileInfo::exists(legacyJournalPath(m_path));
+    return !QFileInfo::exists(m_path);
 }
 
 HistoryJournal::HistoryJournal(QString historyPath, QString program,

@@ -8,11 +8,6 @@
 //
 // From begin() until end() or release() an intent is this program's: other programs see it as under
 // way. See history/intent_locks.h.
-//
-// The file journal of earlier versions (journal.jsonl beside the database) is taken over whenever
-// the history is opened and finds it, with all its lines in one transaction, and renamed, never
-// deleted; whatever an older program appends later is taken over as well. See
-// history/journal_import.h.
 #pragma once
 
 #include "base/journal.h"

@@ -35,7 +35,7 @@ QStringList testRuns()
 }
 
 /// `about`: the name of this file among copies. `clock`: the revision given last. `removed`: what
-/// is gone. `taken`: how much of which old journal file is already here.
+/// is gone.
 QStringList metadataTables()
 {
     return {
@@ -47,8 +47,6 @@ QStringList metadataTables()
                        "SELECT COALESCE(MAX(number), 0) FROM runs"),
         QStringLiteral("CREATE TABLE removed (revision INTEGER NOT NULL PRIMARY KEY, "
                        "kind TEXT NOT NULL, uuid TEXT NOT NULL)"),
-        QStringLiteral("CREATE TABLE taken (file TEXT NOT NULL PRIMARY KEY, "
-                       "bytes INTEGER NOT NULL, unreadable INTEGER NOT NULL)"),
     };
 }
 

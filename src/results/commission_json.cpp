@@ -109,11 +109,9 @@ PendingCommission readPending(const files::JsonReader& json)
     one.newId = json.smallInteger("id");
     one.newBaud = json.smallInteger("baud");
     one.isIdSent = json.flag("id_sent");
-    // Missing in files of earlier versions.
-    if (json.contains("snapshot"))
-        one.snapshot = json.text("snapshot");
-    one.isIdConfirmed = json.contains("id_read") && json.flag("id_read");
-    one.lockOpen = json.contains("lock_open") && json.flag("lock_open");
+    one.snapshot = json.text("snapshot");
+    one.isIdConfirmed = json.flag("id_read");
+    one.lockOpen = json.flag("lock_open");
     return one;
 }
 

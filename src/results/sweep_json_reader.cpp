@@ -106,8 +106,7 @@ SweepServo readSweepServo(const files::JsonReader& json)
     for (const files::JsonReader& line : json.objects("lines"))
         servo.lines.push_back(readVerdict(line));
     servo.errors = readErrors(json.object("errors"));
-    (void)json.enumValue("verdict",
-                         gradeFromName); // earlier versions let runs pass that had not ended
+    (void)json.enumValue("verdict", gradeFromName); // it follows from the lines and the end
     if (json.smallInteger("id") != servo.parameters.servo.id)
         json.reportError("id", QStringLiteral("is not the one of its parameters"));
     return servo;

@@ -35,23 +35,6 @@ constexpr RefusalText unwritable{
                               "user. Without the history, nothing is written to the servo."),
     QT_TRANSLATE_NOOP("text", "Get write permission for the file and its folder, or use another "
                               "data folder (SERVODESK_DATA_DIR).")};
-constexpr RefusalText oldJournal{
-    "journal",
-    QT_TRANSLATE_NOOP(
-        "text", "the journal was written by an earlier version of this program and cannot be read"),
-    QT_TRANSLATE_NOOP("text", "The journal may contain an interrupted change, so nothing is "
-                              "written to a servo until the journal is imported into the history."),
-    QT_TRANSLATE_NOOP("text", "Get read permission for the journal, or move the file away if you "
-                              "are sure that you do not need it.")};
-constexpr RefusalText brokenJournal{
-    "journal",
-    QT_TRANSLATE_NOOP(
-        "text",
-        "the journal has lines from an earlier version of this program that cannot be read"),
-    QT_TRANSLATE_NOOP("text", "The file was damaged, or a newer program wrote to it. The "
-                              "readable part is now in the history; the file is kept."),
-    QT_TRANSLATE_NOOP("text", "Such a line may record an interrupted change: check the EPROM "
-                              "lock and the settings of the servos used at that time.")};
 /// By the detail of the refusal.
 constexpr std::array refusals{
     RefusalText{"label-in-use", QT_TRANSLATE_NOOP("text", "another servo has this label"),
@@ -81,10 +64,6 @@ constexpr std::array refusals{
 const RefusalText* historyText(const base::Error& error)
 {
     using base::ErrorCode;
-    if (error.operation == QLatin1String("journal"))
-        return error.code == ErrorCode::FileUnreadable ? &oldJournal
-               : error.code == ErrorCode::FileFormat   ? &brokenJournal
-                                                       : nullptr;
     if (error.operation != QLatin1String("history"))
         return nullptr;
     switch (error.code) {

@@ -95,9 +95,7 @@ QString intentText(const history::HistoryWrite& write)
            QStringLiteral(": ") +
            translate("cli", "%1, ID %2, %3, on %4 at %5 baud, by %6")
                .arg(localTime(write.at), QString::number(write.servoId), servo, write.port,
-                    QString::number(write.baud),
-                    write.program.isEmpty() ? translate("cli", "an earlier version")
-                                            : write.program) +
+                    QString::number(write.baud), write.program) +
            QLatin1Char('\n');
 }
 

@@ -3,7 +3,6 @@
 
 #include "cli/input/arguments.h"
 #include "cli/translate.h"
-#include "history/journal_import.h"
 #include "session/paths.h"
 
 #include <QFile>
@@ -93,7 +92,7 @@ std::vector<Option> historyOptions()
 base::Result<std::unique_ptr<history::History>> openHistory()
 {
     const QString path = session::historyFile();
-    if (!QFile::exists(path) && !QFile::exists(history::legacyJournalPath(path)))
+    if (!QFile::exists(path))
         return nullptr;
     return history::History::open(path);
 }

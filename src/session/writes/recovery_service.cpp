@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/writes/recovery_service.h"
 
-#include "history/journal_import.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "session/workbench.h"
 
@@ -72,7 +71,7 @@ std::optional<int> rateAfter(const catalog::Profile& profile, const device::Writ
     return std::nullopt;
 }
 
-/// Journals of earlier versions name no map.
+/// An intent of a servo whose model was unknown names no map.
 bool isOfKind(const device::Servo& servo, const base::ServoIdentity& identity)
 {
     if (!servo.profile)
@@ -127,8 +126,6 @@ void RecoveryService::recoverIntents(jobs::RecoveryAction action, const QString&
             m_bench.emitEvent({.kind = Event::Kind::Failed,
                                .task = resolves ? task : QString(),
                                .error = ended.error});
-        for (const base::Error& journal : history::importUnreadableJournals())
-            m_bench.emitEvent({.kind = Event::Kind::Failed, .error = journal});
         if (ended.error) { // what is open is not known: not the same as nothing
             m_checked = m_checked && resolves;
             return;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The output of the built command line about changes that are unfinished or could not be recorded:
-// the adapter has got another name, the disk became full during a change, the history is locked,
-// the journal of an earlier version is damaged.
+// the adapter has got another name, the disk became full during a change, the history is locked.
 #include "history/history_file.h"
 #include "history/history_journal.h"
 #include "history/history_timeout.h"
@@ -76,7 +75,6 @@ private Q_SLOTS:
     void aFullDiskAtTheEndHidesNoWrite();
     void aLostLinkLeavesTheRestUnsent();
     void aLockedHistoryIsReported();
-    void aDamagedJournalIsReportedOnce();
 
 private:
     void killDuringWrite(CliProgram& cli);
@@ -371,26 +369,6 @@ void TestCliRecover::aLockedHistoryIsReported()
     QVERIFY2(result.err.contains(QStringLiteral("he history has been locked for too long")),
              qPrintable(result.out + result.err));
     QCOMPARE(cli.run("write 1 max_temperature=62").exit, 0);
-}
-
-void TestCliRecover::aDamagedJournalIsReportedOnce()
-{
-    CliProgram cli;
-    QFile journal(cli.dataFolder() + QStringLiteral("/journal.jsonl"));
-    QVERIFY(journal.open(QIODevice::WriteOnly));
-    journal.write("{\"begin\": torn\n\x01\x02\x03\n");
-    journal.close();
-    const ProgramResult result = cli.run("recover");
-    QCOMPARE(result.exit, 0);
-    QVERIFY2(
-        result.err.contains(QStringLiteral("earlier version of this program that cannot be read")),
-        qPrintable(result.out + result.err));
-    QVERIFY2(result.err.contains(QStringLiteral("journal.jsonl.taken-1: 2")),
-             qPrintable(result.err));
-    QVERIFY(QFile::exists(journal.fileName() + QStringLiteral(".taken-1")));
-    const ProgramResult again = cli.run("recover");
-    QCOMPARE(again.exit, 0);
-    QVERIFY2(!again.err.contains(QStringLiteral("journal")), qPrintable(again.err));
 }
 
 SERVODESK_GUILESS_TEST(TestCliRecover)

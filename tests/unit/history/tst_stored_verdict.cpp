@@ -45,8 +45,6 @@ private:
     std::unique_ptr<QTemporaryDir> m_dir;
     QString m_path;
     std::unique_ptr<History> open() { return History::open(m_path, 1s).value(); }
-    /// What the earlier version had in its lists.
-    void storeAsEarlierVersion(std::int64_t run, const char* verdict);
 
 private Q_SLOTS:
     void init();
@@ -54,8 +52,6 @@ private Q_SLOTS:
     void theEndDecides_data();
     void theEndDecides();
     void aFileOfAnEarlierVersionIsReevaluated();
-    void aHistoryOfAnEarlierVersionIsReevaluated();
-    void aLongSineIsStillRead();
     void listsUseTheEndOnly();
     void anUnfinishedRunIsNoReference();
 };
@@ -65,14 +61,6 @@ void TestStoredVerdict::init()
     QTest::failOnWarning(QRegularExpression(text(".*")));
     m_dir = std::make_unique<QTemporaryDir>();
     m_path = m_dir->filePath(text("history.sqlite"));
-}
-
-void TestStoredVerdict::storeAsEarlierVersion(std::int64_t run, const char* verdict)
-{
-    const auto file = history::HistoryFile::open(m_path, 1s).value();
-    QVERIFY(file->run(text("DELETE FROM about WHERE name = 'sweep-verdicts'")));
-    QVERIFY(file->run(text("UPDATE run_servos SET verdict = ? WHERE run = ?"),
-                      {text(verdict), qint64(run)}));
 }
 
 void TestStoredVerdict::theEndDecides_data()
@@ -133,57 +121,6 @@ void TestStoredVerdict::aFileOfAnEarlierVersionIsReevaluated()
     before = results::encodeSweepRun(sine);
     QVERIFY(before.contains("\"verdict\": \"pass\""));
     QCOMPARE(results::decodeSweepRun(before)->verdict(), Grade::NotMeasured);
-}
-
-void TestStoredVerdict::aHistoryOfAnEarlierVersionIsReevaluated()
-{
-    SweepRun stalled = sweep_example::run(); // of two servos one is to blame
-    for (results::VerdictLine& line : stalled.servos[1].lines)
-        line.grade = Grade::Pass;
-    SweepRun sine = runEndingWith(SweepEnd::Finished);
-    sine.spec.shape = results::SweepShape::Sine;
-    std::vector<std::int64_t> numbers;
-    for (const SweepRun& run :
-         {runEndingWith(SweepEnd::Stopped), stalled, sine, runEndingWith(SweepEnd::Finished)})
-        numbers.push_back(open()->add(run).value());
-    for (const std::int64_t number : numbers)
-        storeAsEarlierVersion(number, "pass");
-    const auto history = open();
-    const auto verdict = [&](std::size_t run, std::size_t servo = 0) {
-        return history->run(numbers[run]).value().servos.at(servo).verdict;
-    };
-    QCOMPARE(verdict(0), Grade::NotMeasured);
-    QCOMPARE(verdict(1, 0), Grade::NotMeasured);
-    QCOMPARE(verdict(1, 1), Grade::Fail);
-    QCOMPARE(verdict(2), Grade::NotMeasured);
-    QCOMPARE(history->run(numbers[2]).value().verdict, Grade::NotMeasured);
-    QCOMPARE(verdict(3), Grade::Pass);
-    // And its copies get the same rows.
-    const auto rows =
-        history->file().run(text("SELECT verdict FROM run_servos ORDER BY run, place")).value();
-    QStringList stored;
-    for (const QVariantList& row : rows.rows)
-        stored << row.front().toString();
-    QCOMPARE(stored, QStringList({text("not-measured"), text("not-measured"), text("fail"),
-                                  text("not-measured"), text("pass")}));
-}
-
-/// A night's sine fills several pieces; that of a stairs path is not read for its verdict.
-void TestStoredVerdict::aLongSineIsStillRead()
-{
-    constexpr std::size_t night = 20'000; // legs
-    SweepRun sine = runEndingWith(SweepEnd::Finished);
-    sine.spec.shape = results::SweepShape::Sine;
-    sine.servos[0].legs.resize(night);
-    const auto number = open()->add(sine).value();
-    {
-        const auto history = open();
-        const auto pieces = history->file().run(
-            text("SELECT COUNT(*) FROM run_texts WHERE run = ?"), {qint64(number)});
-        QVERIFY(pieces->rows.front().front().toInt() > 1);
-    }
-    storeAsEarlierVersion(number, "pass");
-    QCOMPARE(open()->run(number).value().servos[0].verdict, Grade::NotMeasured);
 }
 
 /// Of a run that is too long to be read again for it, or that an older program adds afterwards.
