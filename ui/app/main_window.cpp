@@ -82,7 +82,7 @@ MainWindow::MainWindow(AppContext& appContext, session::Settings& settings, Them
     connectHistorySender();
     new StopBanner(m_workbench, m_commands, *m_banner, this);
     new ServoTasks(m_workbench, m_commands, m_context.selection, this);
-    new LinkErrorBanner(m_workbench, m_context.ports, *m_connectBar, *m_banner, this);
+    new LinkErrorBanner(m_workbench.link(), m_context.ports, *m_connectBar, *m_banner, this);
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
     retranslate();

@@ -224,7 +224,7 @@ void Commands::updateUndoTexts()
         QString tip = QCoreApplication::translate("Commands", row.tip);
         QString text = verb;
         if (step != nullptr) {
-            const UndoText words = undoText(m_workbench, *step, back);
+            const UndoText words = undoText(m_workbench.registry(), *step, back);
             text = tr("%1: %2").arg(verb, words.brief);
             tip += QLatin1Char('\n') + words.lines.join(QLatin1Char('\n'));
         }

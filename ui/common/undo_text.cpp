@@ -22,9 +22,9 @@ QString elided(const QString& name)
 }
 } // namespace
 
-UndoText undoText(const session::Workbench& workbench, const session::UndoStep& step, bool undo)
+UndoText undoText(const session::ServoRegistry& registry, const session::UndoStep& step, bool undo)
 {
-    const session::ServoEntry* servo = workbench.registry().servo(step.servo);
+    const session::ServoEntry* servo = registry.servo(step.servo);
     const auto& from = undo ? step.newItems : step.oldItems;
     const auto& to = undo ? step.oldItems : step.newItems;
     if (to.empty() || from.size() != to.size())

@@ -2,7 +2,8 @@
 // What Undo and Redo would write, and to which servo, as text. Free functions; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/servos/servo_registry.h"
+#include "session/tasks/task.h"
 
 #include <QStringList>
 
@@ -12,6 +13,6 @@ struct UndoText {
     QStringList lines; ///< one a register: "ID 2 · position P: 40 → 32"
 };
 
-/// `back`: as Undo writes it; else as Redo does.
-UndoText undoText(const session::Workbench& workbench, const session::UndoStep& step, bool undo);
+/// `undo`: as Undo writes it; else as Redo does.
+UndoText undoText(const session::ServoRegistry& registry, const session::UndoStep& step, bool undo);
 } // namespace ui

@@ -18,10 +18,10 @@ namespace {
 constexpr auto settleDelay = 1500ms;
 } // namespace
 
-LinkErrorBanner::LinkErrorBanner(session::Workbench& workbench, session::PortWatcher& ports,
+LinkErrorBanner::LinkErrorBanner(session::LinkController& link, session::PortWatcher& ports,
                                  ConnectBar& bar, Banner& banner, QObject* parent)
     : QObject(parent)
-    , m_workbench(workbench)
+    , m_link(link)
     , m_ports(ports)
     , m_bar(bar)
     , m_banner(banner)
@@ -32,10 +32,9 @@ LinkErrorBanner::LinkErrorBanner(session::Workbench& workbench, session::PortWat
     m_reconnect->setIcon(QIcon::fromTheme(QStringLiteral("network-connect")));
     connect(m_retry, &QAction::triggered, &m_bar, &ConnectBar::connectNow);
     connect(m_reconnect, &QAction::triggered, this, &LinkErrorBanner::reconnect);
-    connect(&m_workbench.link(), &session::LinkController::connectFailed, this,
+    connect(&m_link, &session::LinkController::connectFailed, this,
             &LinkErrorBanner::connectFailed);
-    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
-            &LinkErrorBanner::linkChanged);
+    connect(&m_link, &session::LinkController::linkChanged, this, &LinkErrorBanner::linkChanged);
     connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
         detectAdapter();
         detectBraille();
@@ -56,11 +55,11 @@ void LinkErrorBanner::connectFailed(const base::Error& error)
 
 void LinkErrorBanner::linkChanged()
 {
-    switch (m_workbench.link().state()) {
+    switch (m_link.state()) {
     case LinkState::Opening:
     case LinkState::Open:
         m_replug.stop();
-        m_openKey = m_ports.adapterKey(m_workbench.link().lastRequest().name);
+        m_openKey = m_ports.adapterKey(m_link.lastRequest().name);
         adapterSettled();
         return;
     case LinkState::Lost:
@@ -82,7 +81,7 @@ void LinkErrorBanner::adapterSettled()
 
 void LinkErrorBanner::linkLost()
 {
-    const QString port = m_workbench.link().lastRequest().name;
+    const QString port = m_link.lastRequest().name;
     m_bannerIsOurs = true;
     m_newPath.clear();
     m_replug.start(m_ports, m_openKey, port);
@@ -109,7 +108,7 @@ void LinkErrorBanner::linkLost()
 void LinkErrorBanner::detectAdapter()
 {
     const QString back = m_replug.detect(m_ports);
-    if (m_workbench.link().state() != LinkState::Lost || back == m_newPath)
+    if (m_link.state() != LinkState::Lost || back == m_newPath)
         return;
     m_newPath = back;
     if (back.isEmpty()) { // and gone again
@@ -129,7 +128,7 @@ void LinkErrorBanner::detectAdapter()
 
 void LinkErrorBanner::reconnect()
 {
-    session::PortRequest request = m_workbench.link().lastRequest();
+    session::PortRequest request = m_link.lastRequest();
     if (!m_newPath.isEmpty())
         request.name = m_newPath;
     m_bar.setRequest(request);
@@ -142,8 +141,7 @@ void LinkErrorBanner::detectBraille()
     if (taken == m_reportedBraille)
         return;
     m_reportedBraille = taken;
-    const bool idle = m_workbench.link().state() == LinkState::Off ||
-                      m_workbench.link().state() == LinkState::Lost;
+    const bool idle = m_link.state() == LinkState::Off || m_link.state() == LinkState::Lost;
     if (taken.isEmpty() || !idle)
         return;
     m_bannerIsOurs = true;

@@ -4,8 +4,8 @@
 // back. Opens nothing on its own. Owned by the window; main thread.
 #pragma once
 
+#include "session/link/link_controller.h"
 #include "session/port_watcher.h"
-#include "session/workbench.h"
 #include "ui/widgets/banner.h"
 
 class QAction;
@@ -17,7 +17,7 @@ class LinkErrorBanner final : public QObject {
     Q_OBJECT
 
 public:
-    LinkErrorBanner(session::Workbench& workbench, session::PortWatcher& ports, ConnectBar& bar,
+    LinkErrorBanner(session::LinkController& link, session::PortWatcher& ports, ConnectBar& bar,
                     Banner& banner, QObject* parent = nullptr);
 
 protected:
@@ -33,7 +33,7 @@ private:
     void adapterSettled();
     void retranslate();
 
-    session::Workbench& m_workbench;
+    session::LinkController& m_link;
     session::PortWatcher& m_ports;
     ConnectBar& m_bar;
     Banner& m_banner;

@@ -25,10 +25,10 @@ bool isHtmlPath(const QString& path)
 }
 } // namespace
 
-MemoryOutput::MemoryOutput(session::Workbench& workbench, const MemoryModel& model,
+MemoryOutput::MemoryOutput(session::ServoRegistry& registry, const MemoryModel& model,
                            QTableView& view)
     : QObject(&view)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_model(model)
     , m_view(view)
 {}
@@ -48,7 +48,7 @@ std::vector<int> MemoryOutput::shownRows(bool selectedOnly) const
 
 std::optional<TableSheet> MemoryOutput::sheet(bool selectedOnly) const
 {
-    const session::ServoEntry* entry = m_workbench.registry().servo(m_model.servo());
+    const session::ServoEntry* entry = m_registry.servo(m_model.servo());
     if (entry == nullptr || m_model.rowCount() == 0)
         return std::nullopt;
     return memorySheet(m_model, shownRows(selectedOnly), *entry, QDateTime::currentDateTime());
@@ -77,7 +77,7 @@ base::Result<void> MemoryOutput::save(const TableSheet& sheet, const QString& pa
 void MemoryOutput::exportTable()
 {
     const auto all = sheet(false);
-    const session::ServoEntry* entry = m_workbench.registry().servo(m_model.servo());
+    const session::ServoEntry* entry = m_registry.servo(m_model.servo());
     if (!all || entry == nullptr)
         return;
     askForSavePath(

@@ -3,7 +3,7 @@
 // What cannot be written is reported by failed(). Owned by the page; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/servos/servo_registry.h"
 #include "ui/memory/memory_sheet.h"
 
 #include <QPointer>
@@ -15,7 +15,7 @@ class MemoryOutput final : public QObject {
     Q_OBJECT
 
 public:
-    MemoryOutput(session::Workbench& workbench, const MemoryModel& model, QTableView& view);
+    MemoryOutput(session::ServoRegistry& registry, const MemoryModel& model, QTableView& view);
 
     void copyRows();
     void exportTable();
@@ -32,7 +32,7 @@ private:
     std::optional<TableSheet> sheet(bool selectedOnly) const;
     std::vector<int> shownRows(bool selectedOnly) const;
 
-    session::Workbench& m_workbench;
+    session::ServoRegistry& m_registry;
     const MemoryModel& m_model;
     QTableView& m_view;
 };

@@ -81,7 +81,7 @@ void MemoryPage::build(session::Settings& settings)
     column->addWidget(m_toolbar);
     column->addWidget(m_splitter, 1);
     new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);
-    m_output = new MemoryOutput(m_workbench, m_model, *m_view);
+    m_output = new MemoryOutput(m_workbench.registry(), m_model, *m_view);
     m_model.setPhysicalFirst(m_toolbar->physicalFirst());
     m_view->setPhysicalFirst(m_toolbar->physicalFirst());
 }

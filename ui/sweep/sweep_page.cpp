@@ -75,7 +75,7 @@ void SweepPage::build()
     auto* setup = new QVBoxLayout(body);
     setup->setContentsMargins(0, 0, 4, 0);
     m_form = new SweepForm(m_settings, body);
-    m_servos = new SweepServos(m_workbench, m_selection, m_settings, body);
+    m_servos = new SweepServos(m_workbench.registry(), m_selection, m_settings, body);
     setup->addWidget(m_form);
     m_form->insertServoList(m_servos);
     setup->addStretch();
@@ -314,11 +314,11 @@ void SweepPage::showPreview()
 {
     PreviewText words{Tone::Quiet, blockedReason()};
     if (words.text.isEmpty())
-        words =
-            previewText(m_previews->all(), m_form->spec(), m_workbench, m_switchMode->isChecked());
+        words = previewText(m_previews->all(), m_form->spec(), m_workbench.registry(),
+                            m_switchMode->isChecked());
     if (const auto silent = silentServo();
         silent && words.tone != Tone::Bad && blockedReason().isEmpty())
-        words = previewText({*silent}, m_form->spec(), m_workbench, false);
+        words = previewText({*silent}, m_form->spec(), m_workbench.registry(), false);
     m_previewLabel->setText(words.text);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(words.tone, palette()));
@@ -341,7 +341,7 @@ void SweepPage::run()
     if (m_consent == consent)
         start();
     else
-        askBeforeSweep(this, m_workbench, request, m_previews->all(), [this, consent] {
+        askBeforeSweep(this, m_workbench.registry(), request, m_previews->all(), [this, consent] {
             m_consent = consent;
             start();
         });

@@ -58,14 +58,14 @@ Duration totalDuration(const session::SweepPreview& preview, const results::Swee
 }
 
 PreviewText durationCheckText(const session::SweepPreview& preview, const results::SweepSpec& spec,
-                              const session::Workbench& workbench)
+                              const session::ServoRegistry& registry)
 {
     const jobs::SweepEstimate& estimate = *preview.estimate;
     const bool sine = spec.shape == SweepShape::Sine;
     const QString link =
         QStringLiteral("<a href=\"enough\">%1</a>")
             .arg(SweepPage::tr("Use %1").arg(durationText(estimate.proposedDelay)));
-    const session::ServoEntry* entry = workbench.registry().servo(preview.servo);
+    const session::ServoEntry* entry = registry.servo(preview.servo);
     const QString who =
         entry != nullptr ? QStringLiteral("ID %1: ").arg(entry->servo.id) : QString();
     if (estimate.tooShort && sine)
@@ -103,7 +103,7 @@ PreviewText durationCheckText(const session::SweepPreview& preview, const result
 } // namespace
 
 PreviewText previewText(const std::vector<session::SweepPreview>& previews,
-                        const results::SweepSpec& spec, const session::Workbench& workbench,
+                        const results::SweepSpec& spec, const session::ServoRegistry& registry,
                         bool switching)
 {
     if (previews.empty())
@@ -124,7 +124,7 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
     for (const session::SweepPreview& preview : previews) {
         if (!preview.estimate)
             continue;
-        const PreviewText words = durationCheckText(preview, spec, workbench);
+        const PreviewText words = durationCheckText(preview, spec, registry);
         const bool first = worst.text.isEmpty();
         if (first || (words.tone == Tone::Warn && worst.tone != Tone::Warn))
             worst = words;

@@ -14,7 +14,7 @@ struct PreviewText {
 
 /// `switching`: servos in another mode will be switched.
 PreviewText previewText(const std::vector<session::SweepPreview>& previews,
-                        const results::SweepSpec& spec, const session::Workbench& workbench,
+                        const results::SweepSpec& spec, const session::ServoRegistry& registry,
                         bool switching);
 
 /// `run`: null before it has begun.

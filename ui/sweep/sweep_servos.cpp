@@ -40,10 +40,10 @@ bool isTestable(const session::ServoEntry* entry)
 }
 } // namespace
 
-SweepServos::SweepServos(session::Workbench& workbench, Selection& selection,
+SweepServos::SweepServos(session::ServoRegistry& registry, Selection& selection,
                          session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_selection(selection)
     , m_settings(settings)
     , m_title(new QLabel(this))
@@ -79,10 +79,10 @@ SweepServos::SweepServos(session::Workbench& workbench, Selection& selection,
     m_rebuild.setInterval(0);
     connect(&m_rebuild, &QTimer::timeout, this, &SweepServos::rebuild);
     const auto again = [this] { m_rebuild.start(); };
-    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this, again);
-    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this, again);
-    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this, again);
-    connect(&workbench.registry(), &session::ServoRegistry::orderChanged, this, again);
+    connect(&registry, &session::ServoRegistry::servoAdded, this, again);
+    connect(&registry, &session::ServoRegistry::servoRemoved, this, again);
+    connect(&registry, &session::ServoRegistry::servosCleared, this, again);
+    connect(&registry, &session::ServoRegistry::orderChanged, this, again);
     connect(&selection, &Selection::selectedServosChanged, this, &SweepServos::followSelection);
     connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::onItemEdited);
     connect(m_table, &QTableWidget::currentCellChanged, this, &SweepServos::showLimits);
@@ -110,8 +110,8 @@ void SweepServos::rebuild()
     m_filling = true;
     m_table->clearContents();
     std::vector<const session::ServoEntry*> shown;
-    for (const session::ServoRef ref : m_workbench.registry().order()) {
-        if (const session::ServoEntry* entry = m_workbench.registry().servo(ref); isTestable(entry))
+    for (const session::ServoRef ref : m_registry.order()) {
+        if (const session::ServoEntry* entry = m_registry.servo(ref); isTestable(entry))
             shown.push_back(entry);
     }
     m_table->setRowCount(int(shown.size()));
@@ -124,9 +124,7 @@ void SweepServos::rebuild()
     }
     m_filling = false;
     showVerdicts();
-    const auto gone = [this](const auto& one) {
-        return m_workbench.registry().servo(one) == nullptr;
-    };
+    const auto gone = [this](const auto& one) { return m_registry.servo(one) == nullptr; };
     const std::size_t before = m_ticked.size();
     std::erase_if(m_ticked, gone);
     if (m_ticked.empty() && std::exchange(m_userSelected, false))
@@ -252,8 +250,8 @@ void SweepServos::followSelection()
 std::vector<session::ServoRef> SweepServos::selected() const
 {
     std::vector<session::ServoRef> refs;
-    for (const session::ServoRef ref : m_workbench.registry().order()) {
-        if (m_ticked.count(ref) != 0 && isTestable(m_workbench.registry().servo(ref)))
+    for (const session::ServoRef ref : m_registry.order()) {
+        if (m_ticked.count(ref) != 0 && isTestable(m_registry.servo(ref)))
             refs.push_back(ref);
     }
     return refs;
@@ -265,7 +263,7 @@ std::map<int, results::SweepRange> SweepServos::ranges() const
     for (const session::ServoRef ref : selected()) {
         const auto own = m_ranges.find(ref);
         if (own != m_ranges.end() && !(own->second.from.isEmpty() && own->second.to.isEmpty()))
-            ranges[m_workbench.registry().servo(ref)->servo.id] = own->second;
+            ranges[m_registry.servo(ref)->servo.id] = own->second;
     }
     return ranges;
 }
@@ -284,7 +282,7 @@ const std::optional<results::SweepLimits>& SweepServos::ownLimits(const QString&
 
 results::SweepLimits SweepServos::limits(session::ServoRef ref) const
 {
-    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+    const session::ServoEntry* entry = m_registry.servo(ref);
     if (!isTestable(entry))
         return {};
     const auto& profile = *entry->servo.profile;
@@ -307,7 +305,7 @@ void SweepServos::showLimits()
 {
     const session::ServoRef ref = refAt(std::max(0, m_table->currentRow()));
     m_limits->setEnabled(ref != 0 && !m_locked);
-    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+    const session::ServoEntry* entry = m_registry.servo(ref);
     if (ref == 0 || entry == nullptr) {
         m_limitsName->clear();
         return;

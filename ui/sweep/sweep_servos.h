@@ -7,8 +7,8 @@
 #include "results/sweep_limits.h"
 #include "results/sweep_run.h"
 #include "results/sweep_spec.h"
+#include "session/servos/servo_registry.h"
 #include "session/settings.h"
-#include "session/workbench.h"
 #include "ui/common/selection.h"
 
 #include <QAbstractItemView>
@@ -28,7 +28,7 @@ class SweepServos final : public QWidget {
     Q_OBJECT
 
 public:
-    SweepServos(session::Workbench& workbench, Selection& selection, session::Settings& settings,
+    SweepServos(session::ServoRegistry& registry, Selection& selection, session::Settings& settings,
                 QWidget* parent);
 
     /// Those that can be tested, in the order of the list.
@@ -69,7 +69,7 @@ private:
     session::ServoRef refAt(int row) const;
     const std::optional<results::SweepLimits>& ownLimits(const QString& model) const;
 
-    session::Workbench& m_workbench;
+    session::ServoRegistry& m_registry;
     Selection& m_selection;
     session::Settings& m_settings;
     QLabel* m_title;

@@ -57,14 +57,14 @@ SweepConsent consentFor(const session::SweepTestRequest& request)
     return {request.servos, request.spec.releaseAtEnd, request.switchMode};
 }
 
-void askBeforeSweep(QWidget* page, const session::Workbench& workbench,
+void askBeforeSweep(QWidget* page, const session::ServoRegistry& registry,
                     const session::SweepTestRequest& request,
                     const std::vector<session::SweepPreview>& previews,
                     const std::function<void()>& accepted)
 {
     QStringList names;
     for (const session::ServoRef ref : request.servos) {
-        const session::ServoEntry* entry = workbench.registry().servo(ref);
+        const session::ServoEntry* entry = registry.servo(ref);
         names.append(QStringLiteral("ID %1 · %2, %3")
                          .arg(QString::number(entry->servo.id), entry->servo.profile->modelName,
                               rangeText(*entry, ref, request.spec, previews)));

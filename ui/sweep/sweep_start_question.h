@@ -21,7 +21,7 @@ struct SweepConsent {
 SweepConsent consentFor(const session::SweepTestRequest& request);
 
 /// `page` goes with the question; `previews` may know the range of a list of goals.
-void askBeforeSweep(QWidget* page, const session::Workbench& workbench,
+void askBeforeSweep(QWidget* page, const session::ServoRegistry& registry,
                     const session::SweepTestRequest& request,
                     const std::vector<session::SweepPreview>& previews,
                     const std::function<void()>& accepted);

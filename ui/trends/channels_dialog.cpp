@@ -28,10 +28,10 @@ constexpr int unitColumn = 1;
 constexpr double maxScale = 1e6;
 } // namespace
 
-ChannelsDialog::ChannelsDialog(const session::Workbench& workbench, std::vector<TrendCurve> curves,
-                               QWidget* parent)
+ChannelsDialog::ChannelsDialog(const session::ServoRegistry& registry,
+                               std::vector<TrendCurve> curves, QWidget* parent)
     : QDialog(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_curves(std::move(curves))
 {
     setObjectName(QStringLiteral("channelsDialog"));
@@ -39,12 +39,9 @@ ChannelsDialog::ChannelsDialog(const session::Workbench& workbench, std::vector<
     build();
     retranslate();
     resize(460, 560);
-    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this,
-            &ChannelsDialog::fill);
-    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this,
-            &ChannelsDialog::fill);
-    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this,
-            &ChannelsDialog::fill);
+    connect(&registry, &session::ServoRegistry::servoAdded, this, &ChannelsDialog::fill);
+    connect(&registry, &session::ServoRegistry::servoRemoved, this, &ChannelsDialog::fill);
+    connect(&registry, &session::ServoRegistry::servosCleared, this, &ChannelsDialog::fill);
 }
 
 void ChannelsDialog::build()
@@ -172,8 +169,8 @@ void ChannelsDialog::fill()
                             : QString();
     m_tree->clear();
     addBuiltIn();
-    for (const session::ServoRef ref : m_workbench.registry().order())
-        addServo(*m_workbench.registry().servo(ref));
+    for (const session::ServoRef ref : m_registry.order())
+        addServo(*m_registry.servo(ref));
     m_filling = false;
     filter(m_find->text());
     for (QTreeWidgetItemIterator row(m_tree); *row != nullptr; ++row) {

@@ -20,7 +20,7 @@ class ChannelsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ChannelsDialog(const session::Workbench& workbench, std::vector<TrendCurve> curves,
+    ChannelsDialog(const session::ServoRegistry& registry, std::vector<TrendCurve> curves,
                    QWidget* parent);
 
     void setCurves(std::vector<TrendCurve> curves);
@@ -48,7 +48,7 @@ private:
     TrendCurve* curve(const QString& id);
     void retranslate();
 
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     std::vector<TrendCurve> m_curves;
     QLineEdit* m_find = nullptr;
     QTreeWidget* m_tree = nullptr;

@@ -123,11 +123,11 @@ QString faultsText(const QString& text)
 }
 
 /// The register's key at the beginning becomes its name.
-QString writtenName(const session::Workbench& workbench, const QString& text)
+QString writtenName(const session::ServoRegistry& registry, const QString& text)
 {
     const QString key = text.section(QLatin1Char(' '), 0, 0);
-    for (const session::ServoRef ref : workbench.registry().order()) {
-        const catalog::ProfilePtr& profile = workbench.registry().servo(ref)->servo.profile;
+    for (const session::ServoRef ref : registry.order()) {
+        const catalog::ProfilePtr& profile = registry.servo(ref)->servo.profile;
         if (profile && profile->find(key) != nullptr)
             return nameOf(*profile, key) + text.mid(key.size());
     }
@@ -135,21 +135,21 @@ QString writtenName(const session::Workbench& workbench, const QString& text)
 }
 } // namespace
 
-QString recordedChannelName(const session::Workbench& workbench,
+QString recordedChannelName(const session::ServoRegistry& registry,
                             const recording::RecordingChannel& column)
 {
     QString name = column.key;
     if (column.key == session::errorKey)
         name = builtInName(QStringLiteral("@error"));
-    for (const session::ServoRef ref : workbench.registry().order()) {
-        const catalog::ProfilePtr& profile = workbench.registry().servo(ref)->servo.profile;
+    for (const session::ServoRef ref : registry.order()) {
+        const catalog::ProfilePtr& profile = registry.servo(ref)->servo.profile;
         if (profile && profile->find(column.key) != nullptr)
             name = nameOf(*profile, column.key);
     }
     return translate("Trend", "ID %1 · %2").arg(column.servoId).arg(name);
 }
 
-QString markText(const session::Workbench& workbench, const recording::Mark& mark)
+QString markText(const session::ServoRegistry& registry, const recording::Mark& mark)
 {
     using recording::MarkKind;
     QString words = mark.text;
@@ -164,8 +164,8 @@ QString markText(const session::Workbench& workbench, const recording::Mark& mar
     else if (mark.kind == MarkKind::Stop)
         words = translate("Trend", "emergency stop");
     else if (mark.kind == MarkKind::Write) // "position_p 32 → 40"
-        words = writtenName(workbench, mark.text);
-    const bool alone = workbench.registry().order().size() < 2;
+        words = writtenName(registry, mark.text);
+    const bool alone = registry.order().size() < 2;
     return mark.servoId >= 0 && !alone
                ? translate("Trend", "ID %1 · %2").arg(mark.servoId).arg(words)
                : words;
@@ -174,10 +174,10 @@ QString markText(const session::Workbench& workbench, const recording::Mark& mar
 session::ServoRef TrendResolver::servoOf(const TrendCurve& curve) const
 {
     if (curve.servo == QLatin1String("*"))
-        return m_workbench.registry().servo(m_selected) != nullptr ? m_selected : 0;
+        return m_registry.servo(m_selected) != nullptr ? m_selected : 0;
     const int id = curve.servo.toInt();
-    for (const session::ServoRef ref : m_workbench.registry().order()) {
-        if (m_workbench.registry().servo(ref)->servo.id == id)
+    for (const session::ServoRef ref : m_registry.order()) {
+        if (m_registry.servo(ref)->servo.id == id)
             return ref;
     }
     return 0;
@@ -187,7 +187,7 @@ std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve, std:
                                                    const QColor& background) const
 {
     const session::ServoRef ref = servoOf(curve);
-    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+    const session::ServoEntry* entry = m_registry.servo(ref);
     if (entry == nullptr || !entry->servo.profile)
         return std::nullopt;
     const catalog::Profile& profile = *entry->servo.profile;
@@ -218,7 +218,7 @@ session::Subscription TrendResolver::subscription(const std::vector<TrendCurve>&
     session::Subscription subscription;
     for (const TrendCurve& curve : curves) {
         const session::ServoRef ref = servoOf(curve);
-        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+        const session::ServoEntry* entry = m_registry.servo(ref);
         if (entry == nullptr || !entry->servo.profile || !curve.visible)
             continue;
         const catalog::Profile& profile = *entry->servo.profile;

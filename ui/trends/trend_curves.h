@@ -31,17 +31,17 @@ QString builtInName(const QString& key);
 std::vector<TrendCurve> defaultCurves();
 
 /// Of a recording's column: the register's name as far as a servo here has it, else its key.
-QString recordedChannelName(const session::Workbench& workbench,
+QString recordedChannelName(const session::ServoRegistry& registry,
                             const recording::RecordingChannel& column);
 
 /// A mark as the chart shows it: "ID 1 · Over-temperature".
-QString markText(const session::Workbench& workbench, const recording::Mark& mark);
+QString markText(const session::ServoRegistry& registry, const recording::Mark& mark);
 
 class TrendResolver {
 public:
-    TrendResolver(const session::Workbench& workbench, const session::LiveData& scope,
+    TrendResolver(const session::ServoRegistry& registry, const session::LiveData& scope,
                   session::ServoRef selected)
-        : m_workbench(workbench)
+        : m_registry(registry)
         , m_liveData(scope)
         , m_selected(selected)
     {}
@@ -53,7 +53,7 @@ public:
     session::Subscription subscription(const std::vector<TrendCurve>& curves) const;
 
 private:
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     const session::LiveData& m_liveData;
     session::ServoRef m_selected;
 };

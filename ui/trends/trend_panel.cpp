@@ -38,9 +38,9 @@ TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveDat
     , m_curves(m_settings.curves())
 {
     build();
-    m_replay = new TrendReplay(m_workbench, m_settings,
+    m_replay = new TrendReplay(m_workbench.registry(), m_settings,
                                {*m_chart, *m_replayBar, *m_toolbar, *m_banner}, this);
-    m_trigger = new TriggerControl(m_workbench, m_liveData, m_selection,
+    m_trigger = new TriggerControl(m_workbench.registry(), m_liveData, m_selection,
                                    {*m_chart, *m_toolbar, *m_replay}, this);
     m_recording =
         new RecordingControl(m_liveData, settings, {*m_chart, *m_toolbar, *m_banner}, this);
@@ -86,7 +86,7 @@ void TrendPanel::build()
     m_chart->setStore(&m_liveData.store());
     m_chart->setMarks(&m_liveData.marks());
     m_chart->setMarkTextFunction(
-        [this](const recording::Mark& mark) { return markText(m_workbench, mark); });
+        [this](const recording::Mark& mark) { return markText(m_workbench.registry(), mark); });
     m_chart->setWidth(m_settings.width());
     m_toolbar->setShownWidth(m_chart->width());
     m_toolbar->setRate(m_settings.rate());
@@ -179,7 +179,7 @@ void TrendPanel::showLiveReadings()
 
 TrendResolver TrendPanel::resolver() const
 {
-    return {m_workbench, m_liveData, m_selection.current()};
+    return {m_workbench.registry(), m_liveData, m_selection.current()};
 }
 
 /// Shows the chosen curves whose servos are in the list.
@@ -241,7 +241,7 @@ void TrendPanel::chooseChannels()
 {
     auto* dialog = findChild<ChannelsDialog*>(); // one is enough
     if (dialog == nullptr) {
-        dialog = new ChannelsDialog(m_workbench, m_curves, this);
+        dialog = new ChannelsDialog(m_workbench.registry(), m_curves, this);
         connect(dialog, &ChannelsDialog::curvesChanged, this, &TrendPanel::setCurves);
     }
     dialog->show();

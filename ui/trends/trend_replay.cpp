@@ -19,10 +19,10 @@ namespace ui {
 using base::Duration;
 using namespace std::chrono_literals;
 
-TrendReplay::TrendReplay(const session::Workbench& workbench, const TrendSettings& settings,
+TrendReplay::TrendReplay(const session::ServoRegistry& registry, const TrendSettings& settings,
                          const Views& views, QWidget* parent)
     : QObject(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_settings(settings)
     , m_views(views)
     , m_parent(parent)
@@ -81,7 +81,7 @@ void TrendReplay::showChannels()
         TrendChannel channel;
         channel.id = content.ids[i];
         channel.key = QStringLiteral("%1/%2").arg(column.servoId).arg(column.key);
-        channel.name = recordedChannelName(m_workbench, column);
+        channel.name = recordedChannelName(m_registry, column);
         channel.unit = catalog::unitSuffix(column.unit).trimmed();
         channel.color = trendColor(int(i), m_parent->palette().color(QPalette::Base));
         channels.push_back(std::move(channel));

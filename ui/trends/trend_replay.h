@@ -5,7 +5,7 @@
 #pragma once
 
 #include "session/recording/replay.h"
-#include "session/workbench.h"
+#include "session/servos/servo_registry.h"
 #include "ui/trends/trend_settings.h"
 
 class QWidget;
@@ -26,7 +26,7 @@ public:
         TrendToolbar& toolbar;
         Banner& banner;
     };
-    TrendReplay(const session::Workbench& workbench, const TrendSettings& settings,
+    TrendReplay(const session::ServoRegistry& registry, const TrendSettings& settings,
                 const Views& views, QWidget* parent);
 
     bool isActive() const { return m_data != nullptr; }
@@ -46,7 +46,7 @@ private:
     void showReport();
     void moveTo(base::Duration position);
 
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     const TrendSettings& m_settings;
     Views m_views;
     QWidget* m_parent;

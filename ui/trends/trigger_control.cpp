@@ -14,10 +14,10 @@ using TriggerState = recording::Trigger::State;
 constexpr base::Duration defaultTriggerSpan = 2s; ///< shown before and after the moment
 } // namespace
 
-TriggerControl::TriggerControl(const session::Workbench& workbench, session::LiveData& liveData,
+TriggerControl::TriggerControl(const session::ServoRegistry& registry, session::LiveData& liveData,
                                const Selection& selection, const Views& views, QWidget* parent)
     : QObject(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_liveData(liveData)
     , m_selection(selection)
     , m_views(views)
@@ -49,7 +49,7 @@ void TriggerControl::choose()
 /// −1: the moving flag of the selected servo is not read.
 recording::ChannelId TriggerControl::movingChannel() const
 {
-    const session::ServoEntry* entry = m_workbench.registry().servo(m_selection.current());
+    const session::ServoEntry* entry = m_registry.servo(m_selection.current());
     if (entry == nullptr || !entry->servo.profile)
         return -1;
     const QString key = registerOf(*entry->servo.profile, QStringLiteral("@moving"));

@@ -22,7 +22,7 @@ public:
         TrendToolbar& toolbar;
         const TrendReplay& replay; ///< a recording that is shown stays in the chart
     };
-    TriggerControl(const session::Workbench& workbench, session::LiveData& liveData,
+    TriggerControl(const session::ServoRegistry& registry, session::LiveData& liveData,
                    const Selection& selection, const Views& views, QWidget* parent);
 
     /// Asks for the condition; cancels a trigger that is waiting.
@@ -34,7 +34,7 @@ private:
     void showTrigger();
     recording::ChannelId movingChannel() const;
 
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     session::LiveData& m_liveData;
     const Selection& m_selection;
     Views m_views;

@@ -33,7 +33,7 @@ const QString demo = QStringLiteral("sim:demo");
 struct Fixture : gui::WorkbenchFixture {
     ui::Banner banner;
     ui::ConnectBar bar{workbench, commands, settings, ports};
-    ui::LinkErrorBanner trouble{workbench, ports, bar, banner};
+    ui::LinkErrorBanner trouble{workbench.link(), ports, bar, banner};
 
     Fixture() { bar.show(); }
 

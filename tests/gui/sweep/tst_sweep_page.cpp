@@ -736,7 +736,8 @@ private Q_SLOTS:
         dialog->close();
         QVERIFY(fixture.text("sweepLimitsName").contains(QLatin1String("strict")));
         // The next start of the program knows them, too.
-        ui::SweepServos later(fixture.workbench(), fixture.selection(), fixture.settings, nullptr);
+        ui::SweepServos later(fixture.workbench().registry(), fixture.selection(), fixture.settings,
+                              nullptr);
         QCOMPARE(later.limits(fixture.selection().current()), strict);
         fixture.run();
         QVERIFY(fixture.begun());
