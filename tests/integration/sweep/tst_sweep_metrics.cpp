@@ -710,9 +710,13 @@ void TestSweepMetrics::everyMetric()
             return;
     } while (hasGap() && ++attempts < 10);
     for (const QJsonValue& servo : m_report[text("servos")].toArray()) {
-        checkServo(servo[text("id")].toInt());
-        if (QTest::currentTestFailed())
+        const int id = servo[text("id")].toInt();
+        checkServo(id);
+        if (QTest::currentTestFailed()) {
+            for (const Reading& one : readingsOf(readingsPath(), id))
+                qInfo("leg %d, %.3f ms, at %g", one.leg, one.ms, one.position);
             return;
+        }
     }
     checkLegsFile();
     checkPdf();
