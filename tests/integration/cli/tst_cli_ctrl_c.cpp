@@ -100,11 +100,11 @@ QByteArray contents(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-enum class Always { None, Once, Repeated }; ///< what runs outside the deep check too
+enum class Always { None, Repeated }; ///< what runs outside the deep check too
 
 void addOnceAndRepeated(const char* name, int address, int skip, Always always)
 {
-    if (always == Always::Once || support::isDeepCheck())
+    if (support::isDeepCheck())
         QTest::addRow("%s", name) << address << skip << 1;
     if (always == Always::Repeated || support::isDeepCheck())
         QTest::addRow("%s, again and again", name) << address << skip << repeatedInterrupts;
@@ -196,7 +196,7 @@ void TestCliCtrlC::sweepInATemporaryMode_data()
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
     addOnceAndRepeated("while the mode is switched", modeAddress, 0, Always::Repeated);
-    addOnceAndRepeated("while the servo moves", goalAddress, 3, Always::Once);
+    addOnceAndRepeated("while the servo moves", goalAddress, 3, Always::None);
 }
 
 void TestCliCtrlC::sweepInATemporaryMode()
@@ -225,7 +225,7 @@ void TestCliCtrlC::stepResponse_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    addOnceAndRepeated("first run", goalFrame, 1, Always::Once);
+    addOnceAndRepeated("first run", goalFrame, 1, Always::None);
     addOnceAndRepeated("values of the trial written", gainAddress, 0, Always::Repeated);
     addOnceAndRepeated("trial, on its way", goalFrame, 4, Always::None);
 }
@@ -268,7 +268,7 @@ void TestCliCtrlC::bundleRestore_data()
     QTest::addColumn<int>("times");
     addOnceAndRepeated("first servo, first row", maxTemperature, 0, Always::None);
     addOnceAndRepeated("first servo, lock opened", lockAddress, 0, Always::Repeated);
-    addOnceAndRepeated("first servo, lock being closed", lockAddress, 1, Always::Once);
+    addOnceAndRepeated("first servo, lock being closed", lockAddress, 1, Always::None);
     addOnceAndRepeated("second servo, first row", maxTemperature, 1, Always::None);
 }
 
@@ -327,7 +327,7 @@ void TestCliCtrlC::commission_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    addOnceAndRepeated("template", gainAddress, 0, Always::Once);
+    addOnceAndRepeated("template", gainAddress, 0, Always::None);
     addOnceAndRepeated("lock opened", lockAddress, 0, Always::None);
     addOnceAndRepeated("ID", idAddress, 0, Always::Repeated);
     addOnceAndRepeated("rate", rateAddress, 0, Always::None);

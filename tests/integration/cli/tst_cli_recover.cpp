@@ -221,7 +221,8 @@ void TestCliRecover::aChangeInProgressIsNotDiscarded()
     CliProgram running;
     SimProgram sim(words("--servos sts3215@1"));
     running.setPort(sim.port());
-    running.start(words("step-response 1 --size 400 --repeats 20 --try position_p=40"));
+    QCOMPARE(running.run("mode 1 speed").exit, 0);
+    running.start(words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 --switch-mode"));
     QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(running), 60'000);
     CliProgram cli;
     cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), running.dataFolder());
@@ -247,8 +248,8 @@ void TestCliRecover::aChangeInProgressIsNotDiscarded()
     QVERIFY2(undone.exit == 0, qPrintable(undone.out));
     QCOMPARE(list(undone, "intents").size(), 1);
     QCOMPARE(list(undone, "intents")[0][QLatin1String("under_way")].toBool(), false);
-    const ProgramResult read = cli.json("read 1 position_p");
-    QCOMPARE(list(read, "registers")[0][QLatin1String("raw")].toInt(), 32);
+    const ProgramResult read = cli.json("read 1 operating_mode");
+    QCOMPARE(list(read, "registers")[0][QLatin1String("raw")].toInt(), 1);
 }
 
 void TestCliRecover::aDuplicateOnAnotherPortIsIgnored()
