@@ -13309,10 +13309,6 @@ Retries: %9</source>
         <translation>全部</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation>返回</translation>
-    </message>
-    <message>
         <source>Cursors</source>
         <translation>游标</translation>
     </message>
@@ -13329,10 +13325,6 @@ Retries: %9</source>
         <translation>显示时长</translation>
     </message>
     <message>
-        <source>Readings per second</source>
-        <translation>每秒读取次数</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>
     </message>
@@ -13343,10 +13335,6 @@ Retries: %9</source>
     <message>
         <source>%1 h</source>
         <translation>%1 小时</translation>
-    </message>
-    <message>
-        <source>fastest</source>
-        <translation>最快</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -13375,10 +13363,6 @@ Retries: %9</source>
     <message>
         <source>Shows all measured data</source>
         <translation>显示全部测量数据</translation>
-    </message>
-    <message>
-        <source>Returns to the view before the last zoom (double-click)</source>
-        <translation>返回上次缩放之前的视图（双击）</translation>
     </message>
     <message>
         <source>Measures between two cursors</source>
@@ -13417,8 +13401,16 @@ Retries: %9</source>
         <translation>曲线图显示的时间长度</translation>
     </message>
     <message>
-        <source>Read rate of the servos</source>
-        <translation>读取舵机的频率</translation>
+        <source>&amp;Previous view</source>
+        <translation>上一视图(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Readings per second</source>
+        <translation>每秒读取次数(&amp;R)</translation>
+    </message>
+    <message>
+        <source>As fast as the bus allows</source>
+        <translation>总线允许的最快速度</translation>
     </message>
 </context>
 <context>

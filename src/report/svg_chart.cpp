@@ -83,7 +83,7 @@ QString legend(const HtmlWriter& htmlWriter)
                    "stroke=\"#0b57d0\" stroke-width=\"1.5\"") +
            svgText(right - 154, top - 12, "start", htmlWriter.htmlInSvg(words.position)) +
            svgLine(right - 85, top - 16, right - 55, top - 16,
-                   "stroke=\"#b3261e\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"") +
+                   "stroke=\"#57606a\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"") +
            svgText(right - 49, top - 12, "start", htmlWriter.htmlInSvg(words.goal));
 }
 
@@ -174,7 +174,7 @@ QString positionChart(const HtmlWriter& htmlWriter, const std::vector<ChartSampl
     return svgChart(htmlWriter, words.positionChart, chartWidth, chartHeight,
                     frame(htmlWriter, x, y, words.timeAxis, words.positionAxis) +
                         path(curve(shown, &ChartSample::goal, true, x, y),
-                             "stroke=\"#b3261e\" stroke-width=\"1.2\" stroke-dasharray=\"5 3\"") +
+                             "stroke=\"#57606a\" stroke-width=\"1.2\" stroke-dasharray=\"5 3\"") +
                         path(curve(shown, &ChartSample::position, false, x, y),
                              "stroke=\"#0b57d0\" stroke-width=\"1.5\" stroke-linejoin=\"round\"") +
                         legend(htmlWriter));

@@ -25,7 +25,7 @@ public:
             channel.id = ids.back();
             channel.key = i == 0 ? QStringLiteral("1/a") : QStringLiteral("1/b");
             channel.name = i == 0 ? QStringLiteral("Alpha") : QStringLiteral("Beta");
-            channel.color = ui::trendColor(i, Qt::white);
+            channel.color = ui::trendColor(2 * i, Qt::white); // blue and amber, far apart
             channels.push_back(channel);
         }
         chart.resize(800, 500);

@@ -32,6 +32,7 @@ struct TraceStyle {
     double offset = 0;
     double low = 0; ///< of its axis
     double high = 1;
+    bool dashed = false;
     bool operator==(const TraceStyle&) const = default;
 
     double shown(double value) const { return value * scale + offset; }

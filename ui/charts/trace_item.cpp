@@ -306,8 +306,9 @@ void TraceItem::paintLines(QPainter* painter) const
     painter->translate(m_plot.topLeft());
     painter->setRenderHint(QPainter::Antialiasing);
     for (const Trace& trace : m_traces) {
-        painter->setPen(
-            QPen(QColor(trace.style.color), penWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter->setPen(QPen(QColor(trace.style.color), penWidth,
+                             trace.style.dashed ? Qt::DashLine : Qt::SolidLine,
+                             trace.style.dashed ? Qt::FlatCap : Qt::RoundCap, Qt::RoundJoin));
         LineBuilder(painter, trace,
                     {m_span, trace.style.low, trace.style.high, m_plot.width(), m_plot.height()})
             .paint();

@@ -11,6 +11,8 @@ namespace {
 constexpr float nothing = 1e30F;
 constexpr int block = 64; ///< columns painted together, so that this part of the image stays in
                           ///< the cache
+constexpr double dashLength = 4; ///< in widths of the pen
+constexpr double gapLength = 2.5;
 constexpr double farAway = 1e7; ///< pixels; more is not drawn either
 
 QRgb blend(QRgb below, QRgb over, int coverage)
@@ -21,6 +23,13 @@ QRgb blend(QRgb below, QRgb over, int coverage)
         return QRgb(under + (above - under) * coverage / 256) << shift;
     };
     return mix(24) | mix(16) | mix(8) | mix(0);
+}
+
+/// The left edge, counted in pixels from instant 0, so that dashes stay with the curve.
+std::int64_t firstPixel(const recording::TimeSpan& span, int width)
+{
+    const double perPixel = double((span.to - span.from).count()) / std::max(width, 1);
+    return perPixel > 0 ? std::llround(double(span.from.count()) / perPixel) : 0;
 }
 
 bool finite(const recording::SampleColumn& column)
@@ -44,6 +53,8 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
         reset(m_runs[i]);
         collect(m_runs[i], traces[i],
                 {span, look.low, look.high, double(image.width()), double(image.height())});
+        if (look.dashed)
+            dash(m_runs[i], firstPixel(span, image.width()), pen);
         widen(m_runs[i], int(pen.width - 1) / 2);
         roundOff(m_runs[i], pen, image.height());
     }
@@ -141,6 +152,21 @@ void TraceRaster::extend(Runs& runs, int x, double y0, double y1)
     float& bottom = runs.bottom[std::size_t(x)];
     top = std::min(top, float(std::min(y0, y1)));
     bottom = std::max(bottom, float(std::max(y0, y1)));
+}
+
+/// Takes out the gaps, except from steep parts, which would become dots.
+void TraceRaster::dash(Runs& runs, std::int64_t firstPixel, Pen pen) const
+{
+    const std::int64_t length = std::llround(dashLength * pen.width);
+    const std::int64_t period = length + std::llround(gapLength * pen.width);
+    for (std::size_t x = 0; x < runs.top.size(); ++x) {
+        const std::int64_t place = (firstPixel + m_wide.from + std::int64_t(x)) % period;
+        const bool inGap = (place < 0 ? place + period : place) >= length;
+        if (inGap && runs.bottom[x] - runs.top[x] < float(length)) {
+            runs.top[x] = nothing;
+            runs.bottom[x] = -nothing;
+        }
+    }
 }
 
 /// Vertical lines as thick as horizontal ones.

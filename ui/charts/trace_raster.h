@@ -48,6 +48,7 @@ private:
     void line(Runs& runs, double x0, double y0, double x1, double y1) const;
     void run(Runs& runs, double x0, double x1, double y0, double y1) const;
     static void extend(Runs& runs, int x, double y0, double y1);
+    void dash(Runs& runs, std::int64_t firstPixel, Pen pen) const;
     void widen(Runs& runs, int by);
     static void roundOff(Runs& runs, Pen pen, int height);
     void updateCover(std::size_t count);

@@ -17,8 +17,9 @@ struct TrendChannel {
     QString unit; ///< channels of one unit share an axis: "°", "rpm", "V" …; empty: plain number
     QColor color;
     bool visible = true;
-    bool steps = false; ///< holds its value until the next sample: goals, flags
-    double scale = 1.0; ///< drawn as value × scale + offset; cursors show the value itself
+    bool steps = false;  ///< holds its value until the next sample: goals, flags
+    bool dashed = false; ///< a goal, beside what is measured
+    double scale = 1.0;  ///< drawn as value × scale + offset; cursors show the value itself
     double offset = 0.0;
 };
 

@@ -210,7 +210,8 @@ void TrendScene::showTraces(double ratio, bool coarseUpdates)
             continue;
         const AxisRange range = m_axes->axisOf(channel.unit).range.paddedRange();
         looks.push_back({channel.id, trendColorOn(channel.color, m_colors.background).rgb(),
-                         channel.steps, channel.scale, channel.offset, range.low, range.high});
+                         channel.steps, channel.scale, channel.offset, range.low, range.high,
+                         channel.dashed});
     }
     m_traces->show(m_state.store, looks, m_state.view.span(), ratio, coarseUpdates);
 }

@@ -162,8 +162,8 @@ void StepResults::showTarget(const std::vector<results::StepResponse>& responses
     m_store.append(channel, {}, std::abs(one.target - one.start));
     m_store.append(channel, one.samples.back().at, std::abs(one.target - one.start));
     TrendChannel goal{channel, QStringLiteral("goal"), tr("Goal"), tr("steps"),
-                      trendColor(trendColorCount - 1, palette().color(QPalette::Base))};
-    goal.steps = true;
+                      trendColor(goalColor, palette().color(QPalette::Base))};
+    goal.steps = goal.dashed = true;
     m_channels.push_back(goal);
 }
 

@@ -230,11 +230,12 @@ void SweepResults::showCurves()
     const report::SweepTexts& words = report::sweepTexts();
     const QString unit = text::localized(report::unitText(QStringLiteral("step")));
     TrendChannel goal{curves.goal, QStringLiteral("goal"), text::localized(words.goal), unit,
-                      trendColor(trendColorCount - 1, ground)};
-    goal.steps = true;
-    m_chart->setChannels({goal,
-                          {curves.position, QStringLiteral("position"),
-                           text::localized(words.position), unit, trendColor(0, ground)}});
+                      trendColor(goalColor, ground)};
+    goal.steps = goal.dashed = true;
+    m_chart->setChannels(
+        {goal,
+         {curves.position, QStringLiteral("position"), text::localized(words.position), unit,
+          trendColor(positionColor, ground)}});
 }
 
 void SweepResults::appendLegs()

@@ -50,14 +50,6 @@ QString nameOf(const catalog::Profile& profile, const QString& key)
     return text::registerName(&profile, key);
 }
 
-/// The goal accompanies the position: gray.
-QColor colorOf(const TrendCurve& curve, std::size_t place, const QColor& background)
-{
-    if (curve.key == QLatin1String("@goal"))
-        return trendColor(trendColorCount - 1, background);
-    return trendColor(int(place % (trendColorCount - 1)), background);
-}
-
 bool holdsItsValue(const catalog::Register* reg)
 {
     return reg != nullptr &&
@@ -183,8 +175,8 @@ session::ServoRef TrendResolver::servoOf(const TrendCurve& curve) const
     return 0;
 }
 
-std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve, std::size_t place,
-                                                   const QColor& background) const
+std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve,
+                                                   const QColor& color) const
 {
     const session::ServoRef ref = servoOf(curve);
     const session::ServoEntry* entry = m_registry.servo(ref);
@@ -201,9 +193,10 @@ std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve, std:
     channel.name = nameOf(profile, curve.key);
     if (curve.servo != QLatin1String("*"))
         channel.name = translate("Trend", "ID %1 · %2").arg(entry->servo.id).arg(channel.name);
-    channel.color = curve.color.isValid() ? curve.color : colorOf(curve, place, background);
+    channel.color = curve.color.isValid() ? curve.color : color;
     channel.visible = curve.visible;
     channel.steps = holdsItsValue(reg);
+    channel.dashed = isGoalKey(curve.key);
     channel.scale = curve.scale;
     channel.offset = curve.offset;
     if (const session::LiveChannel* samples = m_liveData.find(ref, key)) {

@@ -12,7 +12,7 @@ namespace ui {
 struct TrendCurve {
     QString servo = QStringLiteral("*");
     QString key;    ///< register key, session::errorKey, or a role's word: see standsFor
-    QColor color{}; ///< invalid: from the palette, by its place
+    QColor color{}; ///< invalid: that of its quantity
     bool visible = true;
     double scale = 1.0;
     double offset = 0.0;
@@ -47,8 +47,7 @@ public:
     {}
     session::ServoRef servoOf(const TrendCurve& curve) const; ///< 0: not in the list
     /// As the chart draws it; id −1 while nothing has been read.
-    std::optional<TrendChannel> channel(const TrendCurve& curve, std::size_t place,
-                                        const QColor& background) const;
+    std::optional<TrendChannel> channel(const TrendCurve& curve, const QColor& color) const;
     /// What must be read for these.
     session::Subscription subscription(const std::vector<TrendCurve>& curves) const;
 

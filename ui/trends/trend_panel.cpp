@@ -2,6 +2,7 @@
 #include "ui/trends/trend_panel.h"
 
 #include "ui/charts/cursor_table.h"
+#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_preset.h"
 #include "ui/common/file_dialog.h"
@@ -188,10 +189,14 @@ void TrendPanel::showCurves()
     updateSubscription();
     if (isReplaying())
         return;
+    QStringList keys;
+    for (const TrendCurve& curve : m_curves)
+        keys << curve.key;
+    const std::vector<QColor> colors = trendColors(keys, palette().color(QPalette::Base));
     std::vector<TrendChannel> channels;
     m_shownCurves.clear();
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        auto channel = resolver().channel(m_curves[i], i, palette().color(QPalette::Base));
+        auto channel = resolver().channel(m_curves[i], colors[i]);
         if (!channel)
             continue;
         channels.push_back(std::move(*channel));

@@ -75,6 +75,10 @@ void TrendReplay::show(const std::shared_ptr<session::ReplayData>& recording)
 void TrendReplay::showChannels()
 {
     const recording::LoadedRecording& content = m_data->content;
+    QStringList keys;
+    for (const recording::RecordingChannel& column : content.head.channels)
+        keys << column.key;
+    const std::vector<QColor> colors = trendColors(keys, m_parent->palette().color(QPalette::Base));
     std::vector<TrendChannel> channels;
     for (std::size_t i = 0; i < content.ids.size(); ++i) {
         const recording::RecordingChannel& column = content.head.channels[i];
@@ -83,7 +87,8 @@ void TrendReplay::showChannels()
         channel.key = QStringLiteral("%1/%2").arg(column.servoId).arg(column.key);
         channel.name = recordedChannelName(m_registry, column);
         channel.unit = catalog::unitSuffix(column.unit).trimmed();
-        channel.color = trendColor(int(i), m_parent->palette().color(QPalette::Base));
+        channel.color = colors[i];
+        channel.dashed = isGoalKey(column.key);
         channels.push_back(std::move(channel));
     }
     m_views.chart.setChannels(std::move(channels));

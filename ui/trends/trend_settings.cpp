@@ -7,6 +7,7 @@ const QString curvesKey = QStringLiteral("trend/curves");
 const QString widthKey = QStringLiteral("trend/width_s");
 const QString rateKey = QStringLiteral("trend/rate_hz");
 constexpr int defaultWidth = 10; ///< in seconds
+constexpr int defaultRate = 50;  ///< Hz
 
 /// One text a curve: "1/present_position;visible;#rrggbb;scale;offset".
 QString toText(const TrendCurve& curve)
@@ -62,7 +63,7 @@ void TrendSettings::setWidth(base::Duration width)
 
 int TrendSettings::rate() const
 {
-    return m_settings.pageValue(rateKey, 0).toInt();
+    return m_settings.pageValue(rateKey, defaultRate).toInt();
 }
 
 void TrendSettings::setRate(int hz)

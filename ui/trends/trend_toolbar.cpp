@@ -2,14 +2,16 @@
 #include "ui/trends/trend_toolbar.h"
 
 #include "ui/common/theme.h"
-#include "ui/widgets/flow_layout.h"
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QEvent>
 #include <QIcon>
 #include <QLabel>
+#include <QLayout>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
@@ -25,37 +27,35 @@ constexpr std::array rates{0, 200, 100, 50, 20, 10, 5, 1};
 } // namespace
 
 TrendToolbar::TrendToolbar(QWidget* parent)
-    : QWidget(parent)
-    , m_layout(new FlowLayout(this, 4))
+    : QToolBar(parent)
 {
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    m_pause = add("trendPause", "media-playback-pause", true);
+    setContextMenuPolicy(Qt::PreventContextMenu);
+    const int icon = style()->pixelMetric(QStyle::PM_ButtonIconSize, nullptr, this);
+    setIconSize({icon, icon});
+    layout()->setContentsMargins(0, 0, 0, 0);
+    layout()->setSpacing(4);
+    m_live = addButton("trendLive", "media-playback-start");
+    m_liveAction = actions().constLast();
+    m_pause = addButton("trendPause", "media-playback-pause", true);
     m_width = new QComboBox(this);
     m_width->setObjectName(QStringLiteral("trendWidth"));
-    m_layout->addWidget(m_width);
-    m_fit = add("trendFit", "zoom-fit-best");
-    m_back = add("trendBack", "edit-undo");
-    m_cursors = add("trendCursors", "measure", true);
-    m_channels = add("trendChannels", "office-chart-line");
-    m_trigger = add("trendTrigger", "flag");
-    m_rate = new QComboBox(this);
-    m_rate->setObjectName(QStringLiteral("trendRate"));
-    m_layout->addWidget(m_rate);
-    m_more = add("trendMore", "application-menu");
-    m_live = add("trendLive", "media-playback-start");
-    m_record = add("trendRecord", "media-record");
+    addWidget(m_width);
+    m_fit = addButton("trendFit", "zoom-fit-best");
+    m_cursors = addButton("trendCursors", "measure", true);
+    m_record = addButton("trendRecord", "media-record");
     m_recordState = new QLabel(this);
     m_recordState->setObjectName(QStringLiteral("trendRecordState"));
-    m_layout->addWidget(m_recordState);
+    m_recordStateAction = addWidget(m_recordState);
+    m_channels = addButton("trendChannels", "office-chart-line");
+    m_trigger = addButton("trendTrigger", "flag");
+    m_more = addButton("trendMore", "application-menu");
     m_menu = new QMenu(this);
     m_menu->setObjectName(QStringLiteral("trendMenu"));
     // Not the button's own menu: it runs an event loop of its own.
     connect(m_more, &QToolButton::clicked, this,
             [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
     // Space is scarce: these have an icon, a tooltip and a name, but no text.
-    for (QToolButton* button : {m_pause, m_fit, m_back, m_cursors, m_more})
+    for (QToolButton* button : {m_pause, m_fit, m_cursors, m_more})
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connectControls();
     retranslate();
@@ -69,10 +69,7 @@ void TrendToolbar::connectControls()
     connect(m_width, &QComboBox::activated, this, [this](int index) {
         Q_EMIT widthRequested(widths.at(static_cast<std::size_t>(index)));
     });
-    connect(m_rate, &QComboBox::activated, this,
-            [this](int index) { Q_EMIT rateRequested(rates.at(static_cast<std::size_t>(index))); });
     connect(m_fit, &QToolButton::clicked, this, &TrendToolbar::fitRequested);
-    connect(m_back, &QToolButton::clicked, this, &TrendToolbar::backRequested);
     connect(m_cursors, &QToolButton::clicked, this, &TrendToolbar::cursorsRequested);
     connect(m_channels, &QToolButton::clicked, this, &TrendToolbar::channelsRequested);
     connect(m_trigger, &QToolButton::clicked, this, &TrendToolbar::triggerRequested);
@@ -80,7 +77,7 @@ void TrendToolbar::connectControls()
     connect(m_record, &QToolButton::clicked, this, &TrendToolbar::recordRequested);
 }
 
-QToolButton* TrendToolbar::add(const char* name, const char* icon, bool checkable)
+QToolButton* TrendToolbar::addButton(const char* name, const char* icon, bool checkable)
 {
     auto* button = new QToolButton(this);
     button->setObjectName(QString::fromLatin1(name));
@@ -88,7 +85,8 @@ QToolButton* TrendToolbar::add(const char* name, const char* icon, bool checkabl
     button->setIcon(QIcon::fromTheme(QString::fromLatin1(icon)));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setCheckable(checkable);
-    m_layout->addWidget(button);
+    addWidget(button);
+    button->setAutoRaise(false); // which a tool bar changes; as all buttons of the window
     return button;
 }
 
@@ -128,7 +126,7 @@ void TrendToolbar::setRecording(const QString& words)
         m_record->setIcon(QIcon::fromTheme(icon));
     }
     m_recordState->setText(runs ? QStringLiteral("● ") + words : QString());
-    m_recordState->setVisible(runs);
+    m_recordStateAction->setVisible(runs);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
     m_recordState->setPalette(colors);
@@ -136,27 +134,29 @@ void TrendToolbar::setRecording(const QString& words)
 
 void TrendToolbar::setRate(int hz)
 {
-    const auto place = std::find(rates.begin(), rates.end(), hz);
-    m_rate->setCurrentIndex(place != rates.end() ? int(place - rates.begin()) : 0);
+    m_rate = hz;
+    fillMenu();
 }
 
 void TrendToolbar::setReplaying(bool replaying)
 {
     m_replaying = replaying;
-    m_live->setVisible(replaying);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_rate, m_channels})
+    m_liveAction->setVisible(replaying);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_channels})
         widget->setEnabled(!replaying);
-    fillPresets();
+    fillMenu();
 }
 
 void TrendToolbar::setPresets(const QStringList& names)
 {
     m_presets = names;
-    fillPresets();
+    fillMenu();
 }
 
-void TrendToolbar::fillPresets()
+void TrendToolbar::fillMenu()
 {
+    for (QMenu* old : m_menu->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
+        old->deleteLater(); // one of their actions may be running
     m_menu->clear();
     m_menu->setToolTipsVisible(true);
     const auto action = [this](const char* name, const QString& text, auto signal) {
@@ -165,11 +165,38 @@ void TrendToolbar::fillPresets()
         one->setEnabled(!m_replaying || QLatin1String(name) != QLatin1String("trendClear"));
         connect(one, &QAction::triggered, this, signal);
     };
+    action("trendBack", tr("&Previous view"), &TrendToolbar::backRequested);
+    addRates();
+    m_menu->addSeparator();
     action("trendSaveImage", tr("Save &image…"), &TrendToolbar::saveImageRequested);
     action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openRequested);
     action("trendClear", tr("&Clear chart data"), &TrendToolbar::clearRequested);
     m_menu->addSeparator();
     action("trendPresetSave", tr("Save &view as…"), &TrendToolbar::presetSaveRequested);
+    addPresets();
+}
+
+void TrendToolbar::addRates()
+{
+    QMenu* menu = m_menu->addMenu(tr("&Readings per second"));
+    menu->setObjectName(QStringLiteral("trendRates"));
+    menu->setEnabled(!m_replaying);
+    auto* group = new QActionGroup(menu);
+    for (const int hz : rates) {
+        QAction* one =
+            menu->addAction(hz == 0 ? tr("As fast as the bus allows") : tr("%1 Hz").arg(hz));
+        one->setCheckable(true);
+        one->setChecked(hz == m_rate);
+        group->addAction(one);
+        connect(one, &QAction::triggered, this, [this, hz] {
+            m_rate = hz;
+            Q_EMIT rateRequested(hz);
+        });
+    }
+}
+
+void TrendToolbar::addPresets()
+{
     for (const QString& name : m_presets)
         connect(m_menu->addAction(name), &QAction::triggered, this,
                 [this, name] { Q_EMIT presetRequested(name); });
@@ -191,7 +218,6 @@ void TrendToolbar::retranslate()
     };
     set(m_pause, tr("Pause"), tr("Pauses the chart; measuring continues (Space)"));
     set(m_fit, tr("All"), tr("Shows all measured data"));
-    set(m_back, tr("Back"), tr("Returns to the view before the last zoom (double-click)"));
     set(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
     set(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
     set(m_trigger, tr("Trigger…"), tr("Pauses the chart when an event occurs"));
@@ -201,20 +227,16 @@ void TrendToolbar::retranslate()
     m_recordState->setAccessibleName(tr("Recording"));
     m_width->setAccessibleName(tr("Time shown"));
     m_width->setToolTip(tr("Length of time shown in the chart"));
-    m_rate->setAccessibleName(tr("Readings per second"));
-    m_rate->setToolTip(tr("Read rate of the servos"));
-    retranslateLists();
-    fillPresets();
+    retranslateWidths();
+    fillMenu();
     setTrigger(m_triggerWords, m_trigger->property("waiting").toBool());
     setRecording(m_recordWords);
 }
 
-void TrendToolbar::retranslateLists()
+void TrendToolbar::retranslateWidths()
 {
     const QSignalBlocker widthBlocker(m_width);
-    const QSignalBlocker rateBlocker(m_rate);
     const int width = m_width->count() > 0 ? m_width->currentIndex() : 2;
-    const int rate = m_rate->currentIndex();
     m_width->clear();
     for (const Duration one : widths) {
         const auto seconds = one.count() / 1'000'000;
@@ -226,15 +248,11 @@ void TrendToolbar::retranslateLists()
             m_width->addItem(tr("%1 h").arg(seconds / 3600));
     }
     m_width->setCurrentIndex(width);
-    m_rate->clear();
-    for (const int hz : rates)
-        m_rate->addItem(hz == 0 ? tr("fastest") : tr("%1 Hz").arg(hz));
-    m_rate->setCurrentIndex(std::max(rate, 0));
 }
 
 void TrendToolbar::changeEvent(QEvent* event)
 {
-    QWidget::changeEvent(event);
+    QToolBar::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     if (event->type() == QEvent::PaletteChange) {

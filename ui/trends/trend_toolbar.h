@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons above the trend chart. Shows states and emits requests. Owned by its parent; main
-// thread.
+// The buttons above the trend chart, in one row: what does not fit is behind the "»" of its end.
+// Shows states and emits requests. Owned by its parent; main thread.
 #pragma once
 
 #include "base/clock.h"
 
-#include <QWidget>
+#include <QToolBar>
 
 class QComboBox;
 class QLabel;
@@ -13,9 +13,7 @@ class QMenu;
 class QToolButton;
 
 namespace ui {
-class FlowLayout;
-
-class TrendToolbar final : public QWidget {
+class TrendToolbar final : public QToolBar {
     Q_OBJECT
 
 public:
@@ -53,29 +51,31 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QToolButton* add(const char* name, const char* icon, bool checkable = false);
+    QToolButton* addButton(const char* name, const char* icon, bool checkable = false);
     void connectControls();
-    void fillPresets();
+    void fillMenu();
+    void addRates();
+    void addPresets();
     void retranslate();
-    void retranslateLists();
+    void retranslateWidths();
 
-    FlowLayout* m_layout = nullptr;
     QToolButton* m_pause = nullptr;
     QComboBox* m_width = nullptr;
     QToolButton* m_fit = nullptr;
-    QToolButton* m_back = nullptr;
     QToolButton* m_cursors = nullptr;
     QToolButton* m_channels = nullptr;
     QToolButton* m_trigger = nullptr;
     QToolButton* m_more = nullptr;
+    QAction* m_liveAction = nullptr; ///< shows and hides the button, as a tool bar wants it
     QToolButton* m_live = nullptr;
     QToolButton* m_record = nullptr;
+    QAction* m_recordStateAction = nullptr;
     QLabel* m_recordState = nullptr;
-    QComboBox* m_rate = nullptr;
     QMenu* m_menu = nullptr;
     QStringList m_presets;
     QString m_triggerWords;
     QString m_recordWords;
+    int m_rate = 0; ///< Hz
     bool m_replaying = false;
 };
 } // namespace ui

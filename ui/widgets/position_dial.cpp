@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/position_dial.h"
 
+#include "ui/charts/palette.h"
 #include "ui/common/theme.h"
 #include "ui/widgets/circle_text.h"
 
@@ -216,7 +217,9 @@ void PositionDial::paintNeedle(QPainter& painter) const
 {
     const double radius = face().width() / 2;
     if (m_view.position) {
-        const QColor needle = tone(m_view.isStale ? Tone::Quiet : Tone::Accent, palette());
+        const QColor needle = m_view.isStale
+                                  ? tone(Tone::Quiet, palette())
+                                  : trendColor(positionColor, palette().color(QPalette::Window));
         painter.setPen(QPen(needle, 4, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(pointAt(*m_view.position, radius * 0.28),
                          pointAt(*m_view.position, radius * 0.92));
@@ -225,7 +228,7 @@ void PositionDial::paintNeedle(QPainter& painter) const
     if (!goal)
         return;
     painter.setPen(QPen(palette().color(QPalette::Base), 2));
-    painter.setBrush(tone(Tone::Warn, palette()));
+    painter.setBrush(trendColor(goalColor, palette().color(QPalette::Window)));
     painter.drawEllipse(pointAt(*goal, radius), knob, knob);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::WindowText), 1, Qt::DotLine));

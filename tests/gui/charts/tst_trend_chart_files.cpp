@@ -39,6 +39,7 @@ private Q_SLOTS:
     void brokenPresets();
     void cursorTable();
     void colorsAreDistinct();
+    void everyQuantityHasItsColor();
     void timeTexts_data();
     void timeTexts();
     void roundRanges_data();
@@ -210,6 +211,27 @@ void TestTrendChartFiles::colorsAreDistinct()
     QCOMPARE(ui::trendColorOn(light, QColor(0x2d, 0x31, 0x38)), dark);
     QCOMPARE(ui::trendColorOn(dark, Qt::white), light);
     QCOMPARE(ui::contrast(Qt::white, Qt::black), 21.0);
+}
+
+/// In live charts and recordings, of every family.
+void TestTrendChartFiles::everyQuantityHasItsColor()
+{
+    const auto colorsOf = [](const QStringList& keys) { return ui::trendColors(keys, Qt::white); };
+    const auto live = colorsOf({q("@goal"), q("@position"), q("@speed"), q("@current")});
+    const auto recorded = colorsOf(
+        {q("present_current"), q("present_speed"), q("present_position"), q("goal_position")});
+    QVERIFY(std::equal(live.begin(), live.end(), recorded.rbegin()));
+    QCOMPARE(live[0], ui::trendColor(ui::goalColor, Qt::white));
+    QCOMPARE(live[1], ui::trendColor(ui::positionColor, Qt::white));
+    QCOMPARE(colorsOf({q("vin"), q("temperature")}),
+             colorsOf({q("present_voltage"), q("present_temperature")}));
+    // What has no color of its own takes none of those in use.
+    const auto several = colorsOf({q("position_p"), q("@position"), q("@position"), q("moving")});
+    QCOMPARE(several[1], live[1]);
+    for (std::size_t i = 0; i < several.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k)
+            QVERIFY(several[i] != several[k]);
+    }
 }
 
 void TestTrendChartFiles::timeTexts_data()

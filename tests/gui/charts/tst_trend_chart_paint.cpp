@@ -15,6 +15,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin)"))); }
     void gapIsNotPainted();
     void stepsStayLevel();
+    void goalsAreDashed();
     void curveIsWhereItsValueIs();
     void scrolledImageMatchesAFreshOne();
     void quickRenderLosesNothing();
@@ -59,6 +60,25 @@ void TestTrendChartPaint::stepsStayLevel()
     QVERIFY(fixture.paintedIn({0.1, 0.3, 0.35, 0.4}, 0));
 }
 
+/// Level parts have gaps, and a jump has none.
+void TestTrendChartPaint::goalsAreDashed()
+{
+    gui::TrendChartFixture fixture;
+    fixture.channels[0].steps = fixture.channels[0].dashed = true;
+    fixture.chart.setChannels(fixture.channels);
+    for (const auto& [at, value] : {std::pair(0s, 0), std::pair(5s, 100), std::pair(10s, 100)})
+        fixture.put(0, at, value);
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    int painted = 0;
+    constexpr int parts = 100;
+    for (int i = 0; i < parts; ++i)
+        painted += fixture.paintedIn({0.1 + 0.3 * i / parts, 0, 0.001, 0.1}, 0) ? 1 : 0;
+    QVERIFY2(painted > parts / 4 && painted < parts * 9 / 10, qPrintable(QString::number(painted)));
+    for (const double height : {0.2, 0.4, 0.6, 0.8})
+        QVERIFY(fixture.paintedIn({0.48, height, 0.04, 0.01}, 0));
+}
+
 void TestTrendChartPaint::curveIsWhereItsValueIs()
 {
     gui::TrendChartFixture fixture;
@@ -84,6 +104,8 @@ void TestTrendChartPaint::scrolledImageMatchesAFreshOne()
     gui::TrendChartFixture moving;
     gui::TrendChartFixture fresh;
     for (gui::TrendChartFixture* fixture : {&moving, &fresh}) {
+        fixture->channels[1].steps = fixture->channels[1].dashed = true;
+        fixture->chart.setChannels(fixture->channels);
         fixture->fill(0, 20s, wave);
         fixture->fill(1, 20s, steps);
     }
