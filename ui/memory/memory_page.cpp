@@ -201,7 +201,7 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
     const session::ServoEntry* known = entry();
     const catalog::Register* reg =
         known != nullptr && known->servo.profile ? known->servo.profile->find(key) : nullptr;
-    if (reg == nullptr || writeWithQuestion(*known, *reg, raw))
+    if (reg == nullptr || writeByOwnAction(*known, *reg, raw))
         return;
     clearWarning();
     const session::ServoRef ref = known->ref;
@@ -217,8 +217,8 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
 }
 
 /// Registers whose value is an action of its own are written by that action.
-bool MemoryPage::writeWithQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
-                                   std::int64_t raw)
+bool MemoryPage::writeByOwnAction(const session::ServoEntry& entry, const catalog::Register& reg,
+                                  std::int64_t raw)
 {
     const bool centers = device::classify(reg, raw).procedure == device::WriteProcedure::Center;
     QAction* center = m_commands.action(Command::Center);

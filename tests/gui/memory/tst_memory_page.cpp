@@ -13,6 +13,7 @@
 #include "ui/memory/register_delegate.h"
 #include "ui/memory/register_panel.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -51,6 +52,7 @@ private Q_SLOTS:
     void twoQuickEditsAreBothWritten();
     void refusedValuesSayWhy();
     void dangerousRowsAskOnce();
+    void theMidpointIsAskedFor();
     void aModeChangeIsAnnouncedFirst();
     void limitsThatChangeNoModeAskNothing();
     void invalidInputWritesNothing();
@@ -402,6 +404,32 @@ void TestMemoryPage::dangerousRowsAskOnce()
     QTRY_VERIFY(!fixture.question());
     QCOMPARE(fixture.raw("unload_condition"), 32);
     QTRY_VERIFY(fixture.state(key).startsWith(QStringLiteral("✓ kept")));
+}
+
+/// 128 in the torque switch makes the present position the midpoint.
+void TestMemoryPage::theMidpointIsAskedFor()
+{
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    QAction* center = fixture.commands.action(ui::Command::Center);
+    const QSignalSpy asked(center, &QAction::triggered); // its dialog asks
+    const auto enter = [&fixture] {
+        const QModelIndex cell = fixture.at(QStringLiteral("torque_switch"), MemoryColumn::Value);
+        fixture.view().model()->setData(cell, 128);
+    };
+    QVERIFY(center->isEnabled());
+    enter();
+    QCOMPARE(asked.size(), 1);
+    QVERIFY(!fixture.question());
+    QVERIFY(!fixture.entry().writing());
+
+    center->setEnabled(false);
+    enter();
+    QVERIFY(fixture.question());
+    answer(fixture.question(), "questionNo");
+    QTRY_VERIFY(!fixture.question());
+    QVERIFY(!fixture.entry().writing());
+    QCOMPARE(asked.size(), 1);
 }
 
 void TestMemoryPage::aModeChangeIsAnnouncedFirst()
