@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/auto_range.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ui {
 namespace {
-constexpr double margin = 0.025; ///< of the height, above and below
+constexpr double oversized = 0.7; ///< less than this part of an axis is needed
 }
 
 void AutoRange::update(double min, double max, base::Duration now)
 {
     if (m_fixed || !std::isfinite(min) || !std::isfinite(max) || min > max)
         return;
-    const AxisRange required = roundRange(min, max, m_unit);
-    const bool outside = min < m_range.low || max > m_range.high;
-    if (!m_known || outside) {
-        m_range = required;
-        m_known = true;
+    const AxisRange required = paddedRange(min, max, m_unit);
+    if (!m_known) {
+        setNow(min, max);
+        return;
+    }
+    if (min < m_range.low || max > m_range.high) {
+        m_range = {std::min(m_range.low, required.low), std::max(m_range.high, required.high)};
         m_oversizedSince.reset();
         return;
     }
-    if (required.size() > m_range.size() / 2) {
+    if (required.size() > m_range.size() * oversized) {
         m_oversizedSince.reset();
         return;
     }
@@ -36,7 +39,7 @@ void AutoRange::setNow(double min, double max)
 {
     if (m_fixed || !std::isfinite(min) || !std::isfinite(max) || min > max)
         return;
-    m_range = roundRange(min, max, m_unit);
+    m_range = paddedRange(min, max, m_unit);
     m_known = true;
     m_oversizedSince.reset();
 }
@@ -56,19 +59,5 @@ void AutoRange::setAutomatic()
 {
     m_known = m_known && !m_fixed;
     m_fixed = false;
-}
-
-AxisRange AutoRange::paddedRange() const
-{
-    if (m_fixed)
-        return m_range;
-    const double more = m_range.size() * margin;
-    return {m_range.low - more, m_range.high + more};
-}
-
-double AutoRange::step(bool tall) const
-{
-    const int parts = tall ? 2 * axisDivisions : axisDivisions;
-    return m_fixed ? valueStep(m_range.size(), parts, m_unit) : m_range.size() / parts;
 }
 } // namespace ui

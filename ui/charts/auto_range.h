@@ -28,14 +28,11 @@ public:
     bool isFixed() const { return m_fixed; }
 
     const QString& unit() const { return m_unit; }
-    /// A little more than round, so that no curve runs on the edge.
-    AxisRange paddedRange() const;
-    /// Between the lines of the grid, for a plot of this height.
-    double step(bool tall) const;
+    const AxisRange& range() const { return m_range; }
 
 private:
     QString m_unit;
-    AxisRange m_range; ///< round, unless fixed
+    AxisRange m_range;
     bool m_known = false;
     bool m_fixed = false;
     std::optional<base::Duration> m_oversizedSince;

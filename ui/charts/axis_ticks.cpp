@@ -58,18 +58,27 @@ QString clockText(double seconds, int decimals)
     return (negative ? QStringLiteral("-") : QString()) + head + QLatin1Char(':') + tail;
 }
 
-/// The minimum height of an axis: a constant signal is a line, and its noise stays small.
-double minHeight(const QString& unit, double middle)
+constexpr double padding = 0.05;     ///< of the span, above and below
+constexpr double snapShare = 0.0125; ///< a growing axis takes steps of this part of its span
+
+struct MinSpan {
+    double size = 0;
+    bool aroundZero = false; ///< what stays this small is shown on both sides of zero
+};
+
+MinSpan minSpan(const QString& unit, double middle)
 {
+    if (unit == QLatin1String("mA"))
+        return {400, true};
+    if (unit == QLatin1String("rpm"))
+        return {20, true};
     if (unit == QLatin1String("V"))
-        return 2;
-    if (unit == QLatin1String("mA") || unit == QLatin1String("ms"))
-        return 40;
-    if (unit == QStringLiteral("°C") || unit == QLatin1String("%"))
-        return 8;
-    if (unit == QStringLiteral("°") || unit == QLatin1String("rpm"))
-        return 4;
-    return std::max(4.0, std::abs(middle) * 1e-9);
+        return {0.5};
+    if (unit == QLatin1String("ms"))
+        return {40};
+    if (unit == QStringLiteral("°") || unit == QStringLiteral("°C") || unit == QLatin1String("%"))
+        return {5};
+    return {std::max(4.0, std::abs(middle) * 1e-9)};
 }
 } // namespace
 
@@ -142,23 +151,32 @@ QString spanText(double seconds)
     return clockText(seconds, 3);
 }
 
-AxisRange roundRange(double min, double max, const QString& unit)
+AxisRange paddedRange(double min, double max, const QString& unit)
 {
     const double middle = (min + max) / 2;
-    const double minStep = minHeight(unit, middle);
-    if (max - min < minStep / 2) {
-        min = middle - minStep / 4;
-        max = middle + minStep / 4;
+    const MinSpan least = minSpan(unit, middle);
+    if (least.aroundZero && std::max(std::abs(min), std::abs(max)) <= least.size / 2)
+        return {-least.size / 2, least.size / 2};
+    double low = min - padding * (max - min);
+    double high = max + padding * (max - min);
+    if (high - low < least.size) {
+        low = middle - least.size / 2;
+        high = middle + least.size / 2;
     }
-    double step = valueStep(max - min, axisDivisions, unit);
-    for (int tries = 0; tries < 8; ++tries) {
-        const double low = std::floor(min / step + tiny) * step;
-        if (low + axisDivisions * step >= max - step * tiny) {
-            const double spare = std::floor((low + axisDivisions * step - max) / step / 2) * step;
-            return {low - spare, low - spare + axisDivisions * step};
-        }
-        step = valueStep(step * 1.01, 1, unit);
-    }
-    return {min, max > min ? max : min + 1};
+    const double snap = decimalStep((high - low) * snapShare);
+    low = std::floor(low / snap + tiny) * snap;
+    high = std::ceil(high / snap - tiny) * snap;
+    if (min >= 0 && low < 0)
+        return {0, std::max(high, least.size)};
+    if (max <= 0 && high > 0)
+        return {std::min(low, -least.size), 0};
+    return {low, high};
+}
+
+AxisRange stretchedRange(const AxisRange& range, double shareBelowZero)
+{
+    const double share = std::clamp(shareBelowZero, tiny, 1 - tiny);
+    const double height = std::max(-range.low / share, range.high / (1 - share));
+    return {-height * share, height * (1 - share)};
 }
 } // namespace ui

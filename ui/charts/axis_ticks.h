@@ -31,8 +31,9 @@ QString readingText(double value, double range);
 /// "2.500 s", "12.3 ms", "1:02:30.250"
 QString spanText(double seconds);
 
-/// A round range of four divisions around the values, so that all axes share the grid. At least as
-/// tall as makes sense for the unit: the noise of a constant voltage is not blown up.
-AxisRange roundRange(double min, double max, const QString& unit);
-constexpr int axisDivisions = 4;
+/// The values with a twentieth of their span above and below, but not across zero on a side where
+/// no value is. At least as tall as makes sense for the unit: noise of one step stays small.
+AxisRange paddedRange(double min, double max, const QString& unit);
+/// Made taller until this share of its height, 0 … 1, is below zero. Zero must be inside.
+AxisRange stretchedRange(const AxisRange& range, double shareBelowZero);
 } // namespace ui

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_axes.h"
 
-#include <QChart>
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QValueAxis>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace ui {
 namespace {
@@ -15,39 +15,13 @@ constexpr double gap = 6;            ///< between plot and text
 constexpr double columnGap = 10;     ///< between the texts of two axes
 constexpr double widthStep = 8;      ///< the plot does not resize for one more digit
 constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
-constexpr double tallPlot = 420;
-
-/// One by one: there must never be thousands of ticks in between.
-void scaleAxis(QValueAxis* axis, const AxisRange& range, double step)
-{
-    const bool sameStep = axis->tickInterval() == step;
-    if (axis->min() == range.low && axis->max() == range.high && sameStep)
-        return;
-    if (step > axis->tickInterval())
-        axis->setTickInterval(step);
-    axis->setRange(range.low, range.high);
-    if (step != axis->tickInterval())
-        axis->setTickInterval(step);
-}
-
-QValueAxis* makeAxis(QChart* chart, Qt::Alignment side)
-{
-    auto* const axis = new QValueAxis(chart);
-    axis->setTickType(QValueAxis::TicksDynamic);
-    axis->setTickAnchor(0);
-    axis->setTickInterval(1);
-    axis->setLabelsVisible(false);
-    axis->setLabelFormat(QStringLiteral(" ")); // laid out even so
-    axis->setLineVisible(false);
-    chart->addAxis(axis, side);
-    return axis;
-}
+constexpr double tickLength = 4;
+constexpr double rowsPerTick = 2; ///< texts that fit between two ticks
+constexpr double maxStretch = 3;  ///< axes are not made taller than this to level their zeros
 } // namespace
 
-TrendAxes::TrendAxes(QChart* chart)
+TrendAxes::TrendAxes(QGraphicsItem* chart)
     : QGraphicsItem(chart)
-    , m_chart(chart)
-    , m_timeAxis(makeAxis(chart, Qt::AlignBottom))
 {
     setAcceptedMouseButtons(Qt::NoButton);
     setZValue(5);
@@ -56,10 +30,6 @@ TrendAxes::TrendAxes(QChart* chart)
 void TrendAxes::setColors(const TrendColors& colors)
 {
     m_colors = colors;
-    const QPen grid(colors.grid, 1);
-    m_timeAxis->setGridLinePen(grid);
-    for (const ValueAxis& axis : m_values)
-        axis.axis->setGridLinePen(grid);
     update();
 }
 
@@ -77,31 +47,67 @@ TrendAxes::ValueAxis& TrendAxes::axisOf(const QString& unit)
     }
     ValueAxis& made = m_values.emplace_back();
     made.range = AutoRange(unit);
-    made.axis = makeAxis(m_chart, Qt::AlignLeft);
-    made.axis->setGridLinePen(QPen(m_colors.grid, 1));
-    made.axis->setVisible(false);
     return made;
 }
 
-void TrendAxes::attach(QAbstractSeries* series, const QString& unit)
+void TrendAxes::updateRanges()
 {
-    series->attachAxis(m_timeAxis);
-    series->attachAxis(axisOf(unit).axis);
+    std::vector<AxisRange> before;
+    for (ValueAxis& axis : m_values) {
+        before.push_back(axis.shown);
+        axis.shown = axis.range.range();
+    }
+    levelZeros();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (m_values[i].shown != before[i])
+            update();
+    }
+    updateSteps();
+}
+
+/// Where the axis that needs it least makes the others grow least.
+void TrendAxes::levelZeros()
+{
+    std::vector<ValueAxis*> signedAxes;
+    for (ValueAxis& axis : m_values) {
+        const AxisRange& range = axis.range.range();
+        if (axis.used && !axis.range.isFixed() && range.low < 0 && range.high > 0)
+            signedAxes.push_back(&axis);
+    }
+    double bestShare = 0.5;
+    double bestStretch = maxStretch;
+    for (const ValueAxis* candidate : signedAxes) {
+        const double share = -candidate->shown.low / candidate->shown.size();
+        double stretch = 1;
+        for (const ValueAxis* axis : signedAxes)
+            stretch =
+                std::max(stretch, stretchedRange(axis->shown, share).size() / axis->shown.size());
+        if (stretch < bestStretch) {
+            bestStretch = stretch;
+            bestShare = share;
+        }
+    }
+    if (bestStretch >= maxStretch)
+        return;
+    for (ValueAxis* axis : signedAxes)
+        axis->shown = stretchedRange(axis->shown, bestShare);
+}
+
+void TrendAxes::updateSteps()
+{
+    const double row = QFontMetricsF(m_font).height() * rowsPerTick;
+    const int parts = std::clamp(int(m_plot.height() / row), 3, 10);
+    for (ValueAxis& axis : m_values)
+        axis.step = valueStep(axis.shown.size(), parts, axis.range.unit());
 }
 
 double TrendAxes::textWidth(const ValueAxis& axis) const
 {
     const QFontMetricsF metrics(m_font);
     double widest = metrics.horizontalAdvance(axis.range.unit());
-    const double step = axis.range.step(tall());
-    for (const double value : ticks(axis.range.paddedRange(), step))
-        widest = std::max(widest, metrics.horizontalAdvance(valueText(value, step)));
+    for (const double value : ticks(axis.shown, axis.step))
+        widest = std::max(widest, metrics.horizontalAdvance(valueText(value, axis.step)));
     return std::ceil(widest / widthStep) * widthStep;
-}
-
-bool TrendAxes::tall() const
-{
-    return m_plot.height() > tallPlot;
 }
 
 QRectF TrendAxes::layOut(const QRectF& room)
@@ -136,19 +142,13 @@ QRectF TrendAxes::layOut(const QRectF& room)
     }
     if (plot != m_plot) {
         m_plot = plot;
+        updateSteps();
         update();
     }
     return plot;
 }
 
 void TrendAxes::show(const TimeView& view, base::Duration origin)
-{
-    chooseGrid();
-    showTime(view, origin);
-    showValues();
-}
-
-void TrendAxes::showTime(const TimeView& view, base::Duration origin)
 {
     const base::Duration zero = view.isFollowing() ? view.span().to : origin;
     const auto seconds = [&](base::Duration at) { return double((at - zero).count()) / 1e6; };
@@ -169,32 +169,7 @@ void TrendAxes::showTime(const TimeView& view, base::Duration origin)
         return;
     m_time = range;
     m_timeStep = step;
-    scaleAxis(m_timeAxis, range, step);
     update();
-}
-
-void TrendAxes::showValues()
-{
-    for (ValueAxis& axis : m_values) {
-        const AxisRange range = axis.range.paddedRange();
-        if (std::exchange(axis.painted, range) != range)
-            update();
-        if (axis.axis->isVisible())
-            scaleAxis(axis.axis, range, axis.range.step(tall()));
-    }
-}
-
-/// Grid lines for the first axis in use; the others share its divisions, and Qt Charts draws
-/// nothing for them.
-void TrendAxes::chooseGrid()
-{
-    bool drawn = false;
-    for (const ValueAxis& axis : m_values) {
-        const bool grid = axis.used && !drawn;
-        drawn = drawn || grid;
-        if (axis.axis->isVisible() != grid)
-            axis.axis->setVisible(grid);
-    }
 }
 
 TrendAxes::ValueAxis* TrendAxes::axisAt(const QPointF& position)
@@ -211,40 +186,53 @@ TrendAxes::ValueAxis* TrendAxes::axisAt(const QPointF& position)
 
 void TrendAxes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*)
 {
+    if (m_plot.isEmpty())
+        return;
     painter->setFont(m_font);
     paintTime(painter);
+    bool grid = true;
     for (const ValueAxis& axis : m_values) {
         if (axis.used)
-            paintValues(painter, axis);
+            paintValues(painter, axis, std::exchange(grid, false));
     }
 }
 
 void TrendAxes::paintTime(QPainter* painter) const
 {
     const QFontMetricsF metrics(m_font);
-    painter->setPen(m_colors.muted);
     const double baseline = m_plot.bottom() + gap + metrics.ascent();
     for (const double at : ticks(m_time, m_timeStep)) {
         const QString text = timeText(at, m_time, m_timeStep);
         const double x = m_plot.left() + (at - m_time.low) / m_time.size() * m_plot.width();
+        painter->setPen(m_colors.grid);
+        painter->drawLine(QLineF(x, m_plot.top(), x, m_plot.bottom() + tickLength));
+        painter->setPen(m_colors.muted);
         painter->drawText(QPointF(x - metrics.horizontalAdvance(text) / 2, baseline), text);
     }
 }
 
-void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis) const
+/// The lines of the first axis go across; those of the others are ticks beside the plot.
+void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid) const
 {
     const QFontMetricsF metrics(m_font);
-    const AxisRange range = axis.range.paddedRange();
-    const double step = axis.range.step(tall());
     const auto write = [&](const QString& text, double baseline) {
         const double slack = axis.width - metrics.horizontalAdvance(text);
         painter->drawText(QPointF(axis.edge + (axis.left ? slack : 0), baseline), text);
     };
-    painter->setPen(axis.color.isValid() ? axis.color : m_colors.muted);
-    for (const double value : ticks(range, step)) {
-        const double y = m_plot.bottom() - (value - range.low) / range.size() * m_plot.height();
-        write(valueText(value, step), y + metrics.capHeight() / 2);
+    const QColor color = axis.color.isValid() ? axis.color : m_colors.muted;
+    const double inner = axis.left ? axis.edge + axis.width + gap : axis.edge - gap;
+    for (const double value : ticks(axis.shown, axis.step)) {
+        const double y =
+            m_plot.bottom() - (value - axis.shown.low) / axis.shown.size() * m_plot.height();
+        painter->setPen(grid ? m_colors.grid : color);
+        if (grid)
+            painter->drawLine(QLineF(m_plot.left(), y, m_plot.right(), y));
+        else
+            painter->drawLine(QLineF(inner, y, inner + (axis.left ? -1 : 1) * tickLength, y));
+        painter->setPen(color);
+        write(valueText(value, axis.step), y + metrics.capHeight() / 2);
     }
-    write(axis.range.unit(), m_plot.top() - gap);
+    painter->setPen(color);
+    write(axis.range.unit(), m_plot.top() - gap - 2);
 }
 } // namespace ui

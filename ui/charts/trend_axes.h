@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The axes of a trend chart: time below, one value axis per unit, alternately left and right. Qt
-// Charts keeps the ranges and draws the grid. One item paints the labels, because an axis that lays
-// out its own labels costs milliseconds each time its range changes, and does not know minutes.
-// Owned by the picture; main thread.
+// The axes of a trend chart: time below, one value axis per unit, alternately left and right. One
+// set of ticks paints grid, tick marks and labels; the grid is that of the first axis in use, and
+// zero is at one height on all that have both signs. Not Qt Charts' axes: laying out their labels
+// costs milliseconds each time a range changes, and they do not know minutes. Owned by the picture;
+// main thread.
 #pragma once
 
 #include "ui/charts/auto_range.h"
@@ -14,25 +15,21 @@
 
 #include <deque>
 
-class QAbstractSeries;
-class QChart;
-class QValueAxis;
-
 namespace ui {
 class TrendAxes final : public QGraphicsItem {
 public:
     struct ValueAxis {
         AutoRange range;
-        QValueAxis* axis = nullptr;
+        AxisRange shown{}; ///< the range, stretched so that zeros are level
         bool left = true;
         bool used = false; ///< a visible channel is on it
         QColor color{};    ///< of its only channel; invalid: several
         double edge = 0;   ///< where its texts begin, next to the plot or outside of the one before
         double width = 0;
-        AxisRange painted{};
+        double step = 1; ///< between ticks
     };
 
-    explicit TrendAxes(QChart* chart);
+    explicit TrendAxes(QGraphicsItem* chart);
 
     void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
@@ -42,11 +39,11 @@ public:
     ValueAxis& axisOf(const QString& unit);
     std::deque<ValueAxis>& valueAxes() { return m_values; }
     const std::deque<ValueAxis>& valueAxes() const { return m_values; }
-    void attach(QAbstractSeries* series, const QString& unit);
 
     /// The room that is left for the plot in `room` once every used axis has its texts.
     QRectF layOut(const QRectF& room);
-    /// Ranges to Qt Charts and texts, where they have changed.
+    /// After ranges have changed: what is shown of them.
+    void updateRanges();
     void show(const TimeView& view, base::Duration origin);
     const AxisRange& time() const { return m_time; }
 
@@ -57,16 +54,12 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
 private:
-    void showTime(const TimeView& view, base::Duration origin);
-    void showValues();
-    void chooseGrid();
+    void levelZeros();
+    void updateSteps();
     void paintTime(QPainter* painter) const;
-    void paintValues(QPainter* painter, const ValueAxis& axis) const;
+    void paintValues(QPainter* painter, const ValueAxis& axis, bool grid) const;
     double textWidth(const ValueAxis& axis) const;
-    bool tall() const;
 
-    QChart* m_chart;
-    QValueAxis* m_timeAxis;
     std::deque<ValueAxis> m_values;
     TrendColors m_colors;
     QFont m_font;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trend chart of a sample store: Qt Charts draws axes, grid and legend, one item paints all traces
-// as min/max columns. Follows the newest sample or is paused; zoom by box, wheel and pinch, pan,
-// overview strip, two cursors, marks. It never changes the store, which must outlive it. Repaints
-// at most 30 times a second. Main thread.
+// Trend chart of a sample store: the legend is Qt Charts', one item paints the axes and one all
+// traces as min/max columns. Follows the newest sample or is paused; zoom by box, wheel and pinch,
+// pan, overview strip, two cursors, marks. It never changes the store, which must outlive it.
+// Repaints at most 30 times a second. Main thread.
 #pragma once
 
 #include "recording/trigger.h"

@@ -28,7 +28,7 @@ void TrendControl::remember(Kind kind)
     View view{m_state.view.isFollowing(), m_state.view.span(), {}};
     for (const TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         if (axis.range.isFixed())
-            view.fixed.emplace_back(axis.range.unit(), axis.range.paddedRange());
+            view.fixed.emplace_back(axis.range.unit(), axis.shown);
     }
     m_previousViews.push_back(std::move(view));
     if (m_previousViews.size() > maxStoredViews)
@@ -105,7 +105,7 @@ void TrendControl::changeAxes(const QString* unit, Change change)
 {
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         if (axis.used && (unit == nullptr || axis.range.unit() == *unit))
-            axis.range.setFixed(change(axis.range.paddedRange()));
+            axis.range.setFixed(change(axis.shown));
     }
 }
 
@@ -132,7 +132,7 @@ void TrendControl::pan(double x, double y, bool values)
     }
     if (y != 0) {
         for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-            const AxisRange range = axis.range.paddedRange();
+            const AxisRange range = axis.shown;
             if (axis.used && (values || axis.range.isFixed()))
                 axis.range.setFixed({range.low - y * range.size(), range.high - y * range.size()});
         }

@@ -106,7 +106,6 @@ void TrendScene::rebuildSeries()
         const QString& unit = m_state.channels[i].unit;
         series->setProperty("unit", unit);
         m_chart->addSeries(series);
-        m_axes->attach(series, unit);
         m_series.push_back(series);
         for (QLegendMarker* marker : m_chart->legend()->markers(series))
             connect(marker, &QLegendMarker::clicked, this,
@@ -200,6 +199,7 @@ void TrendScene::rangeAxes(Axes how)
         else
             axis.range.update(range->low, range->high, m_state.view.now());
     }
+    m_axes->updateRanges();
 }
 
 void TrendScene::showTraces(double ratio, bool coarseUpdates)
@@ -208,7 +208,7 @@ void TrendScene::showTraces(double ratio, bool coarseUpdates)
     for (const TrendChannel& channel : m_state.channels) {
         if (!hasTrace(channel))
             continue;
-        const AxisRange range = m_axes->axisOf(channel.unit).range.paddedRange();
+        const AxisRange range = m_axes->axisOf(channel.unit).shown;
         looks.push_back({channel.id, trendColorOn(channel.color, m_colors.background).rgb(),
                          channel.steps, channel.scale, channel.offset, range.low, range.high,
                          channel.dashed});

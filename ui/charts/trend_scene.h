@@ -71,7 +71,7 @@ private:
     TrendAxes* m_axes;
     TraceItem* m_traces;
     TrendOverlay* m_overlay;
-    std::vector<QLineSeries*> m_series; ///< empty ones; they give legend and axes their entries
+    std::vector<QLineSeries*> m_series; ///< empty ones; they give the legend its entries
     TrendColors m_colors;
     QRectF m_plot;
     double m_legendHeight = 0;

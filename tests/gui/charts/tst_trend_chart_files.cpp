@@ -42,8 +42,9 @@ private Q_SLOTS:
     void everyQuantityHasItsColor();
     void timeTexts_data();
     void timeTexts();
-    void roundRanges_data();
-    void roundRanges();
+    void rangesFitTheData_data();
+    void rangesFitTheData();
+    void zerosCanBeLeveled();
     void axisDoesNotJitter();
 };
 
@@ -263,59 +264,77 @@ void TestTrendChartFiles::timeTexts()
     QVERIFY(places.size() >= 4 && places.size() <= 11);
 }
 
-void TestTrendChartFiles::roundRanges_data()
+void TestTrendChartFiles::rangesFitTheData_data()
 {
     QTest::addColumn<double>("min");
     QTest::addColumn<double>("max");
     QTest::addColumn<QString>("unit");
-    QTest::newRow("one turn") << 0.0 << 360.0 << q("°");
-    QTest::newRow("part of a turn") << 51.0 << 299.0 << q("°");
-    QTest::newRow("negative") << -133.0 << 134.0 << q("rpm");
-    QTest::newRow("constant") << 7.4 << 7.4 << q("V");
-    QTest::newRow("tiny") << 1.0 << 1.0 + 1e-12 << QString();
-    QTest::newRow("huge") << -1e12 << 3e12 << QString();
-    QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString();
+    QTest::addColumn<double>("low"); ///< at least and at most so far
+    QTest::addColumn<double>("high");
+    QTest::newRow("sweep in steps") << 82.0 << 4013.0 << q("step") << 0.0 << 4300.0;
+    QTest::newRow("one turn") << 0.0 << 360.0 << q("°") << 0.0 << 380.0;
+    QTest::newRow("both ways") << -133.0 << 134.0 << q("rpm") << -150.0 << 150.0;
+    QTest::newRow("only negative") << -90.0 << -10.0 << q("%") << -95.0 << 0.0;
+    QTest::newRow("position at rest") << 180.0 << 180.1 << q("°") << 177.4 << 182.7;
+    QTest::newRow("current at rest") << -6.5 << 13.0 << q("mA") << -200.0 << 200.0;
+    QTest::newRow("no speed") << 0.0 << 0.7 << q("rpm") << -10.0 << 10.0;
+    QTest::newRow("load at rest") << 0.0 << 0.3 << q("%") << 0.0 << 5.0;
+    QTest::newRow("voltage") << 7.4 << 7.5 << q("V") << 7.15 << 7.75;
+    QTest::newRow("temperature") << 31.0 << 31.0 << q("°C") << 28.5 << 33.5;
+    QTest::newRow("huge") << -1e12 << 3e12 << QString() << -1.3e12 << 3.3e12;
+    QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString() << 1e9 - 2 << 1e9 + 3;
 }
 
-void TestTrendChartFiles::roundRanges()
+void TestTrendChartFiles::rangesFitTheData()
 {
     QFETCH(double, min);
     QFETCH(double, max);
     QFETCH(QString, unit);
-    const ui::AxisRange range = ui::roundRange(min, max, unit);
-    QVERIFY(range.low <= min + 1e-9 * std::abs(min) && range.high >= max - 1e-9 * std::abs(max));
-    QVERIFY(range.size() > 0);
-    const double step = range.size() / ui::axisDivisions;
-    QVERIFY(std::abs(range.low / step - std::round(range.low / step)) < 1e-6);
-    if (max - min > 100)
-        QVERIFY((max - min) / range.size() > 0.3); // not lost in an empty plot
+    QFETCH(double, low);
+    QFETCH(double, high);
+    const ui::AxisRange range = ui::paddedRange(min, max, unit);
+    const QByteArray found =
+        QStringLiteral("%1 … %2").arg(range.low, 0, 'g', 12).arg(range.high, 0, 'g', 12).toUtf8();
+    QVERIFY2(range.low <= min && range.high >= max, found);
+    const double slack = 1e-9 * std::max(std::abs(low), std::abs(high));
+    QVERIFY2(range.low >= low - slack && range.high <= high + slack, found);
+}
+
+void TestTrendChartFiles::zerosCanBeLeveled()
+{
+    const ui::AxisRange current = ui::stretchedRange({-500, 1500}, 0.5);
+    QCOMPARE(current, (ui::AxisRange{-1500, 1500}));
+    const ui::AxisRange speed = ui::stretchedRange({-40, 40}, 0.25);
+    QCOMPARE(speed, (ui::AxisRange{-40, 120}));
+    const ui::AxisRange fits = ui::stretchedRange({-10, 30}, 0.25);
+    QCOMPARE(fits, (ui::AxisRange{-10, 30}));
 }
 
 void TestTrendChartFiles::axisDoesNotJitter()
 {
     ui::AutoRange axis(q("°"));
     axis.update(0, 300, 0s);
-    const ui::AxisRange first = axis.paddedRange();
+    const ui::AxisRange first = axis.range();
     axis.update(20, 250, 1s);
-    QCOMPARE(axis.paddedRange().high, first.high);
+    QCOMPARE(axis.range().high, first.high);
     axis.update(0, 700, 2s); // grows at once
-    QVERIFY(axis.paddedRange().high > 700);
-    const ui::AxisRange samplesAdded = axis.paddedRange();
+    QVERIFY(axis.range().high > 700);
+    const ui::AxisRange samplesAdded = axis.range();
     axis.update(0, 100, 3s);
     axis.update(0, 100, 4s);
-    QCOMPARE(axis.paddedRange().high, samplesAdded.high);
+    QCOMPARE(axis.range().high, samplesAdded.high);
     axis.update(0, 600, 4500ms);
     axis.update(0, 100, 6s); // needed again in between: the patience starts anew
-    QCOMPARE(axis.paddedRange().high, samplesAdded.high);
+    QCOMPARE(axis.range().high, samplesAdded.high);
     axis.update(0, 100, 9s);
-    QVERIFY(axis.paddedRange().high < samplesAdded.high);
+    QVERIFY(axis.range().high < samplesAdded.high);
     axis.setFixed({1, 2});
     axis.update(-1000, 1000, 10s);
-    QCOMPARE(axis.paddedRange().high, 2.0);
+    QCOMPARE(axis.range().high, 2.0);
     axis.update(qQNaN(), 1, 11s);
     axis.setAutomatic();
     axis.update(0, 10, 12s);
-    QVERIFY(axis.paddedRange().high >= 10 && axis.paddedRange().high < 20);
+    QVERIFY(axis.range().high >= 10 && axis.range().high < 20);
 }
 
 SERVODESK_TEST(TestTrendChartFiles)

@@ -4,6 +4,7 @@
 #include "support/test_main.h"
 
 #include <cmath>
+#include <utility>
 
 using namespace std::chrono_literals;
 using base::Duration;
@@ -16,6 +17,7 @@ private Q_SLOTS:
     void gapIsNotPainted();
     void stepsStayLevel();
     void goalsAreDashed();
+    void linesOfTheGridMeetTheirLabels();
     void curveIsWhereItsValueIs();
     void scrolledImageMatchesAFreshOne();
     void quickRenderLosesNothing();
@@ -79,20 +81,81 @@ void TestTrendChartPaint::goalsAreDashed()
         QVERIFY(fixture.paintedIn({0.48, height, 0.04, 0.01}, 0));
 }
 
+namespace {
+bool isBackground(const QImage& image, int x, int y)
+{
+    return gui::TrendChartFixture::near(image.pixel(x, y), image.pixel(1, image.height() - 2));
+}
+
+/// The rows in which a line goes across the whole plot.
+std::vector<int> linesAcross(const QImage& image, const QRect& plot)
+{
+    std::vector<int> rows;
+    for (int y = plot.top() + 1; y < plot.bottom(); ++y) {
+        int painted = 0;
+        for (int x = plot.left() + 3; x < plot.right() - 3; ++x)
+            painted += image.pixel(x, y) != image.pixel(1, image.height() - 2) ? 1 : 0;
+        if (painted > plot.width() - 10)
+            rows.push_back(y);
+    }
+    return rows;
+}
+
+/// The middles of the texts left of the plot.
+std::vector<int> labelsBeside(const QImage& image, const QRect& plot)
+{
+    std::vector<int> middles;
+    int from = -1;
+    for (int y = plot.top() - 4; y < plot.bottom() + 8; ++y) {
+        bool text = false;
+        for (int x = 1; x < plot.left() - 2 && !text; ++x)
+            text = !isBackground(image, x, y);
+        if (text && from < 0)
+            from = y;
+        if (!text && from >= 0)
+            middles.push_back((std::exchange(from, -1) + y - 1) / 2);
+    }
+    return middles;
+}
+} // namespace
+
+void TestTrendChartPaint::linesOfTheGridMeetTheirLabels()
+{
+    gui::TrendChartFixture fixture;
+    fixture.chart.setChannelVisible(1, false);
+    fixture.fill(0, 10s, [](double t) { return t < 5 ? 82.0 : 4013.0; });
+    fixture.chart.zoomToFit();
+    fixture.waitForFrames();
+    fixture.chart.show({12s, 20s}); // beside the curve, which would hide lines
+    for (const QSize size : {QSize(800, 500), QSize(640, 300), QSize(1200, 900)}) {
+        fixture.chart.resize(size);
+        fixture.waitForFrames();
+        const QImage image = fixture.picture();
+        const QRect plot(fixture.at({0, 1}), fixture.at({1, 0}));
+        const std::vector<int> lines = linesAcross(image, plot);
+        const std::vector<int> labels = labelsBeside(image, plot);
+        QVERIFY2(lines.size() >= 2, qPrintable(QString::number(lines.size())));
+        QVERIFY(labels.size() >= lines.size());
+        for (const int line : lines)
+            QVERIFY(std::any_of(labels.begin(), labels.end(),
+                                [line](int label) { return std::abs(label - line) <= 2; }));
+    }
+}
+
 void TestTrendChartPaint::curveIsWhereItsValueIs()
 {
     gui::TrendChartFixture fixture;
     fixture.fill(0, 10s, [](double t) { return t < 5 ? 0.0 : 100.0; });
     fixture.chart.show({0s, 10s});
     fixture.waitForFrames();
-    // 0 … 100 is a round range, shown with 2.5 % above and below.
-    const double margin = 0.025 / 1.05;
-    QVERIFY(fixture.paintedIn({0.1, margin - 0.012, 0.3, 0.024}, 0));
-    QVERIFY(fixture.paintedIn({0.6, 1 - margin - 0.012, 0.3, 0.024}, 0));
+    // Shown from 0, since nothing is below it, to 5 % above the highest value.
+    const double top = 100.0 / 105;
+    QVERIFY(fixture.paintedIn({0.1, 0, 0.3, 0.012}, 0));
+    QVERIFY(fixture.paintedIn({0.6, top - 0.012, 0.3, 0.024}, 0));
     QVERIFY(!fixture.paintedIn({0.1, 0.1, 0.3, 0.8}, 0));
     fixture.setScale(0, -1, 100);
     fixture.waitForFrames();
-    QVERIFY(fixture.paintedIn({0.6, margin - 0.012, 0.3, 0.024}, 0));
+    QVERIFY(fixture.paintedIn({0.6, 0, 0.3, 0.012}, 0));
     QCOMPARE(fixture.chart.channels()[0].scale, -1.0);
 }
 
