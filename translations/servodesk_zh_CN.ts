@@ -13381,10 +13381,6 @@ Retries: %9</source>
         <translation>事件发生时暂停曲线</translation>
     </message>
     <message>
-        <source>Images, recordings and saved views</source>
-        <translation>图片、录制和已保存的视图</translation>
-    </message>
-    <message>
         <source>Back to live data</source>
         <translation>返回实时数据</translation>
     </message>
@@ -13411,6 +13407,10 @@ Retries: %9</source>
     <message>
         <source>As fast as the bus allows</source>
         <translation>总线允许的最快速度</translation>
+    </message>
+    <message>
+        <source>Read rate, images, recordings and saved views</source>
+        <translation>读取频率、图片、录制和已保存的视图</translation>
     </message>
 </context>
 <context>

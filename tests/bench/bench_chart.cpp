@@ -5,8 +5,8 @@
 // panning and zooming, at most 16 ms at 200 % (a process of its own). Beside it, for comparison, a
 // bare loop of QPainter that draws as many lines into an image. An argument chooses: what has it in
 // its name.
-#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/common/palette.h"
 #include "ui/common/theme.h"
 
 #include <QApplication>

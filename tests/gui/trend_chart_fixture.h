@@ -3,9 +3,9 @@
 // plot, 0 … 1 from its lower left. Checks what has been painted. Main thread.
 #pragma once
 
-#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_plot.h"
+#include "ui/common/palette.h"
 
 #include <QApplication>
 #include <QMouseEvent>

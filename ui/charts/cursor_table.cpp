@@ -2,7 +2,7 @@
 #include "ui/charts/cursor_table.h"
 
 #include "ui/charts/axis_ticks.h"
-#include "ui/charts/palette.h"
+#include "ui/common/palette.h"
 
 #include <QAction>
 #include <QClipboard>

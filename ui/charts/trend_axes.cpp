@@ -17,8 +17,15 @@ constexpr double widthStep = 8;      ///< the plot does not resize for one more 
 constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
 constexpr double tickLength = 4;
 constexpr double rowsPerTick = 2; ///< texts that fit between two ticks
+constexpr double minSide = 0.1;   ///< of an axis; with less below zero, or above, it has one sign
 constexpr double maxStretch = 3;  ///< axes are not made taller than this to level their zeros
 } // namespace
+
+void TrendAxes::ValueAxis::fix(const AxisRange& wanted)
+{
+    range.setFixed(wanted);
+    shown = range.range();
+}
 
 TrendAxes::TrendAxes(QGraphicsItem* chart)
     : QGraphicsItem(chart)
@@ -65,32 +72,39 @@ void TrendAxes::updateRanges()
     updateSteps();
 }
 
-/// Where the axis that needs it least makes the others grow least.
+/// Where the axis that needs it least makes the others grow least. While one is fixed the others
+/// stay where they were level.
 void TrendAxes::levelZeros()
 {
     std::vector<ValueAxis*> signedAxes;
+    bool anyFixed = false;
     for (ValueAxis& axis : m_values) {
-        const AxisRange& range = axis.range.range();
-        if (axis.used && !axis.range.isFixed() && range.low < 0 && range.high > 0)
+        anyFixed = anyFixed || (axis.used && axis.range.isFixed());
+        const double below = -axis.shown.low / axis.shown.size();
+        if (axis.used && !axis.range.isFixed() && below > minSide && below < 1 - minSide)
             signedAxes.push_back(&axis);
     }
-    double bestShare = 0.5;
-    double bestStretch = maxStretch;
-    for (const ValueAxis* candidate : signedAxes) {
-        const double share = -candidate->shown.low / candidate->shown.size();
-        double stretch = 1;
+    const auto stretch = [&](double share) {
+        double most = 1;
         for (const ValueAxis* axis : signedAxes)
-            stretch =
-                std::max(stretch, stretchedRange(axis->shown, share).size() / axis->shown.size());
-        if (stretch < bestStretch) {
-            bestStretch = stretch;
-            bestShare = share;
+            most = std::max(most, stretchedRange(axis->shown, share).size() / axis->shown.size());
+        return most;
+    };
+    if (!anyFixed) {
+        m_shareBelowZero = 0;
+        double least = maxStretch;
+        for (const ValueAxis* candidate : signedAxes) {
+            const double share = -candidate->shown.low / candidate->shown.size();
+            if (const double most = stretch(share); most < least) {
+                least = most;
+                m_shareBelowZero = share;
+            }
         }
     }
-    if (bestStretch >= maxStretch)
+    if (m_shareBelowZero <= 0 || stretch(m_shareBelowZero) >= maxStretch)
         return;
     for (ValueAxis* axis : signedAxes)
-        axis->shown = stretchedRange(axis->shown, bestShare);
+        axis->shown = stretchedRange(axis->shown, m_shareBelowZero);
 }
 
 void TrendAxes::updateSteps()

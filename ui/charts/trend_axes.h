@@ -27,13 +27,14 @@ public:
         double edge = 0;   ///< where its texts begin, next to the plot or outside of the one before
         double width = 0;
         double step = 1; ///< between ticks
+
+        void fix(const AxisRange& wanted); ///< shown at once
     };
 
     explicit TrendAxes(QGraphicsItem* chart);
 
     void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
-    const QFont& font() const { return m_font; }
 
     /// Makes the axis if there is none yet; the reference stays valid.
     ValueAxis& axisOf(const QString& unit);
@@ -45,7 +46,6 @@ public:
     /// After ranges have changed: what is shown of them.
     void updateRanges();
     void show(const TimeView& view, base::Duration origin);
-    const AxisRange& time() const { return m_time; }
 
     /// The used axis whose texts are under this place.
     ValueAxis* axisAt(const QPointF& position);
@@ -65,6 +65,7 @@ private:
     QFont m_font;
     QRectF m_room;
     QRectF m_plot;
+    double m_shareBelowZero = 0; ///< where zeros are level; 0: nowhere
     AxisRange m_time{-10, 0};
     double m_timeStep = 1;
 };

@@ -28,7 +28,7 @@ void TrendControl::remember(Kind kind)
     View view{m_state.view.isFollowing(), m_state.view.span(), {}};
     for (const TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         if (axis.range.isFixed())
-            view.fixed.emplace_back(axis.range.unit(), axis.shown);
+            view.fixed.emplace_back(axis.range.unit(), axis.range.range());
     }
     m_previousViews.push_back(std::move(view));
     if (m_previousViews.size() > maxStoredViews)
@@ -54,7 +54,7 @@ void TrendControl::goBack()
                          [&](const auto& fixed) { return fixed.first == axis.range.unit(); });
         axis.range.setAutomatic();
         if (found != view.fixed.end())
-            axis.range.setFixed(found->second);
+            axis.fix(found->second);
     }
     Q_EMIT viewChanged();
 }
@@ -105,7 +105,7 @@ void TrendControl::changeAxes(const QString* unit, Change change)
 {
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         if (axis.used && (unit == nullptr || axis.range.unit() == *unit))
-            axis.range.setFixed(change(axis.shown));
+            axis.fix(change(axis.shown));
     }
 }
 
@@ -134,7 +134,7 @@ void TrendControl::pan(double x, double y, bool values)
         for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
             const AxisRange range = axis.shown;
             if (axis.used && (values || axis.range.isFixed()))
-                axis.range.setFixed({range.low - y * range.size(), range.high - y * range.size()});
+                axis.fix({range.low - y * range.size(), range.high - y * range.size()});
         }
     }
     Q_EMIT viewChanged();

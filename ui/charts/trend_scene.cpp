@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_scene.h"
 
-#include "ui/charts/palette.h"
+#include "ui/common/palette.h"
 
 #include <QChart>
 #include <QGraphicsLayout>

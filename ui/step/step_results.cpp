@@ -4,9 +4,9 @@
 #include "report/step_text.h"
 #include "text/error_text.h"
 #include "text/language.h"
-#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/palette.h"
 #include "ui/step/step_text.h"
 #include "ui/widgets/test_text.h"
 
@@ -148,7 +148,7 @@ void StepResults::addCurve(const std::vector<results::StepResponse>& responses, 
     for (const results::StepSample& sample : found->samples)
         m_store.append(channel, sample.at, sign * (sample.position - found->start));
     m_channels.push_back({channel, QStringLiteral("run%1").arg(color), name, tr("steps"),
-                          trendColor(color, ground)});
+                          trendColor(color % goalColor, ground)});
 }
 
 /// The target, as long as the longest response.

@@ -5,9 +5,9 @@
 #include "report/sweep_text.h"
 #include "text/error_text.h"
 #include "text/language.h"
-#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/palette.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/pill.h"
 

@@ -4,7 +4,7 @@
 #include "catalog/units.h"
 #include "text/language.h"
 #include "text/translate.h"
-#include "ui/charts/palette.h"
+#include "ui/common/palette.h"
 #include "ui/widgets/feedback.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #include "ui/trends/trend_panel.h"
 
 #include "ui/charts/cursor_table.h"
-#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_preset.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/palette.h"
 #include "ui/trends/channels_dialog.h"
 #include "ui/trends/recording_control.h"
 #include "ui/trends/trend_replay.h"

@@ -3,9 +3,9 @@
 
 #include "catalog/units.h"
 #include "text/error_text.h"
-#include "ui/charts/palette.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/palette.h"
 #include "ui/trends/row_count.h"
 #include "ui/trends/trend_toolbar.h"
 #include "ui/widgets/banner.h"

@@ -2,16 +2,15 @@
 #include "ui/trends/trend_toolbar.h"
 
 #include "ui/common/theme.h"
+#include "ui/widgets/flow_layout.h"
 
 #include <QActionGroup>
 #include <QComboBox>
 #include <QEvent>
 #include <QIcon>
 #include <QLabel>
-#include <QLayout>
 #include <QMenu>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
@@ -27,25 +26,23 @@ constexpr std::array rates{0, 200, 100, 50, 20, 10, 5, 1};
 } // namespace
 
 TrendToolbar::TrendToolbar(QWidget* parent)
-    : QToolBar(parent)
+    : QWidget(parent)
+    , m_layout(new FlowLayout(this, 4))
 {
-    setContextMenuPolicy(Qt::PreventContextMenu);
-    const int icon = style()->pixelMetric(QStyle::PM_ButtonIconSize, nullptr, this);
-    setIconSize({icon, icon});
-    layout()->setContentsMargins(0, 0, 0, 0);
-    layout()->setSpacing(4);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     m_live = addButton("trendLive", "media-playback-start");
-    m_liveAction = actions().constLast();
     m_pause = addButton("trendPause", "media-playback-pause", true);
     m_width = new QComboBox(this);
     m_width->setObjectName(QStringLiteral("trendWidth"));
-    addWidget(m_width);
+    m_layout->addWidget(m_width);
     m_fit = addButton("trendFit", "zoom-fit-best");
     m_cursors = addButton("trendCursors", "measure", true);
     m_record = addButton("trendRecord", "media-record");
     m_recordState = new QLabel(this);
     m_recordState->setObjectName(QStringLiteral("trendRecordState"));
-    m_recordStateAction = addWidget(m_recordState);
+    m_layout->addWidget(m_recordState);
     m_channels = addButton("trendChannels", "office-chart-line");
     m_trigger = addButton("trendTrigger", "flag");
     m_more = addButton("trendMore", "application-menu");
@@ -85,8 +82,7 @@ QToolButton* TrendToolbar::addButton(const char* name, const char* icon, bool ch
     button->setIcon(QIcon::fromTheme(QString::fromLatin1(icon)));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setCheckable(checkable);
-    addWidget(button);
-    button->setAutoRaise(false); // which a tool bar changes; as all buttons of the window
+    m_layout->addWidget(button);
     return button;
 }
 
@@ -126,7 +122,7 @@ void TrendToolbar::setRecording(const QString& words)
         m_record->setIcon(QIcon::fromTheme(icon));
     }
     m_recordState->setText(runs ? QStringLiteral("● ") + words : QString());
-    m_recordStateAction->setVisible(runs);
+    m_recordState->setVisible(runs);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
     m_recordState->setPalette(colors);
@@ -141,7 +137,7 @@ void TrendToolbar::setRate(int hz)
 void TrendToolbar::setReplaying(bool replaying)
 {
     m_replaying = replaying;
-    m_liveAction->setVisible(replaying);
+    m_live->setVisible(replaying);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_channels})
         widget->setEnabled(!replaying);
     fillMenu();
@@ -221,7 +217,7 @@ void TrendToolbar::retranslate()
     set(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
     set(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
     set(m_trigger, tr("Trigger…"), tr("Pauses the chart when an event occurs"));
-    set(m_more, tr("More"), tr("Images, recordings and saved views"));
+    set(m_more, tr("More"), tr("Read rate, images, recordings and saved views"));
     set(m_live, tr("Back to live data"), tr("Closes the recording and shows live values"));
     set(m_record, tr("Record…"), tr("Records measured values to a file"));
     m_recordState->setAccessibleName(tr("Recording"));
@@ -252,7 +248,7 @@ void TrendToolbar::retranslateWidths()
 
 void TrendToolbar::changeEvent(QEvent* event)
 {
-    QToolBar::changeEvent(event);
+    QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     if (event->type() == QEvent::PaletteChange) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The buttons above the trend chart, in one row: what does not fit is behind the "»" of its end.
-// Shows states and emits requests. Owned by its parent; main thread.
+// The buttons above the trend chart, in one row where there is room. Shows states and emits
+// requests. Owned by its parent; main thread.
 #pragma once
 
 #include "base/clock.h"
 
-#include <QToolBar>
+#include <QWidget>
 
 class QComboBox;
 class QLabel;
@@ -13,7 +13,9 @@ class QMenu;
 class QToolButton;
 
 namespace ui {
-class TrendToolbar final : public QToolBar {
+class FlowLayout;
+
+class TrendToolbar final : public QWidget {
     Q_OBJECT
 
 public:
@@ -59,6 +61,7 @@ private:
     void retranslate();
     void retranslateWidths();
 
+    FlowLayout* m_layout = nullptr;
     QToolButton* m_pause = nullptr;
     QComboBox* m_width = nullptr;
     QToolButton* m_fit = nullptr;
@@ -66,10 +69,8 @@ private:
     QToolButton* m_channels = nullptr;
     QToolButton* m_trigger = nullptr;
     QToolButton* m_more = nullptr;
-    QAction* m_liveAction = nullptr; ///< shows and hides the button, as a tool bar wants it
     QToolButton* m_live = nullptr;
     QToolButton* m_record = nullptr;
-    QAction* m_recordStateAction = nullptr;
     QLabel* m_recordState = nullptr;
     QMenu* m_menu = nullptr;
     QStringList m_presets;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/position_dial.h"
 
-#include "ui/charts/palette.h"
+#include "ui/common/palette.h"
 #include "ui/common/theme.h"
 #include "ui/widgets/circle_text.h"
 

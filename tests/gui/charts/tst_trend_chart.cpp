@@ -32,6 +32,7 @@ private Q_SLOTS:
     void wheelZoomsAroundTheMouse();
     void wheelWhileFollowingKeepsTheRightEdge();
     void shiftWheelZoomsValues();
+    void stepsBetweenTwoFramesAddUp();
     void ctrlDragPans();
     void keysMatchTheMouse();
     void cursorsAreDraggedAndNudged();
@@ -176,6 +177,23 @@ void TestTrendChart::shiftWheelZoomsValues()
     fixture.chart.zoomToFit();
     fixture.waitForFrames();
     QVERIFY(fixture.paintedIn({0.9, 0, 0.1, 1}, 0));
+}
+
+/// The wheel turns faster than frames are painted.
+void TestTrendChart::stepsBetweenTwoFramesAddUp()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    const ui::AutoRange& axis = fixture.plot->picture().axes().axisOf({}).range;
+    const double before = axis.range().size();
+    fixture.wheel({0.5, 0.5}, 120, Qt::ShiftModifier);
+    const double once = axis.range().size();
+    QVERIFY(once < before * 0.9);
+    for (int i = 0; i < 3; ++i)
+        fixture.wheel({0.5, 0.5}, 120, Qt::ShiftModifier);
+    QVERIFY(std::abs(axis.range().size() / before - std::pow(once / before, 4)) < 1e-6);
 }
 
 void TestTrendChart::ctrlDragPans()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/palette.h"
+#include "ui/common/palette.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,8 @@ constexpr std::array quantities{Quantity{"position", positionColor},
                                 Quantity{"load", 3},
                                 Quantity{"temperature", 4},
                                 Quantity{"voltage", 5},
-                                Quantity{"vin", 5}};
+                                Quantity{"vin", 5},
+                                Quantity{"error", 6}};
 
 /// "@speed", "speed" and "present_speed" are one quantity; "speed_p" is none.
 std::optional<int> quantityColor(QString key)
