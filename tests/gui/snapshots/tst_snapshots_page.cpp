@@ -275,8 +275,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.table()->model()->rowCount(), 1);
         QCOMPARE(fixture.tick("position_p"), Qt::Checked);
         const auto* model = fixture.table()->model();
-        const QString state = model->index(0, model->columnCount() - 1).data().toString();
-        QVERIFY2(state.contains(QLatin1String("not permanent yet")), qPrintable(state));
+        const auto state = [model] {
+            return model->index(0, model->columnCount() - 1).data().toString();
+        };
+        QTRY_VERIFY2(state().contains(QLatin1String("not permanent yet")), qPrintable(state()));
 
         fixture.click("restoreWrite");
         QTRY_VERIFY(!fixture.bannerText().isEmpty());
