@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/reply_scanner.h"
 
+#include "bus/interrupt.h"
+
 namespace bus {
 using base::Duration;
 using protocol::Reply;

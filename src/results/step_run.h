@@ -42,8 +42,8 @@ struct StepSample {
     bool operator==(const StepSample&) const = default;
 };
 
-/// Defined in jobs/step_meter.h; as of a mean: of the responses in which it was measured, steady
-/// errors by their magnitude.
+/// Defined in jobs/step/step_meter.h; as of a mean: of the responses in which it was measured,
+/// steady errors by their magnitude.
 struct StepFigures {
     std::optional<double> deadTime{};       ///< ms
     std::optional<double> riseTime{};       ///< ms, 10 to 90 %

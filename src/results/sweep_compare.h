@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sweep tests of two servos side by side: A is the reference, B is compared with it. Figures and
 // the differences of the tests and of the servos' settings, so that incomparable runs are not
-// compared. Pure values; any thread; never fails. Words are in report/sweep_compare_words.h.
+// compared. Pure values; any thread; never fails. Words are in report/sweep_compare_text.h.
 #pragma once
 
 #include "results/sweep_run.h"

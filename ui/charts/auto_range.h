@@ -20,7 +20,7 @@ public:
 
     /// What is in view now; `now` only ever grows. Nothing is done while it is fixed.
     void update(double min, double max, base::Duration now);
-    /// As take(), but without patience: another view was asked for.
+    /// As update(), but without patience: another view was asked for.
     void setNow(double min, double max);
 
     void setFixed(const AxisRange& range);

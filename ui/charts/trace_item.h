@@ -19,11 +19,11 @@ public:
     void setPaper(bool on) { m_paper = on; } ///< lines instead of an image
     void clear();                            ///< another store: nothing is kept
 
-    /// Looks into the store. `ratio`: device pixels a logical one. `hasty`: the next change is
-    /// expected at once.
+    /// Looks into the store. `ratio`: device pixels a logical one. `coarseUpdates`: the next change
+    /// is expected at once.
     void show(const recording::SampleStore* store, const std::vector<TraceStyle>& styles,
               const recording::TimeSpan& span, double ratio, bool coarseUpdates);
-    /// What is seen is the coarse image; sharpen() is wanted.
+    /// What is seen is the coarse image; paint again at rest.
     bool isCoarse() const { return m_coarse; }
     /// Makes a part of the fine image, of the samples and the view of the latest show().
     void refine(const recording::SampleStore& store);

@@ -76,7 +76,6 @@ void TrendScene::channelsChanged()
         axis.used = false;
         axis.color = {};
     }
-    std::vector<QString> units;
     for (std::size_t i = 0; i < m_state.channels.size(); ++i) {
         const TrendChannel& channel = m_state.channels[i];
         TrendAxes::ValueAxis& axis = m_axes->axisOf(channel.unit);

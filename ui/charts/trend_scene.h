@@ -43,8 +43,8 @@ public:
     void clearTraces() { m_traces->clear(); }
     void channelsChanged(); ///< other ones, or other names, colors, visibility
     void layOut();          ///< the chart's size has changed
-    /// Fetches what is in view; `ratio`: device pixels a logical one. `hasty`: curves may be
-    /// coarse, as the next change is expected at once.
+    /// Fetches what is in view; `ratio`: device pixels a logical one. `coarseUpdates`: curves may
+    /// be coarse, as the next change is expected at once.
     void refresh(Axes axes, double ratio, bool coarseUpdates = false);
     bool isCoarse() const { return m_traces->isCoarse(); }
     void refine(); ///< a part at a time, while coarse()

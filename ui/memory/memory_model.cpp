@@ -173,7 +173,7 @@ bool MemoryModel::setData(const QModelIndex& index, const QVariant& value, int r
     const qlonglong raw = value.toLongLong(&whole);
     if (!whole)
         return false;
-    Q_EMIT writeRequested(row(index.row()).reg->key, raw);
+    Q_EMIT writeRequested(row(index.row()).reg->key, raw, false);
     return true;
 }
 

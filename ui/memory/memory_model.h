@@ -47,7 +47,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
-    void writeRequested(const QString& key, qint64 raw);
+    void writeRequested(const QString& key, qint64 raw, bool temporary);
 
 private:
     void emitAllChanged();

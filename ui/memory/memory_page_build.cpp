@@ -88,8 +88,7 @@ void MemoryPage::build(session::Settings& settings)
 
 void MemoryPage::connectTable()
 {
-    connect(&m_model, &MemoryModel::writeRequested, this,
-            [this](const QString& key, qint64 raw) { requestWrite(key, raw, false); });
+    connect(&m_model, &MemoryModel::writeRequested, this, &MemoryPage::requestWrite);
     connect(m_panel, &RegisterPanel::writeRequested, this, &MemoryPage::requestWrite);
     connect(m_delegate, &RegisterDelegate::editorLeft, this, &MemoryPage::showWarning);
     connect(m_view, &MemoryView::readOnlyActivated, this, &MemoryPage::explainReadOnly);

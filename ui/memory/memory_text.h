@@ -7,7 +7,7 @@
 #include "ui/memory/memory_row.h"
 
 namespace ui {
-enum class Tone : std::uint8_t; ///< ui/app/theme.h
+enum class Tone : std::uint8_t; ///< ui/common/theme.h
 
 enum class MemoryColumn : std::uint8_t {
     Address,

@@ -11,7 +11,7 @@ namespace ui {
 /// `servo` as presets have it: "*" the selected one, "3" the one with that ID.
 struct TrendCurve {
     QString servo = QStringLiteral("*");
-    QString key;    ///< register key, session::errorKey, or a role's word: see standsFor
+    QString key; ///< register key, session::errorKey, or built in ("@goal"): see trend_curves.cpp
     QColor color{}; ///< invalid: that of its quantity
     bool visible = true;
     double scale = 1.0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step-response lab: the same step there and back, every reading kept, each response measured
-// (jobs/step_meter.h). Gains that are tried out, and the mode where the servo's own has no
-// positions, are set for the length of the run (jobs/temporary.h); speed and acceleration, which
-// the run may raise, get their values back. Drives, ends and leaves the servo as a sweep test does
-// (jobs/sweep.h): it holds, unless it is at fault. A plug that is pulled is awaited for 5 s, as
-// there, from the first setting to the last one put back. Writes no EPROM. The job's thread.
-// Errors, all before anything has moved, operation "step": BadArgument no-size, no-hold,
+// (jobs/step/step_meter.h). Gains that are tried out, and the mode where the servo's own has no
+// positions, are set for the length of the run (jobs/temporary_settings.h); speed and acceleration,
+// which the run may raise, get their values back. Drives, ends and leaves the servo as a sweep test
+// does (jobs/sweep/sweep.h): it holds, unless it is at fault. A plug that is pulled is awaited for
+// 5 s, as there, from the first setting to the last one put back. Writes no EPROM. The job's
+// thread. Errors, all before anything has moved, operation "step": BadArgument no-size, no-hold,
 // no-gain, no-repeats; OutOfRange (no room for the step between the limits); TurnsUnknown
 // (multi-turn without a start); those of the sweep test and of temporary settings. Afterwards:
 // Refused trial-lost: the gains were not in force any more, it had restarted before it moved.

@@ -20,7 +20,7 @@ struct SweepRequest {
     QString program{};                          ///< name and version, for the report
     bool simulated = false;
     /// A servo in a mode without positions is switched for the test, with its EPROM lock closed,
-    /// and back at the end: then it stands without torque. See jobs/temporary.h.
+    /// and back at the end: then it stands without torque. See jobs/temporary_settings.h.
     bool switchMode = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a sweep test would be like, before anything moves: a range and a delay that fit the servo,
 // and whether the time given is enough. Reads settings, writes nothing; the job's thread.
-// Errors: those of jobs/sweep_axis.h.
+// Errors: those of jobs/sweep/sweep_axis.h.
 #pragma once
 
 #include "jobs/sweep/sweep_axis.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What MotionController executes on the job thread. Each function serves the task's own servo and
-// its others, in their order. Internal to MotionController; errors are those of device/motion.h and
-// device/writer.h.
+// its others, in their order. Internal to MotionController; errors are those of
+// device/motion/motion.h and device/writer.h.
 #pragma once
 
 #include "session/motion/motion_controller.h"

@@ -88,7 +88,7 @@ private:
     void resetServos();
     void updateSubscription();
 
-    // scope_recording.cpp
+    // live_data_recording.cpp
     void flushRows();
     void clearColumns();
     void recorderOpened(base::Result<std::unique_ptr<recording::Recorder>> opened);

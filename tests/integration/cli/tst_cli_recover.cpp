@@ -9,7 +9,6 @@
 #include "support/test_main.h"
 
 #include <QElapsedTimer>
-#include <QFile>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every figure of a sweep test worked out again from its readings, by a reader of its own: of the
-// program it knows the files, and of the figures what jobs/leg_meter.h and sweep_meter.h say of
-// them. Nothing of the program's arithmetic is called. JSON, CSV of the legs and PDF are of one
-// run.
+// program it knows the files, and of the figures what jobs/sweep/leg_meter.h and sweep_statistics.h
+// say of them. Nothing of the program's arithmetic is called. JSON, CSV of the legs and PDF are of
+// one run.
 #include "support/cli_program.h"
 #include "support/test_main.h"
 

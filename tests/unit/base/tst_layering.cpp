@@ -149,6 +149,24 @@ QStringList qtHeadersIn(const QString& source)
     return headers;
 }
 
+/// Names of sources in comments, or in all of a document: "file.h", "folder/file.cpp".
+QStringList filesMentionedIn(const QString& text, bool inComments)
+{
+    static const QRegularExpression comment(QStringLiteral("//[^\n]*"));
+    static const QRegularExpression name(
+        QStringLiteral("(?<![\\w/<\".])(?:[a-z_0-9]+/)*[a-z0-9_]+\\.(?:h|cpp)\\b"));
+    QString searched = text;
+    if (inComments) {
+        searched.clear();
+        for (auto it = comment.globalMatch(text); it.hasNext();)
+            searched += it.next().captured() + u'\n';
+    }
+    QStringList files;
+    for (auto it = name.globalMatch(searched); it.hasNext();)
+        files.append(it.next().captured());
+    return files;
+}
+
 struct Linked {
     QStringList layers;
     QStringList qtModules;
@@ -371,6 +389,43 @@ private Q_SLOTS:
             }
         }
         QVERIFY(found >= 10);
+    }
+
+    /// "file.h" may be in any folder; a path must be right from its first folder on.
+    void filesMentionedExist()
+    {
+        QStringList paths;
+        for (const char* top : {"src", "ui", "tests"}) {
+            QDirIterator files(m_root + u'/' + QLatin1String(top),
+                               {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                               QDirIterator::Subdirectories);
+            while (files.hasNext())
+                paths.append(files.next());
+        }
+        const QStringList documents{m_root + QStringLiteral("/CONTRIBUTING.md"),
+                                    m_root + QStringLiteral("/README.md")};
+        QStringList gone;
+        int found = 0;
+        for (const QString& file : paths + documents) {
+            const bool isSource = !documents.contains(file);
+            for (const QString& name : filesMentionedIn(contentOf(file), isSource)) {
+                ++found;
+                const QString end = u'/' + name;
+                if (std::none_of(paths.begin(), paths.end(),
+                                 [&](const QString& path) { return path.endsWith(end); }))
+                    gone.append(QStringLiteral("%1 mentions %2").arg(file, name));
+            }
+        }
+        QVERIFY2(gone.isEmpty(), qPrintable(gone.join(u'\n')));
+        QVERIFY(found > 50);
+    }
+
+    void mentionsAreFound()
+    {
+        const QString source = QStringLiteral("#include \"a/b.h\" // see c/d.cpp, <e/f.h>\n"
+                                              "g(\"i.h\"); // j.h");
+        QCOMPARE(filesMentionedIn(source, true),
+                 QStringList({QStringLiteral("c/d.cpp"), QStringLiteral("j.h")}));
     }
 
     void qtModulesAreChecked()
