@@ -3587,6 +3587,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>no reply</source>
         <translation>无应答</translation>
     </message>
+    <message>
+        <source>%1 off scale %2 · Fit</source>
+        <translation>%1 超出量程 %2 · 适应</translation>
+    </message>
 </context>
 <context>
     <name>UndoText</name>
@@ -9651,6 +9655,41 @@ Retries: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::ExportControl</name>
+    <message>
+        <source>Export view</source>
+        <translation>导出视图</translation>
+    </message>
+    <message>
+        <source>Image (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Vector graphic (*.svg)</source>
+        <translation>矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Trend %1</source>
+        <translation>趋势 %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+    <message>
+        <source>The view could not be exported: %1</source>
+        <translation>无法导出视图：%1</translation>
+    </message>
+    <message>
+        <source>Check the folder and the free disk space.</source>
+        <translation>请检查文件夹和磁盘剩余空间。</translation>
+    </message>
+</context>
+<context>
     <name>ui::HelpWindow</name>
     <message>
         <source>ServoDesk — help</source>
@@ -13204,10 +13243,6 @@ Retries: %9</source>
         <translation>无法写入 %1：%2</translation>
     </message>
     <message>
-        <source>Drag: zoom into a box. Ctrl+drag or middle button: pan. Wheel: zoom time; with Shift: zoom values. Double-click or Backspace: previous view. Arrows, +, -, Y, Home, End, Space, F, C, brackets and digits do the same from the keyboard.</source>
-        <translation>拖动：框选放大。Ctrl+拖动或中键：平移。滚轮：缩放时间；按住 Shift：缩放数值。双击或退格键：返回上一视图。方向键、+、-、Y、Home、End、空格、F、C、方括号和数字键可用键盘完成同样操作。</translation>
-    </message>
-    <message>
         <source>All recorded data. Drag the frame to show another part, or its edges to show more or less.</source>
         <translation>全部数据。拖动方框查看别处，拖动其边缘显示更多或更少。</translation>
     </message>
@@ -13215,33 +13250,13 @@ Retries: %9</source>
         <source>No channels selected</source>
         <translation>未选择通道</translation>
     </message>
+    <message>
+        <source>Drag: pan. Wheel: zoom time. With Shift: values. Ctrl+drag: zoom into a box. Double-click: show all. Backspace: previous view. Space: pause.</source>
+        <translation>拖动：平移。滚轮：缩放时间。按住 Shift：数值轴。Ctrl+拖动：框选放大。双击：显示全部。Backspace：上一视图。空格：暂停。</translation>
+    </message>
 </context>
 <context>
     <name>ui::TrendPanel</name>
-    <message>
-        <source>Saved as %1</source>
-        <translation>已保存为 %1</translation>
-    </message>
-    <message>
-        <source>Save image</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>Image (*.png)</source>
-        <translation>图片 (*.png)</translation>
-    </message>
-    <message>
-        <source>Vector graphic (*.svg)</source>
-        <translation>矢量图 (*.svg)</translation>
-    </message>
-    <message>
-        <source>The image could not be saved: %1</source>
-        <translation>图片无法保存：%1</translation>
-    </message>
-    <message>
-        <source>Check the folder and the free disk space.</source>
-        <translation>请检查文件夹和磁盘剩余空间。</translation>
-    </message>
     <message>
         <source>Save view</source>
         <translation>保存视图</translation>
@@ -13284,10 +13299,6 @@ Retries: %9</source>
 </context>
 <context>
     <name>ui::TrendToolbar</name>
-    <message>
-        <source>Trigger…</source>
-        <translation>触发…</translation>
-    </message>
     <message>
         <source>Stop recording</source>
         <translation>停止录制</translation>
@@ -13339,10 +13350,6 @@ Retries: %9</source>
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>Save &amp;image…</source>
-        <translation>保存图片(&amp;P)…</translation>
     </message>
     <message>
         <source>&amp;Clear chart data</source>
@@ -13409,8 +13416,32 @@ Retries: %9</source>
         <translation>总线允许的最快速度</translation>
     </message>
     <message>
-        <source>Read rate, images, recordings and saved views</source>
-        <translation>读取频率、图片、录制和已保存的视图</translation>
+        <source>Show &amp;all</source>
+        <translation>显示全部(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Trigger…</source>
+        <translation>触发(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export view…</source>
+        <translation>导出视图(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Lanes</source>
+        <translation>分栏</translation>
+    </message>
+    <message>
+        <source>Shows each quantity in a lane of its own</source>
+        <translation>每种量各占一栏</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发</translation>
+    </message>
+    <message>
+        <source>Trigger, read rate, export, recordings and saved views</source>
+        <translation>触发、读取频率、导出、录制文件和已保存的视图</translation>
     </message>
 </context>
 <context>

@@ -31,9 +31,11 @@ struct ServoList {
     const char* mode;     ///< empty: as it is
     const char* goals[3]; ///< one after the other
     const char* speed;    ///< empty: as it is
+    bool lanes = false;   ///< of the trend chart
 };
 constexpr ServoList scenes[] = {
     {"sts-position", "sim:demo", 1, "", {"1200", "2900", "1800"}, "1500"},
+    {"sts-lanes", "sim:demo", 1, "", {"1200", "2900", "1800"}, "1500", true},
     {"sts-multiturn", "sim:sts3215@1,sts3215@2", 1, "multiturn", {"8192", "0", "4096"}, ""},
     {"sts-speed", "sim:sts3215@1,sts3215@2", 1, "speed", {"15rpm", "-15rpm", "10rpm"}, ""},
     {"sts-pwm", "sim:sts3215@1", 1, "pwm", {"20%", "-20%", "30%"}, ""},
@@ -91,6 +93,7 @@ void show(const ServoList& scene, const QString& language, session::Theme look, 
                          QTextStream(stderr) << scene.name << ": " << base::errorName(error.code)
                                              << ' ' << error.detail << '\n';
                      });
+    fixture.find<ui::TrendChart>("trendChart")->setLanes(scene.lanes);
     if (*scene.mode != '\0') {
         drive.switchMode(QString::fromLatin1(scene.mode));
         waitForServos();

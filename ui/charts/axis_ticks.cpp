@@ -131,6 +131,13 @@ QString valueText(double value, double step)
     return QString::number(shown, 'f', decimalsOf(step));
 }
 
+double displayStep(const QString& unit)
+{
+    static const QStringList tenths{QStringLiteral("°"), QStringLiteral("rpm"), QStringLiteral("%"),
+                                    QStringLiteral("V")};
+    return tenths.contains(unit) ? 0.1 : 1;
+}
+
 QString readingText(double value, double range)
 {
     if (!std::isfinite(value))

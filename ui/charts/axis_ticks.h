@@ -26,6 +26,8 @@ std::vector<double> ticks(const AxisRange& range, double step);
 QString timeText(double seconds, const AxisRange& axis, double step);
 /// With as many decimals as the step has.
 QString valueText(double value, double step);
+/// The step in which live readings of this unit are shown: 0.1 °, 1 mA.
+double displayStep(const QString& unit);
 /// A reading, to about one part in ten thousand of `range`, at most nine decimals.
 QString readingText(double value, double range);
 /// "2.500 s", "12.3 ms", "1:02:30.250"

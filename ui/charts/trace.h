@@ -33,6 +33,8 @@ struct TraceStyle {
     double low = 0; ///< of its axis
     double high = 1;
     bool dashed = false;
+    double top = 0; ///< share of the image's height; nothing is painted outside of these
+    double bottom = 1;
     bool operator==(const TraceStyle&) const = default;
 
     double shown(double value) const { return value * scale + offset; }

@@ -82,7 +82,8 @@ private:
     void point(base::Duration at, double value)
     {
         const QPointF place(m_frame.x(at), m_frame.y(m_trace.style.shown(value)));
-        const QRectF paper(0, 0, m_frame.width, m_frame.height);
+        const QRectF paper(QPointF(0, m_trace.style.top * m_frame.height),
+                           QPointF(m_frame.width, m_trace.style.bottom * m_frame.height));
         const std::optional<QLineF> seen = clipped(QLineF(m_at.value_or(place), place), paper);
         m_at = place;
         if (!seen)

@@ -56,7 +56,8 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
         if (look.dashed)
             dash(m_runs[i], firstPixel(span, image.width()), pen);
         widen(m_runs[i], int(pen.width - 1) / 2);
-        roundOff(m_runs[i], pen, image.height());
+        roundOff(m_runs[i], pen, float(look.top * image.height()),
+                 float(look.bottom * image.height()));
     }
     updateCover(traces.size());
     clear(image);
@@ -187,16 +188,16 @@ void TraceRaster::widen(Runs& runs, int by)
 }
 
 /// Gives the lines their thickness, and returns which rows are covered entirely.
-void TraceRaster::roundOff(Runs& runs, Pen pen, int height)
+void TraceRaster::roundOff(Runs& runs, Pen pen, float upper, float lower)
 {
     const auto halfPen = float(pen.width / 2);
     for (std::size_t x = 0; x < runs.top.size(); ++x) {
         float& top = runs.top[x];
         float& bottom = runs.bottom[x];
-        top = std::max(top - halfPen, 0.0F);
-        bottom = std::min(bottom + halfPen, float(height));
+        top = std::max(top - halfPen, upper);
+        bottom = std::min(bottom + halfPen, lower);
         if (top < bottom && !pen.smooth) { // never thinner than one
-            top = std::min(std::round(top), float(height - 1));
+            top = std::min(std::round(top), lower - 1);
             bottom = std::max(std::round(bottom), top + 1);
         }
         if (top < bottom) {

@@ -50,7 +50,7 @@ private:
     static void extend(Runs& runs, int x, double y0, double y1);
     void dash(Runs& runs, std::int64_t firstPixel, Pen pen) const;
     void widen(Runs& runs, int by);
-    static void roundOff(Runs& runs, Pen pen, int height);
+    static void roundOff(Runs& runs, Pen pen, float upper, float lower);
     void updateCover(std::size_t count);
     void clear(QImage& image) const;
     void fill(QImage& image, QRgb color, const Rows& rows, PixelRange range) const;

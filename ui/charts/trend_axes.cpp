@@ -16,9 +16,14 @@ constexpr double columnGap = 10;     ///< between the texts of two axes
 constexpr double widthStep = 8;      ///< the plot does not resize for one more digit
 constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
 constexpr double tickLength = 4;
-constexpr double rowsPerTick = 2; ///< texts that fit between two ticks
-constexpr double minSide = 0.1;   ///< of an axis; with less below zero, or above, it has one sign
-constexpr double maxStretch = 3;  ///< axes are not made taller than this to level their zeros
+constexpr double laneGap = 10;     ///< between two lanes
+constexpr double firstLane = 2;    ///< times as high as each of the others
+constexpr double minLaneLines = 2; ///< of text
+constexpr double edgeReach = 3;    ///< of the mouse, beside the space between two lanes
+constexpr double rowsPerTick = 2;  ///< texts that fit between two ticks
+constexpr double rowsPerLaneTick = 1.4;
+constexpr double minSide = 0.1;  ///< of an axis; with less below zero, or above, it has one sign
+constexpr double maxStretch = 3; ///< axes are not made taller than this to level their zeros
 } // namespace
 
 void TrendAxes::ValueAxis::fix(const AxisRange& wanted)
@@ -64,7 +69,8 @@ void TrendAxes::updateRanges()
         before.push_back(axis.shown);
         axis.shown = axis.range.range();
     }
-    levelZeros();
+    if (!m_lanes)
+        levelZeros();
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (m_values[i].shown != before[i])
             update();
@@ -109,10 +115,11 @@ void TrendAxes::levelZeros()
 
 void TrendAxes::updateSteps()
 {
-    const double row = QFontMetricsF(m_font).height() * rowsPerTick;
-    const int parts = std::clamp(int(m_plot.height() / row), 3, 10);
-    for (ValueAxis& axis : m_values)
+    const double row = QFontMetricsF(m_font).height() * (m_lanes ? rowsPerLaneTick : rowsPerTick);
+    for (ValueAxis& axis : m_values) {
+        const int parts = std::clamp(int(axis.area.height() / row), m_lanes ? 1 : 3, 10);
         axis.step = valueStep(axis.shown.size(), parts, axis.range.unit());
+    }
 }
 
 double TrendAxes::textWidth(const ValueAxis& axis) const
@@ -124,12 +131,119 @@ double TrendAxes::textWidth(const ValueAxis& axis) const
     return std::ceil(widest / widthStep) * widthStep;
 }
 
+/// In the order of their channels.
+std::vector<TrendAxes::ValueAxis*> TrendAxes::usedAxes()
+{
+    std::vector<ValueAxis*> used;
+    for (ValueAxis& axis : m_values) {
+        if (axis.used)
+            used.push_back(&axis);
+    }
+    std::sort(used.begin(), used.end(),
+              [](const ValueAxis* a, const ValueAxis* b) { return a->order < b->order; });
+    return used;
+}
+
+void TrendAxes::setLanes(bool on)
+{
+    m_lanes = on;
+    update();
+}
+
+void TrendAxes::setLaneHeights(QMap<QString, double> heights)
+{
+    m_laneHeights = std::move(heights);
+    update();
+}
+
+double TrendAxes::laneHeight(const ValueAxis& axis, bool isFirst) const
+{
+    const double usual = isFirst ? firstLane : 1.0;
+    return std::clamp(m_laneHeights.value(axis.range.unit(), usual), 0.05, 20.0);
+}
+
+double TrendAxes::minLaneHeight() const
+{
+    return std::ceil(QFontMetricsF(m_font).height() * minLaneLines);
+}
+
+TrendAxes::ValueAxis* TrendAxes::laneEdgeAt(const QPointF& position)
+{
+    const std::vector<ValueAxis*> axes = usedAxes();
+    for (std::size_t i = 0; m_lanes && i + 1 < axes.size(); ++i) {
+        const QRectF space(axes[i]->area.bottomLeft(), axes[i + 1]->area.topRight());
+        if (space.adjusted(0, -edgeReach, 0, edgeReach).contains(position))
+            return axes[i];
+    }
+    return nullptr;
+}
+
+void TrendAxes::moveLaneEdge(ValueAxis& above, double y)
+{
+    const std::vector<ValueAxis*> axes = usedAxes();
+    const auto found = std::find(axes.begin(), axes.end(), &above);
+    if (!m_lanes || found == axes.end() || found + 1 == axes.end())
+        return;
+    for (const ValueAxis* axis : axes)
+        m_laneHeights[axis->range.unit()] = laneHeight(*axis, axis == axes.front());
+    ValueAxis& below = **(found + 1);
+    const double both = above.area.height() + below.area.height();
+    const double least = std::min(minLaneHeight(), both / 2);
+    const double upper = std::clamp(y - above.area.top(), least, both - least);
+    double& aboveShare = m_laneHeights[above.range.unit()];
+    double& belowShare = m_laneHeights[below.range.unit()];
+    const double shares = aboveShare + belowShare;
+    aboveShare = shares * upper / both;
+    belowShare = shares - aboveShare;
+    update();
+}
+
 QRectF TrendAxes::layOut(const QRectF& room)
 {
     if (room != m_room) {
         prepareGeometryChange();
         m_room = room;
     }
+    const QRectF plot = m_lanes ? layOutLanes(room) : layOutBeside(room);
+    if (plot != m_plot) {
+        m_plot = plot;
+        update();
+    }
+    updateSteps();
+    return plot;
+}
+
+/// One below the other; the first one, which is the position as a rule, is higher.
+QRectF TrendAxes::layOutLanes(const QRectF& room)
+{
+    const double line = QFontMetricsF(m_font).height();
+    const std::vector<ValueAxis*> axes = usedAxes();
+    double widest = 2 * line;
+    double shares = 0;
+    for (const ValueAxis* axis : axes) {
+        widest = std::max(widest, textWidth(*axis));
+        shares += laneHeight(*axis, axis == axes.front());
+    }
+    const QRectF plot(
+        QPointF(std::ceil(room.left() + widest + 2 * gap), std::ceil(room.top() + line + gap)),
+        QPointF(std::floor(room.right() - gap), std::floor(room.bottom() - line - 2 * gap)));
+    const double spaces = (double(axes.size()) - 1) * laneGap;
+    double top = plot.top();
+    for (ValueAxis* axis : axes) {
+        const double share = laneHeight(*axis, axis == axes.front()) / shares;
+        const double height = std::max((plot.height() - spaces) * share, 1.0);
+        axis->left = true;
+        axis->width = widest;
+        axis->edge = plot.left() - gap - widest;
+        axis->area = QRectF(plot.left(), std::round(top), plot.width(), std::floor(height));
+        top += height + laneGap;
+    }
+    return plot;
+}
+
+/// All of them in the whole plot, with their texts left and right of it.
+QRectF TrendAxes::layOutBeside(const QRectF& room)
+{
     const double line = QFontMetricsF(m_font).height();
     double left = room.left() + gap;
     double right = room.right() - gap;
@@ -149,15 +263,11 @@ QRectF TrendAxes::layOut(const QRectF& room)
     double leftEdge = plot.left() - gap;
     double rightEdge = plot.right() + gap;
     for (ValueAxis& axis : m_values) {
+        axis.area = plot;
         if (!axis.used)
             continue;
         axis.edge = axis.left ? leftEdge - axis.width : rightEdge;
         (axis.left ? leftEdge : rightEdge) += (axis.left ? -1 : 1) * (axis.width + columnGap);
-    }
-    if (plot != m_plot) {
-        m_plot = plot;
-        updateSteps();
-        update();
     }
     return plot;
 }
@@ -188,11 +298,19 @@ void TrendAxes::show(const TimeView& view, base::Duration origin)
 
 TrendAxes::ValueAxis* TrendAxes::axisAt(const QPointF& position)
 {
-    if (position.y() < m_plot.top() - 2 * gap || position.y() > m_plot.bottom() + gap)
-        return nullptr;
     for (ValueAxis& axis : m_values) {
-        if (axis.used && position.x() >= axis.edge - columnGap / 2 &&
+        if (axis.used && position.y() >= axis.area.top() - 2 * gap &&
+            position.y() <= axis.area.bottom() + gap && position.x() >= axis.edge - columnGap / 2 &&
             position.x() <= axis.edge + axis.width + columnGap / 2)
+            return &axis;
+    }
+    return nullptr;
+}
+
+TrendAxes::ValueAxis* TrendAxes::laneAt(const QPointF& position)
+{
+    for (ValueAxis& axis : m_values) {
+        if (m_lanes && axis.used && axis.area.contains(position))
             return &axis;
     }
     return nullptr;
@@ -206,8 +324,10 @@ void TrendAxes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     paintTime(painter);
     bool grid = true;
     for (const ValueAxis& axis : m_values) {
-        if (axis.used)
-            paintValues(painter, axis, std::exchange(grid, false));
+        if (!axis.used)
+            continue;
+        paintValues(painter, axis, grid || m_lanes);
+        grid = false;
     }
 }
 
@@ -219,7 +339,14 @@ void TrendAxes::paintTime(QPainter* painter) const
         const QString text = timeText(at, m_time, m_timeStep);
         const double x = m_plot.left() + (at - m_time.low) / m_time.size() * m_plot.width();
         painter->setPen(m_colors.grid);
-        painter->drawLine(QLineF(x, m_plot.top(), x, m_plot.bottom() + tickLength));
+        if (m_lanes) {
+            for (const ValueAxis& axis : m_values) {
+                if (axis.used)
+                    painter->drawLine(QLineF(x, axis.area.top(), x, axis.area.bottom()));
+            }
+        } else {
+            painter->drawLine(QLineF(x, m_plot.top(), x, m_plot.bottom() + tickLength));
+        }
         painter->setPen(m_colors.muted);
         painter->drawText(QPointF(x - metrics.horizontalAdvance(text) / 2, baseline), text);
     }
@@ -237,16 +364,25 @@ void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid)
     const double inner = axis.left ? axis.edge + axis.width + gap : axis.edge - gap;
     for (const double value : ticks(axis.shown, axis.step)) {
         const double y =
-            m_plot.bottom() - (value - axis.shown.low) / axis.shown.size() * m_plot.height();
+            axis.area.bottom() - (value - axis.shown.low) / axis.shown.size() * axis.area.height();
         painter->setPen(grid ? m_colors.grid : color);
         if (grid)
             painter->drawLine(QLineF(m_plot.left(), y, m_plot.right(), y));
         else
             painter->drawLine(QLineF(inner, y, inner + (axis.left ? -1 : 1) * tickLength, y));
         painter->setPen(color);
-        write(valueText(value, axis.step), y + metrics.capHeight() / 2);
+        double baseline = y + metrics.capHeight() / 2;
+        if (m_lanes) // the text of another lane is near
+            baseline =
+                std::clamp(baseline, axis.area.top() + metrics.capHeight(), axis.area.bottom());
+        write(valueText(value, axis.step), baseline);
     }
-    painter->setPen(color);
-    write(axis.range.unit(), m_plot.top() - gap - 2);
+    if (m_lanes) {
+        painter->setPen(m_colors.grid);
+        painter->drawRect(axis.area);
+    } else {
+        painter->setPen(color);
+        write(axis.range.unit(), m_plot.top() - gap - 2);
+    }
 }
 } // namespace ui

@@ -12,8 +12,10 @@
 
 #include <QFont>
 #include <QGraphicsItem>
+#include <QMap>
 
 #include <deque>
+#include <vector>
 
 namespace ui {
 class TrendAxes final : public QGraphicsItem {
@@ -22,9 +24,11 @@ public:
         AutoRange range;
         AxisRange shown{}; ///< the range, stretched so that zeros are level
         bool left = true;
-        bool used = false; ///< a visible channel is on it
-        QColor color{};    ///< of its only channel; invalid: several
-        double edge = 0;   ///< where its texts begin, next to the plot or outside of the one before
+        bool used = false;     ///< a visible channel is on it
+        QColor color{};        ///< of its only channel; invalid: several
+        std::size_t order = 0; ///< of its first channel
+        QRectF area{};         ///< where its values are: the plot, or its lane
+        double edge = 0; ///< where its texts begin, next to the plot or outside of the one before
         double width = 0;
         double step = 1; ///< between ticks
 
@@ -47,8 +51,22 @@ public:
     void updateRanges();
     void show(const TimeView& view, base::Duration origin);
 
+    /// One part of the plot for each axis in use, one below the other.
+    void setLanes(bool on);
+    bool hasLanes() const { return m_lanes; }
+    const QRectF& plot() const { return m_plot; } ///< all of it
+    /// Of lanes to each other, by unit; those that are not in it have their usual height.
+    void setLaneHeights(QMap<QString, double> heights);
+    const QMap<QString, double>& laneHeights() const { return m_laneHeights; }
+    /// The axis of the lane above the space under this place, if another lane is below it.
+    ValueAxis* laneEdgeAt(const QPointF& position);
+    /// Makes this lane end here, and the next one fill what is left of both.
+    void moveLaneEdge(ValueAxis& above, double y);
+
     /// The used axis whose texts are under this place.
     ValueAxis* axisAt(const QPointF& position);
+    /// The axis of the lane under this place; null while all share the plot.
+    ValueAxis* laneAt(const QPointF& position);
 
     QRectF boundingRect() const override { return m_room; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -59,6 +77,11 @@ private:
     void paintTime(QPainter* painter) const;
     void paintValues(QPainter* painter, const ValueAxis& axis, bool grid) const;
     double textWidth(const ValueAxis& axis) const;
+    std::vector<ValueAxis*> usedAxes();
+    QRectF layOutBeside(const QRectF& room);
+    QRectF layOutLanes(const QRectF& room);
+    double laneHeight(const ValueAxis& axis, bool isFirst) const;
+    double minLaneHeight() const;
 
     std::deque<ValueAxis> m_values;
     TrendColors m_colors;
@@ -68,5 +91,7 @@ private:
     double m_shareBelowZero = 0; ///< where zeros are level; 0: nowhere
     AxisRange m_time{-10, 0};
     double m_timeStep = 1;
+    bool m_lanes = false;
+    QMap<QString, double> m_laneHeights;
 };
 } // namespace ui

@@ -129,7 +129,10 @@ std::vector<CursorReading> TrendChart::cursorReadings() const
     const auto places = cursors();
     if (!places || state.store == nullptr)
         return readings;
+    const auto all = state.store->span();
     const auto valueAt = [&](recording::ChannelId id, Duration at) -> std::optional<double> {
+        if (!all || at > all->to)
+            return {};
         const auto point = state.store->at(id, at);
         return point ? std::optional(point->value) : std::nullopt;
     };
@@ -217,13 +220,35 @@ void TrendChart::retranslate()
 {
     m_private->plot->setAccessibleName(tr("Trend chart"));
     m_private->plot->setToolTip(
-        tr("Drag: zoom into a box. Ctrl+drag or middle button: pan. Wheel: zoom time; with "
-           "Shift: zoom values. Double-click or Backspace: previous view. Arrows, +, -, Y, "
-           "Home, End, Space, F, C, brackets and digits do the same from the keyboard."));
+        tr("Drag: pan. Wheel: zoom time. With Shift: values. Ctrl+drag: zoom into a box. "
+           "Double-click: show all. Backspace: previous view. Space: pause."));
     m_private->overview->setAccessibleName(tr("Whole recording"));
     m_private->overview->setToolTip(
         tr("All recorded data. Drag the frame to show another part, or its edges to show more or "
            "less."));
     m_private->showNotice();
+}
+
+bool TrendChart::hasLanes() const
+{
+    return m_private->plot->picture().axes().hasLanes();
+}
+
+QMap<QString, double> TrendChart::laneHeights() const
+{
+    return m_private->plot->picture().axes().laneHeights();
+}
+
+void TrendChart::setLaneHeights(const QMap<QString, double>& heights)
+{
+    m_private->plot->picture().axes().setLaneHeights(heights);
+    m_private->scheduleFrame();
+}
+
+void TrendChart::setLanes(bool on)
+{
+    m_private->plot->picture().setLanes(on);
+    m_private->rangeImmediately();
+    m_private->scheduleFrame();
 }
 } // namespace ui

@@ -8,6 +8,7 @@
 #include "recording/trigger.h"
 #include "ui/charts/trend_channel.h"
 
+#include <QMap>
 #include <QWidget>
 
 #include <memory>
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace ui {
+struct TrendTable;
+
 struct CursorReading {
     QString channel; ///< TrendChannel::key
     std::optional<double> a;
@@ -57,6 +60,12 @@ public:
     std::optional<std::pair<base::Duration, base::Duration>> cursorTimes() const;
     std::vector<CursorReading> cursorReadings() const; ///< of the visible channels
 
+    bool hasLanes() const;
+    /// Of lanes to each other, by unit.
+    QMap<QString, double> laneHeights() const;
+    void setLaneHeights(const QMap<QString, double>& heights);
+
+    TrendTable shownTable() const; ///< of the visible channels
     bool savePng(const QString& path, QSize size, QString* errorMessage) const; ///< with legend
     bool saveSvg(const QString& path, QSize size, QString* errorMessage) const;
 
@@ -70,12 +79,14 @@ public Q_SLOTS:
     void setCursorsShown(bool on);
     void setCursors(base::Duration a, base::Duration b);
     void setChannelVisible(int index, bool visible);
+    void setLanes(bool on); ///< each unit in a part of the plot of its own; false: overlaid
 
 Q_SIGNALS:
-    void playRequested();   ///< Space, while not live
-    void viewChanged();     ///< shown(), following(), width()
-    void cursorsChanged();  ///< places, or what is read at them
-    void channelsChanged(); ///< others, or their looks: legend, keys, list
+    void playRequested();      ///< Space, while not live
+    void viewChanged();        ///< shown(), following(), width()
+    void laneHeightsChanged(); ///< by the user
+    void cursorsChanged();     ///< places, or what is read at them
+    void channelsChanged();    ///< others, or their looks: legend, keys, list
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -63,6 +63,14 @@ void TrendChart::Private::connectPlot()
     QObject::connect(plot, &TrendPlot::valuesZoomed, c, &TrendControl::zoomValues);
     QObject::connect(plot, &TrendPlot::backRequested, c, &TrendControl::goBack);
     QObject::connect(plot, &TrendPlot::fitRequested, c, &TrendControl::zoomToFit);
+    QObject::connect(plot, &TrendPlot::valuesFitRequested, c, &TrendControl::fitValues);
+    QObject::connect(plot, &TrendPlot::cursorStepped, c, &TrendControl::stepCursor);
+    QObject::connect(plot, &TrendPlot::laneEdgeMoved, q, [this](const QString& unit, double y) {
+        TrendAxes& axes = plot->picture().axes();
+        axes.moveLaneEdge(axes.axisOf(unit), y);
+        scheduleFrame();
+    });
+    QObject::connect(plot, &TrendPlot::laneEdgeReleased, q, &TrendChart::laneHeightsChanged);
     QObject::connect(plot, &TrendPlot::endRequested, c, &TrendControl::showEnd);
     QObject::connect(plot, &TrendPlot::pauseRequested, c, [this] {
         if (state().live)

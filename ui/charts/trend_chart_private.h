@@ -20,6 +20,7 @@ public:
     TrendState& state() { return control.state(); }
     void connectAll();
     void updateColors();
+    void rangeImmediately() { m_rangeImmediately = true; } ///< the next frame
     void channelsChanged();
     void changeChannel(int index, const std::function<bool(TrendChannel&)>& change);
     void showNotice();

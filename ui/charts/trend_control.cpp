@@ -6,6 +6,7 @@
 namespace ui {
 using base::Duration;
 using recording::TimeSpan;
+using namespace std::chrono_literals;
 
 namespace {
 constexpr std::size_t maxStoredViews = 50;
@@ -100,6 +101,13 @@ void TrendControl::zoomToFit()
     Q_EMIT viewChanged();
 }
 
+void TrendControl::fitValues(const QString& unit)
+{
+    remember(Kind::Single);
+    m_axes->axisOf(unit).range.setAutomatic();
+    Q_EMIT viewChanged();
+}
+
 template <typename Change>
 void TrendControl::changeAxes(const QString* unit, Change change)
 {
@@ -116,12 +124,25 @@ void TrendControl::zoomToBox(const QRectF& shares)
     const double low = std::min(shares.top(), shares.bottom());
     const double high = std::max(shares.top(), shares.bottom());
     m_state.view.show({view.timeAt(shares.left()), view.timeAt(shares.right())});
-    if (low > 0.001 || high < 0.999) {
-        changeAxes(nullptr, [&](const AxisRange& range) {
-            return AxisRange{range.low + low * range.size(), range.low + high * range.size()};
-        });
-    }
+    if (low > 0.001 || high < 0.999)
+        zoomValuesTo(low, high);
     Q_EMIT viewChanged();
+}
+
+/// The part of the plot's height between these shares; lanes that it does not touch stay.
+void TrendControl::zoomValuesTo(double low, double high)
+{
+    const QRectF& plot = m_axes->plot();
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (!axis.used || axis.area.height() <= 0)
+            continue;
+        const auto valueAt = [&](double share) {
+            const double y = plot.bottom() - share * plot.height();
+            const double within = (axis.area.bottom() - y) / axis.area.height();
+            return axis.shown.low + std::clamp(within, 0.0, 1.0) * axis.shown.size();
+        };
+        axis.fix({valueAt(low), valueAt(high)}); // nothing between them: no change
+    }
 }
 
 void TrendControl::pan(double x, double y, bool values)
@@ -132,9 +153,10 @@ void TrendControl::pan(double x, double y, bool values)
     }
     if (y != 0) {
         for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-            const AxisRange range = axis.shown;
-            if (axis.used && (values || axis.range.isFixed()))
-                axis.fix({range.low - y * range.size(), range.high - y * range.size()});
+            if (!axis.used || !(values || axis.range.isFixed()) || axis.area.height() <= 0)
+                continue;
+            const double by = y * m_axes->plot().height() / axis.area.height() * axis.shown.size();
+            axis.fix({axis.shown.low - by, axis.shown.high - by});
         }
     }
     Q_EMIT viewChanged();
@@ -194,8 +216,52 @@ void TrendControl::moveCursor(Cursor which, Duration to)
 {
     if (!m_state.cursors)
         showCursors(true);
+    m_movedCursor = which;
     (which == Cursor::A ? m_state.cursors->first : m_state.cursors->second) =
         std::clamp(to, m_state.view.span().from, m_state.view.span().to);
     Q_EMIT cursorsChanged();
+}
+
+void TrendControl::stepCursor(int samples)
+{
+    if (!m_state.cursors)
+        return;
+    const bool isA = m_movedCursor == Cursor::A;
+    Duration at = isA ? m_state.cursors->first : m_state.cursors->second;
+    for (int i = 0; i < std::abs(samples); ++i) {
+        const auto to = neighborOf(at, samples > 0);
+        if (!to)
+            break;
+        at = *to;
+    }
+    moveCursor(m_movedCursor, at);
+}
+
+/// The sample before or after this instant that is nearest to it.
+std::optional<Duration> TrendControl::neighborOf(Duration at, bool next) const
+{
+    constexpr Duration instant(1);
+    std::optional<Duration> nearest;
+    for (const TrendChannel& channel : m_state.channels) {
+        if (!channel.visible || channel.id < 0 || m_state.store == nullptr)
+            continue;
+        std::optional<Duration> found;
+        if (!next) {
+            if (const auto point = m_state.store->at(channel.id, at - instant))
+                found = point->at;
+        } else if (const auto all = m_state.store->span(channel.id)) {
+            // Few samples are copied, however many there are.
+            for (Duration reach = 1ms; !found && at < all->to; reach *= 4) {
+                const auto points = m_state.store->points(channel.id, {at + instant, at + reach});
+                if (!points.empty())
+                    found = points.front().at;
+                if (at + reach > all->to)
+                    break;
+            }
+        }
+        if (found && (!nearest || (next ? *found < *nearest : *found > *nearest)))
+            nearest = found;
+    }
+    return nearest;
 }
 } // namespace ui

@@ -22,6 +22,7 @@ public:
     void setWidth(base::Duration width);
     void show(const recording::TimeSpan& span);
     void zoomToFit();
+    void fitValues(const QString& unit); ///< its axis follows its curves again
     void goBack();
     void clearViewHistory() { m_previousViews.clear(); }
 
@@ -37,6 +38,7 @@ public:
     void showCursors(bool on);
     void setCursors(base::Duration a, base::Duration b);
     void moveCursor(Cursor which, base::Duration to);
+    void stepCursor(int samples); ///< the one that was moved last; by those of any visible channel
 
 Q_SIGNALS:
     void viewChanged();
@@ -51,6 +53,8 @@ private:
     };
 
     void remember(Kind kind);
+    void zoomValuesTo(double low, double high);
+    std::optional<base::Duration> neighborOf(base::Duration at, bool next) const;
     template <typename Change>
     void changeAxes(const QString* unit, Change change);
 
@@ -58,6 +62,7 @@ private:
     TrendAxes* m_axes = nullptr;
     std::vector<View> m_previousViews;
     Kind m_lastKind = Kind::Single;
+    Cursor m_movedCursor = Cursor::A;
     QElapsedTimer m_sinceZoom;
 };
 } // namespace ui

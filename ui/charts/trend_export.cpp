@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chart as a picture file: on white whatever the theme, with legend and time axis, from a chart
-// of its own that is not visible. Written beside the old file first, so that a full disk leaves no
-// half picture.
+// A picture is on white whatever the theme, with legend and time axis, from a chart of its own that
+// is not visible.
+#include "ui/charts/trend_export.h"
+
+#include "files/csv_text.h"
 #include "ui/charts/trend_chart_private.h"
 
 #include <QBuffer>
@@ -30,7 +32,8 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     picture.setPaper(true);
     picture.setFont(font);
     picture.setColors(TrendColors::ofPaper());
-    picture.layOut();
+    picture.axes().setLaneHeights(axes.laneHeights());
+    picture.setLanes(axes.hasLanes());
     picture.refresh(TrendScene::Axes::Immediate, 1);
     for (const TrendAxes::ValueAxis& axis : axes.valueAxes())
         picture.axes().axisOf(axis.range.unit()).range = axis.range;
@@ -41,8 +44,20 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     scene.render(painter, paper, QRectF(QPointF(0, 0), chart->size()));
 }
 
-/// Writes a temporary file first. A device is never replaced by a file, but written to.
-QString writeFile(const QString& path, const QByteArray& bytes)
+bool write(const QString& path, const QByteArray& bytes, QString* errorMessage)
+{
+    QString why;
+    if (path.isEmpty())
+        why = TrendChart::tr("No file name specified.");
+    else if (const QString system = writeTrendFile(path, bytes); !system.isEmpty())
+        why = TrendChart::tr("%1 could not be written: %2").arg(path, system);
+    if (!why.isEmpty() && errorMessage != nullptr)
+        *errorMessage = why;
+    return why.isEmpty();
+}
+} // namespace
+
+QString writeTrendFile(const QString& path, const QByteArray& bytes)
 {
     const QFileInfo old(path);
     if (old.exists() && !old.isFile()) {
@@ -57,18 +72,48 @@ QString writeFile(const QString& path, const QByteArray& bytes)
     return good ? QString() : file.errorString();
 }
 
-bool write(const QString& path, const QByteArray& bytes, QString* errorMessage)
+QByteArray trendCsv(const TrendTable& table)
 {
-    QString why;
-    if (path.isEmpty())
-        why = TrendChart::tr("No file name specified.");
-    else if (const QString system = writeFile(path, bytes); !system.isEmpty())
-        why = TrendChart::tr("%1 could not be written: %2").arg(path, system);
-    if (!why.isEmpty() && errorMessage != nullptr)
-        *errorMessage = why;
-    return why.isEmpty();
+    QStringList names{QStringLiteral("time_s")};
+    for (const TrendTable::Column& column : table.columns)
+        names << column.name;
+    QByteArray text = QByteArrayLiteral("\xEF\xBB\xBF") + files::csvLine(names);
+    std::vector<std::size_t> next(table.columns.size(), 0);
+    for (;;) {
+        std::optional<base::Duration> at;
+        for (std::size_t i = 0; i < next.size(); ++i) {
+            const auto& points = table.columns[i].points;
+            if (next[i] < points.size() && (!at || points[next[i]].at < *at))
+                at = points[next[i]].at;
+        }
+        if (!at)
+            return text;
+        text += QByteArray::number(double((*at - table.zero).count()) / 1e6, 'f', 6);
+        for (std::size_t i = 0; i < next.size(); ++i) {
+            const auto& points = table.columns[i].points;
+            text += ',';
+            if (next[i] < points.size() && points[next[i]].at == *at)
+                text += files::csvNumber(points[next[i]++].value);
+        }
+        text += '\n';
+    }
 }
-} // namespace
+
+TrendTable TrendChart::shownTable() const
+{
+    const TrendState& state = m_private->state();
+    TrendTable table;
+    table.zero = isFollowing() ? shown().to : state.origin;
+    for (const TrendChannel& channel : state.channels) {
+        if (!channel.visible || channel.id < 0 || state.store == nullptr)
+            continue;
+        const QString name = channel.unit.isEmpty()
+                                 ? channel.name
+                                 : QStringLiteral("%1 [%2]").arg(channel.name, channel.unit);
+        table.columns.push_back({name, state.store->points(channel.id, shown())});
+    }
+    return table;
+}
 
 bool TrendChart::savePng(const QString& path, QSize size, QString* errorMessage) const
 {

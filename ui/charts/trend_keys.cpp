@@ -9,6 +9,7 @@ namespace {
 constexpr double smallPan = 0.1;
 constexpr double closer = 0.8;
 constexpr double farNudge = 10; ///< pixels
+constexpr int manySamples = 10;
 } // namespace
 
 void TrendPlot::keyPressEvent(QKeyEvent* event)
@@ -48,7 +49,12 @@ bool TrendPlot::moveKey(int key, Qt::KeyboardModifiers with)
 {
     if (with.testFlag(Qt::AltModifier) || with.testFlag(Qt::ControlModifier))
         return false;
-    const double by = with.testFlag(Qt::ShiftModifier) ? 5 * smallPan : smallPan;
+    const bool shift = with.testFlag(Qt::ShiftModifier);
+    if (m_scene->hasCursors() && (key == Qt::Key_Left || key == Qt::Key_Right)) {
+        Q_EMIT cursorStepped((key == Qt::Key_Left ? -1 : 1) * (shift ? manySamples : 1));
+        return true;
+    }
+    const double by = shift ? 5 * smallPan : smallPan;
     switch (key) {
     case Qt::Key_Left:
         Q_EMIT panned(by, 0);

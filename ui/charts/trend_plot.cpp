@@ -23,6 +23,7 @@ TrendPlot::TrendPlot(const TrendState& state, QWidget* parent)
 {
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::StrongFocus);
+    setContextMenuPolicy(Qt::NoContextMenu); // that of the chart around it
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // all of it changes each time
@@ -49,6 +50,25 @@ void TrendPlot::resizeEvent(QResizeEvent* event)
     Q_EMIT resized();
 }
 
+/// What is begun here: cursors and the edges of lanes are moved, else the view; with Shift its
+/// values, with Ctrl a box.
+TrendPlot::DragMode TrendPlot::dragModeFor(const QMouseEvent& event, const QPointF& position)
+{
+    if (event.button() == Qt::MiddleButton)
+        return DragMode::Pan;
+    if (event.button() != Qt::LeftButton)
+        return DragMode::Nothing;
+    if (const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(position))
+        return *cursor == Cursor::A ? DragMode::CursorA : DragMode::CursorB;
+    if (TrendAxes::ValueAxis* const lane = m_scene->axes().laneEdgeAt(position)) {
+        m_draggedLane = lane->range.unit();
+        return DragMode::LaneEdge;
+    }
+    if (event.modifiers().testFlag(Qt::ControlModifier))
+        return DragMode::Box;
+    return event.modifiers().testFlag(Qt::ShiftModifier) ? DragMode::PanValues : DragMode::Pan;
+}
+
 void TrendPlot::mousePressEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
@@ -58,19 +78,13 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
     }
     event->accept();
     m_pressed = m_last = position;
-    const bool pan =
-        event->button() == Qt::MiddleButton ||
-        (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ControlModifier));
-    const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(position);
-    if (pan)
-        m_dragMode = DragMode::Pan;
-    else if (event->button() != Qt::LeftButton)
+    const std::optional<QString> offScale = m_scene->offScaleChips().unitAt(position);
+    if (offScale && event->button() == Qt::LeftButton) {
+        Q_EMIT valuesFitRequested(*offScale);
         return;
-    else if (cursor)
-        m_dragMode = *cursor == Cursor::A ? DragMode::CursorA : DragMode::CursorB;
-    else
-        m_dragMode = DragMode::Box;
-    if (m_dragMode == DragMode::Pan)
+    }
+    m_dragMode = dragModeFor(*event, position);
+    if (m_dragMode == DragMode::Pan || m_dragMode == DragMode::PanValues)
         viewport()->setCursor(Qt::ClosedHandCursor);
 }
 
@@ -78,6 +92,7 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
     const QRectF& plot = m_scene->plot();
+    const double down = (m_last.y() - position.y()) / plot.height();
     switch (m_dragMode) {
     case DragMode::Nothing:
         hover(position);
@@ -87,13 +102,18 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
         m_scene->overlay().setBox(boxTo(position));
         break;
     case DragMode::Pan:
-        Q_EMIT panned((position.x() - m_last.x()) / plot.width(),
-                      (m_last.y() - position.y()) / plot.height());
+        Q_EMIT panned((position.x() - m_last.x()) / plot.width(), down);
+        break;
+    case DragMode::PanValues:
+        Q_EMIT panned(0, down);
         break;
     case DragMode::CursorA:
     case DragMode::CursorB:
         Q_EMIT cursorMoved(m_dragMode == DragMode::CursorA ? Cursor::A : Cursor::B,
                            fraction(position).x());
+        break;
+    case DragMode::LaneEdge:
+        Q_EMIT laneEdgeMoved(m_draggedLane, position.y());
         break;
     }
     m_last = position;
@@ -109,8 +129,10 @@ void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
     }
     event->accept();
     viewport()->unsetCursor();
-    if (held == DragMode::Pan)
+    if (held == DragMode::Pan || held == DragMode::PanValues)
         Q_EMIT panEnded();
+    if (held == DragMode::LaneEdge)
+        Q_EMIT laneEdgeReleased();
     if (held != DragMode::Box)
         return;
     m_scene->overlay().setBox({});
@@ -127,7 +149,7 @@ void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
         event->button() == Qt::LeftButton) {
         m_dragMode = DragMode::Nothing;
         event->accept();
-        Q_EMIT backRequested();
+        Q_EMIT fitRequested();
     } else {
         mousePressEvent(event);
     }
@@ -157,6 +179,10 @@ void TrendPlot::hover(const QPointF& scene)
     m_scene->overlay().setActive(cursor);
     if (cursor)
         viewport()->setCursor(Qt::SplitHCursor);
+    else if (m_scene->offScaleChips().unitAt(scene))
+        viewport()->setCursor(Qt::PointingHandCursor);
+    else if (m_scene->axes().laneEdgeAt(scene) != nullptr)
+        viewport()->setCursor(Qt::SplitVCursor);
     else if (m_scene->plot().contains(scene))
         viewport()->setCursor(Qt::CrossCursor);
     else
@@ -173,11 +199,16 @@ void TrendPlot::wheelEvent(QWheelEvent* event)
     if (event->modifiers().testFlag(Qt::AltModifier) || (shift && turn.y() == 0))
         turn = {0, turn.x() + turn.y()}; // some systems turn the wheel sideways with these
     const double factor = std::pow(notch, turn.y() / wheelUnit);
-    const TrendAxes::ValueAxis* const axis = m_scene->axes().axisAt(scene);
+    const TrendAxes::ValueAxis* axis = m_scene->axes().axisAt(scene);
+    if (shift && axis == nullptr)
+        axis = m_scene->axes().laneAt(scene);
     if (shift || axis != nullptr) {
+        const double place = axis != nullptr && axis->area.height() > 0
+                                 ? (axis->area.bottom() - scene.y()) / axis->area.height()
+                                 : position.y();
         const QString unit = axis != nullptr ? axis->range.unit() : QString();
         if (turn.y() != 0)
-            Q_EMIT valuesZoomed(axis != nullptr ? &unit : nullptr, factor, position.y());
+            Q_EMIT valuesZoomed(axis != nullptr ? &unit : nullptr, factor, place);
         return;
     }
     if (std::abs(turn.x()) > std::abs(turn.y())) {

@@ -29,10 +29,14 @@ Q_SIGNALS:
     void valuesZoomed(const QString* unit, double factor, double place);
     void backRequested();
     void fitRequested();
+    void valuesFitRequested(const QString& unit);
+    void laneEdgeMoved(const QString& unit, double y); ///< of the lane above it; scene
+    void laneEdgeReleased();
     void pauseRequested();
     void endRequested(bool newest); ///< the oldest, or the newest there is
     void cursorMoved(ui::Cursor which, double place);
     void cursorNudged(ui::Cursor which, double pixels);
+    void cursorStepped(int samples); ///< the one that was moved last
     void cursorsRequested();
     void channelToggleRequested(int index);
     void toolTipRequested(const QPointF& scenePlace, const QPoint& screenPlace);
@@ -50,10 +54,11 @@ protected:
     bool viewportEvent(QEvent* event) override;
 
 private:
-    enum class DragMode : std::uint8_t { Nothing, Box, Pan, CursorA, CursorB };
+    enum class DragMode : std::uint8_t { Nothing, Box, Pan, PanValues, CursorA, CursorB, LaneEdge };
 
     QPointF fraction(const QPointF& scene) const;
     QRectF boxTo(const QPointF& scene) const;
+    DragMode dragModeFor(const QMouseEvent& event, const QPointF& position);
     bool pinched(QGestureEvent* event);
     void hover(const QPointF& scene);
     bool moveKey(int key, Qt::KeyboardModifiers with);
@@ -65,5 +70,6 @@ private:
     DragMode m_dragMode = DragMode::Nothing;
     QPointF m_pressed; ///< scene
     QPointF m_last;
+    QString m_draggedLane; ///< the unit of the lane above the edge that is held
 };
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_scene.h"
 
+#include "ui/charts/axis_ticks.h"
 #include "ui/common/palette.h"
 
 #include <QChart>
@@ -15,6 +16,7 @@ namespace ui {
 namespace {
 constexpr double legendSpace = 4;
 constexpr double minPlotSize = 40;
+constexpr double offScaleSlack = 0.002; ///< of the axis; half a pixel
 
 bool hasTrace(const TrendChannel& channel)
 {
@@ -33,6 +35,20 @@ std::optional<AxisRange> extremes(const TrendState& state, const TrendChannel& c
         return {};
     return AxisRange{std::min(a, b), std::max(a, b)};
 }
+
+/// The values at the edges of the whole plot, so that those of the axis are where it has them.
+void placeIn(TraceStyle& style, const TrendAxes::ValueAxis& axis, const QRectF& plot)
+{
+    const AxisRange& shown = axis.shown;
+    const QRectF& area = axis.area;
+    if (area.height() <= 0 || plot.height() <= 0)
+        return;
+    const double perPixel = shown.size() / area.height();
+    style.high = shown.high + (area.top() - plot.top()) * perPixel;
+    style.low = style.high - plot.height() * perPixel;
+    style.top = (area.top() - plot.top()) / plot.height();
+    style.bottom = (area.bottom() - plot.top()) / plot.height();
+}
 } // namespace
 
 TrendScene::TrendScene(QChart* chart, const TrendState& state, QObject* parent)
@@ -41,7 +57,9 @@ TrendScene::TrendScene(QChart* chart, const TrendState& state, QObject* parent)
     , m_state(state)
     , m_axes(new TrendAxes(chart))
     , m_traces(new TraceItem(chart))
+    , m_laneLabels(new LaneLabels(chart))
     , m_overlay(new TrendOverlay(chart))
+    , m_offScaleChips(new OffScaleChips(chart))
 {
     chart->setBackgroundVisible(false);
     chart->setPlotAreaBackgroundVisible(false);
@@ -58,15 +76,25 @@ void TrendScene::setColors(const TrendColors& colors)
 {
     m_colors = colors;
     m_axes->setColors(colors);
+    m_laneLabels->setColors(colors);
     m_overlay->setColors(colors);
+    m_offScaleChips->setColors(colors);
     channelsChanged();
+}
+
+void TrendScene::setPaper(bool on)
+{
+    m_traces->setPaper(on);
+    m_offScaleChips->setVisible(!on); // nobody can click them there
 }
 
 void TrendScene::setFont(const QFont& font)
 {
     m_chart->legend()->setFont(font);
     m_axes->setFont(font);
+    m_laneLabels->setFont(font);
     m_overlay->setFont(font);
+    m_offScaleChips->setFont(font);
 }
 
 void TrendScene::channelsChanged()
@@ -82,6 +110,7 @@ void TrendScene::channelsChanged()
         if (!channel.visible)
             continue;
         axis.color = axis.used ? QColor() : trendColorOn(channel.color, m_colors.background);
+        axis.order = axis.used ? axis.order : i;
         axis.used = true;
     }
     styleLegend();
@@ -155,6 +184,7 @@ bool TrendScene::layOutPlot()
 {
     QRectF room(QPointF(0, 0), m_chart->size());
     room.setTop(m_legendHeight);
+    room.setRight(room.right() - m_laneLabels->width());
     QRectF plot = m_axes->layOut(room);
     if (plot.width() < minPlotSize || plot.height() < minPlotSize)
         plot = {};
@@ -172,9 +202,56 @@ void TrendScene::refresh(Axes axes, double ratio, bool coarseUpdates)
 {
     rangeAxes(axes);
     layOutPlot(); // the texts may have become longer
+    showLaneLabels();
+    if (layOutPlot()) // those beside the lanes as well
+        showLaneLabels();
+    showOffScale();
     m_axes->show(m_state.view, m_state.origin);
     showTraces(ratio, coarseUpdates);
     refreshOverlay();
+}
+
+void TrendScene::setLanes(bool on)
+{
+    m_axes->setLanes(on);
+    showLaneLabels(); // the plot ends where they begin
+    layOut();
+}
+
+void TrendScene::showLaneLabels()
+{
+    std::vector<LaneLabel> labels;
+    for (const TrendChannel& channel : m_state.channels) {
+        if (!m_axes->hasLanes() || !channel.visible)
+            continue;
+        std::optional<recording::SamplePoint> last;
+        if (m_state.store != nullptr && channel.id >= 0)
+            last = m_state.store->at(channel.id, m_state.view.span().to);
+        const QString value =
+            last ? valueText(last->value, displayStep(channel.unit)) : QStringLiteral("\u2013");
+        labels.push_back({channel.name, value + QLatin1Char(' ') + channel.unit,
+                          trendColorOn(channel.color, m_colors.background),
+                          m_axes->axisOf(channel.unit).area});
+    }
+    std::stable_sort(labels.begin(), labels.end(), [](const LaneLabel& a, const LaneLabel& b) {
+        return a.lane.top() < b.lane.top();
+    });
+    m_laneLabels->setLabels(std::move(labels));
+}
+
+/// Of the visible curves of one axis.
+std::optional<AxisRange> TrendScene::rangeInView(const QString& unit) const
+{
+    std::optional<AxisRange> range;
+    for (const TrendChannel& channel : m_state.channels) {
+        if (!hasTrace(channel) || channel.unit != unit)
+            continue;
+        if (const auto seen = extremes(m_state, channel))
+            range = range ? AxisRange{std::min(range->low, seen->low),
+                                      std::max(range->high, seen->high)}
+                          : *seen;
+    }
+    return range;
 }
 
 void TrendScene::rangeAxes(Axes how)
@@ -182,15 +259,7 @@ void TrendScene::rangeAxes(Axes how)
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         if (m_state.store == nullptr || !axis.used || axis.range.isFixed())
             continue;
-        std::optional<AxisRange> range;
-        for (const TrendChannel& channel : m_state.channels) {
-            if (!hasTrace(channel) || channel.unit != axis.range.unit())
-                continue;
-            if (const auto seen = extremes(m_state, channel))
-                range = range ? AxisRange{std::min(range->low, seen->low),
-                                          std::max(range->high, seen->high)}
-                              : *seen;
-        }
+        const std::optional<AxisRange> range = rangeInView(axis.range.unit());
         if (!range)
             continue;
         if (how == Axes::Immediate)
@@ -201,16 +270,37 @@ void TrendScene::rangeAxes(Axes how)
     m_axes->updateRanges();
 }
 
+/// Only an axis that the user has set can have curves outside.
+void TrendScene::showOffScale()
+{
+    std::vector<OffScale> found;
+    for (const TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (m_state.store == nullptr || !axis.used || !axis.range.isFixed())
+            continue;
+        const std::optional<AxisRange> range = rangeInView(axis.range.unit());
+        const double slack = axis.shown.size() * offScaleSlack;
+        const bool above = range && range->high > axis.shown.high + slack;
+        const bool below = range && range->low < axis.shown.low - slack;
+        if (above || below)
+            found.push_back({axis.range.unit(), axis.area, above, below});
+    }
+    m_offScaleChips->setOffScale(std::move(found));
+}
+
 void TrendScene::showTraces(double ratio, bool coarseUpdates)
 {
     std::vector<TraceStyle> looks;
     for (const TrendChannel& channel : m_state.channels) {
         if (!hasTrace(channel))
             continue;
-        const AxisRange range = m_axes->axisOf(channel.unit).shown;
-        looks.push_back({channel.id, trendColorOn(channel.color, m_colors.background).rgb(),
-                         channel.steps, channel.scale, channel.offset, range.low, range.high,
-                         channel.dashed});
+        TraceStyle style{.id = channel.id,
+                         .color = trendColorOn(channel.color, m_colors.background).rgb(),
+                         .steps = channel.steps,
+                         .scale = channel.scale,
+                         .offset = channel.offset,
+                         .dashed = channel.dashed};
+        placeIn(style, m_axes->axisOf(channel.unit), m_plot);
+        looks.push_back(style);
     }
     m_traces->show(m_state.store, looks, m_state.view.span(), ratio, coarseUpdates);
 }

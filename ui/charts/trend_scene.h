@@ -3,6 +3,8 @@
 // and for paper. Reads the store only in refresh(). Owned together with its QChart; main thread.
 #pragma once
 
+#include "ui/charts/lane_labels.h"
+#include "ui/charts/off_scale_chips.h"
 #include "ui/charts/trace_item.h"
 #include "ui/charts/trend_axes.h"
 #include "ui/charts/trend_channel.h"
@@ -37,7 +39,8 @@ public:
 
     void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
-    void setPaper(bool on) { m_traces->setPaper(on); }
+    void setLanes(bool on); ///< each unit in a part of the plot of its own
+    void setPaper(bool on);
     void setNotice(const QString& text) { m_overlay->setNotice(text); }
 
     void clearTraces() { m_traces->clear(); }
@@ -52,8 +55,10 @@ public:
     void refreshOverlay();
 
     const QRectF& plot() const { return m_plot; }
+    bool hasCursors() const { return m_state.cursors.has_value(); }
     TrendAxes& axes() { return *m_axes; }
     TrendOverlay& overlay() { return *m_overlay; }
+    const OffScaleChips& offScaleChips() const { return *m_offScaleChips; }
 
 Q_SIGNALS:
     void legendClicked(int channel);
@@ -62,7 +67,10 @@ private:
     void rebuildSeries();
     void styleLegend();
     double layOutLegend(double width);
+    std::optional<AxisRange> rangeInView(const QString& unit) const;
     void rangeAxes(Axes axes);
+    void showOffScale();
+    void showLaneLabels();
     void showTraces(double ratio, bool coarseUpdates);
     bool layOutPlot();
 
@@ -70,7 +78,9 @@ private:
     const TrendState& m_state;
     TrendAxes* m_axes;
     TraceItem* m_traces;
+    LaneLabels* m_laneLabels;
     TrendOverlay* m_overlay;
+    OffScaleChips* m_offScaleChips;
     std::vector<QLineSeries*> m_series; ///< empty ones; they give the legend its entries
     TrendColors m_colors;
     QRectF m_plot;

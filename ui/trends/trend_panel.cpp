@@ -4,9 +4,9 @@
 #include "ui/charts/cursor_table.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_preset.h"
-#include "ui/common/file_dialog.h"
 #include "ui/common/palette.h"
 #include "ui/trends/channels_dialog.h"
+#include "ui/trends/export_control.h"
 #include "ui/trends/recording_control.h"
 #include "ui/trends/trend_replay.h"
 #include "ui/trends/trend_toolbar.h"
@@ -25,7 +25,6 @@ using base::Duration;
 
 namespace {
 const QString subscriptionName = QStringLiteral("trend");
-constexpr QSize imageSize(1600, 900);
 } // namespace
 
 TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveData,
@@ -43,6 +42,7 @@ TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveDat
                                {*m_chart, *m_replayBar, *m_toolbar, *m_banner}, this);
     m_trigger = new TriggerControl(m_workbench.registry(), m_liveData, m_selection,
                                    {*m_chart, *m_toolbar, *m_replay}, this);
+    m_export = new ExportControl(*m_chart, *m_banner, settings, this);
     m_recording =
         new RecordingControl(m_liveData, settings, {*m_chart, *m_toolbar, *m_banner}, this);
     connectToolbar();
@@ -74,6 +74,7 @@ void TrendPanel::build()
     m_toolbar = new TrendToolbar(this);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("trendChart"));
+    m_chart->setContextMenuPolicy(Qt::CustomContextMenu);
     m_cursors = new CursorTable(m_chart, this);
     m_cursors->setObjectName(QStringLiteral("cursorPanel"));
     m_cursors->setVisible(false);
@@ -90,6 +91,9 @@ void TrendPanel::build()
         [this](const recording::Mark& mark) { return markText(m_workbench.registry(), mark); });
     m_chart->setWidth(m_settings.width());
     m_toolbar->setShownWidth(m_chart->width());
+    m_chart->setLaneHeights(m_settings.laneHeights());
+    m_chart->setLanes(m_settings.hasLanes());
+    m_toolbar->setLanes(m_settings.hasLanes());
     m_toolbar->setRate(m_settings.rate());
     setRate(m_settings.rate());
 }
@@ -100,12 +104,18 @@ void TrendPanel::connectToolbar()
     connect(m_toolbar, &TrendToolbar::fitRequested, m_chart, &TrendChart::zoomToFit);
     connect(m_toolbar, &TrendToolbar::backRequested, m_chart, &TrendChart::zoomBack);
     connect(m_toolbar, &TrendToolbar::cursorsRequested, m_chart, &TrendChart::setCursorsShown);
+    connect(m_toolbar, &TrendToolbar::lanesRequested, this, [this](bool on) {
+        m_settings.setLanes(on);
+        m_chart->setLanes(on);
+    });
     connect(m_toolbar, &TrendToolbar::channelsRequested, this, &TrendPanel::chooseChannels);
     connect(m_toolbar, &TrendToolbar::triggerRequested, m_trigger, &TriggerControl::choose);
     connect(m_toolbar, &TrendToolbar::recordRequested, m_recording, &RecordingControl::toggle);
     connect(m_toolbar, &TrendToolbar::openRequested, m_replay, &TrendReplay::open);
     connect(m_toolbar, &TrendToolbar::liveRequested, m_replay, &TrendReplay::close);
-    connect(m_toolbar, &TrendToolbar::saveImageRequested, this, &TrendPanel::saveImage);
+    connect(m_toolbar, &TrendToolbar::exportRequested, m_export, &ExportControl::choose);
+    connect(m_chart, &QWidget::customContextMenuRequested, m_toolbar,
+            [this](const QPoint& at) { m_toolbar->showMenu(m_chart->mapToGlobal(at)); });
     connect(m_toolbar, &TrendToolbar::clearRequested, &m_liveData, &session::LiveData::clear);
     connect(m_toolbar, &TrendToolbar::presetRequested, this, &TrendPanel::applyPreset);
     connect(m_toolbar, &TrendToolbar::presetSaveRequested, this,
@@ -136,6 +146,8 @@ void TrendPanel::connectChart()
         m_toolbar->setCursorsShown(m_chart->areCursorsVisible());
         m_cursors->setVisible(m_chart->areCursorsVisible());
     });
+    connect(m_chart, &TrendChart::laneHeightsChanged, this,
+            [this] { m_settings.setLaneHeights(m_chart->laneHeights()); });
     connect(m_chart, &TrendChart::playRequested, this, &TrendPanel::toggleFollowing);
     connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::applyLegend);
     connect(m_replay, &TrendReplay::shown, this, &TrendPanel::replayShown);
@@ -275,33 +287,6 @@ void TrendPanel::openRecording()
 void TrendPanel::load(const QString& path)
 {
     m_replay->load(path);
-}
-
-void TrendPanel::saveImage()
-{
-    askForSavePath(this,
-                   {QStringLiteral("saveImageDialog"),
-                    tr("Save image"),
-                    {tr("Image (*.png)"), tr("Vector graphic (*.svg)")},
-                    {},
-                    &m_settings.all(),
-                    recordingFolderKey()},
-                   [this](const QString& path) { writeImage(path); });
-}
-
-void TrendPanel::writeImage(const QString& path)
-{
-    QString error;
-    const bool isSvg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-    const bool saved = isSvg ? m_chart->saveSvg(path, imageSize, &error)
-                             : m_chart->savePng(path, imageSize, &error);
-    m_banner->showMessage([saved, path, error] {
-        return saved ? BannerText{Tone::Good, tr("Saved as %1").arg(path)}
-                     : BannerText{Tone::Bad,
-                                  tr("The image could not be saved: %1").arg(error),
-                                  {},
-                                  tr("Check the folder and the free disk space.")};
-    });
 }
 
 void TrendPanel::showPresets()

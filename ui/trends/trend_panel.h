@@ -14,6 +14,7 @@
 namespace ui {
 class Banner;
 class CursorTable;
+class ExportControl;
 class RecordingControl;
 class ReplayBar;
 class TrendChart;
@@ -61,8 +62,6 @@ private:
     void showCurvesInDialog();
     void applyLegend();
     void chooseChannels();
-    void saveImage();
-    void writeImage(const QString& path);
     void showPresets();
     void savePresetAs();
     void savePresetAs(const QString& name);
@@ -82,6 +81,7 @@ private:
     ReplayBar* m_replayBar = nullptr;
     TrendReplay* m_replay = nullptr;
     TriggerControl* m_trigger = nullptr;
+    ExportControl* m_export = nullptr;
     RecordingControl* m_recording = nullptr;
 
     std::vector<TrendCurve> m_curves;

@@ -6,8 +6,10 @@ namespace {
 const QString curvesKey = QStringLiteral("trend/curves");
 const QString widthKey = QStringLiteral("trend/width_s");
 const QString rateKey = QStringLiteral("trend/rate_hz");
-constexpr int defaultWidth = 10; ///< in seconds
-constexpr int defaultRate = 50;  ///< Hz
+const QString lanesKey = QStringLiteral("trend/lanes");
+const QString laneHeightsKey = QStringLiteral("trend/lane_heights"); ///< one text each: "°;2.5"
+constexpr int defaultWidth = 10;                                     ///< in seconds
+constexpr int defaultRate = 50;                                      ///< Hz
 
 /// One text a curve: "1/present_position;visible;#rrggbb;scale;offset".
 QString toText(const TrendCurve& curve)
@@ -69,5 +71,34 @@ int TrendSettings::rate() const
 void TrendSettings::setRate(int hz)
 {
     m_settings.setPageValue(rateKey, hz);
+}
+
+bool TrendSettings::hasLanes() const
+{
+    return m_settings.pageValue(lanesKey, false).toBool();
+}
+
+void TrendSettings::setLanes(bool on)
+{
+    m_settings.setPageValue(lanesKey, on);
+}
+
+QMap<QString, double> TrendSettings::laneHeights() const
+{
+    QMap<QString, double> heights;
+    for (const QString& text : m_settings.pageValue(laneHeightsKey, QStringList()).toStringList()) {
+        const double height = text.section(QLatin1Char(';'), -1).toDouble();
+        if (height > 0)
+            heights[text.section(QLatin1Char(';'), 0, -2)] = height;
+    }
+    return heights;
+}
+
+void TrendSettings::setLaneHeights(const QMap<QString, double>& heights)
+{
+    QStringList texts;
+    for (auto it = heights.begin(); it != heights.end(); ++it)
+        texts << it.key() + QLatin1Char(';') + QString::number(*it, 'f', 3);
+    m_settings.setPageValue(laneHeightsKey, texts);
 }
 } // namespace ui

@@ -21,6 +21,10 @@ public:
     void setWidth(base::Duration width);
     int rate() const; ///< in Hz; 0: as fast as the bus allows
     void setRate(int hz);
+    bool hasLanes() const;
+    void setLanes(bool on);
+    QMap<QString, double> laneHeights() const; ///< as TrendChart has them
+    void setLaneHeights(const QMap<QString, double>& heights);
 
 private:
     session::Settings& m_settings;

@@ -10,11 +10,13 @@
 #include <QIcon>
 #include <QLabel>
 #include <QMenu>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace ui {
 using base::Duration;
@@ -22,12 +24,14 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr std::array<Duration, 8> widths{2s, 5s, 10s, 30s, 60s, 600s, 3600s, 14400s};
+constexpr int buttonSpacing = 4;
 constexpr std::array rates{0, 200, 100, 50, 20, 10, 5, 1};
+const QStringList liveOnly{QStringLiteral("trendClear"), QStringLiteral("trendTriggerMenu")};
 } // namespace
 
 TrendToolbar::TrendToolbar(QWidget* parent)
     : QWidget(parent)
-    , m_layout(new FlowLayout(this, 4))
+    , m_layout(new FlowLayout(this, buttonSpacing))
 {
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
@@ -38,6 +42,7 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     m_width->setObjectName(QStringLiteral("trendWidth"));
     m_layout->addWidget(m_width);
     m_fit = addButton("trendFit", "zoom-fit-best");
+    m_lanes = addButton("trendLanes", "view-split-top-bottom", true);
     m_cursors = addButton("trendCursors", "measure", true);
     m_record = addButton("trendRecord", "media-record");
     m_recordState = new QLabel(this);
@@ -50,9 +55,9 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     m_menu->setObjectName(QStringLiteral("trendMenu"));
     // Not the button's own menu: it runs an event loop of its own.
     connect(m_more, &QToolButton::clicked, this,
-            [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
+            [this] { showMenu(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
     // Space is scarce: these have an icon, a tooltip and a name, but no text.
-    for (QToolButton* button : {m_pause, m_fit, m_cursors, m_more})
+    for (QToolButton* button : {m_pause, m_fit, m_lanes, m_cursors, m_more})
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     connectControls();
     retranslate();
@@ -68,6 +73,7 @@ void TrendToolbar::connectControls()
     });
     connect(m_fit, &QToolButton::clicked, this, &TrendToolbar::fitRequested);
     connect(m_cursors, &QToolButton::clicked, this, &TrendToolbar::cursorsRequested);
+    connect(m_lanes, &QToolButton::clicked, this, &TrendToolbar::lanesRequested);
     connect(m_channels, &QToolButton::clicked, this, &TrendToolbar::channelsRequested);
     connect(m_trigger, &QToolButton::clicked, this, &TrendToolbar::triggerRequested);
     connect(m_live, &QToolButton::clicked, this, &TrendToolbar::liveRequested);
@@ -84,6 +90,42 @@ QToolButton* TrendToolbar::addButton(const char* name, const char* icon, bool ch
     button->setCheckable(checkable);
     m_layout->addWidget(button);
     return button;
+}
+
+void TrendToolbar::showMenu(const QPoint& place)
+{
+    m_menu->popup(place);
+}
+
+/// Where one row has no room for them, buttons show their icons only, and what the menu and a
+/// double click have as well is hidden.
+void TrendToolbar::fitTexts()
+{
+    if (std::exchange(m_isFitting, true))
+        return; // a change of style may lay out at once
+    const auto setStyle = [this](Qt::ToolButtonStyle style) {
+        for (QToolButton* button : {m_live, m_record, m_channels, m_trigger})
+            button->setToolButtonStyle(style);
+    };
+    setStyle(Qt::ToolButtonTextBesideIcon);
+    int needed = -buttonSpacing;
+    for (int i = 0; i < m_layout->count(); ++i) {
+        const QWidget* const widget = m_layout->itemAt(i)->widget();
+        if (!widget->isHidden() || widget == m_fit)
+            needed += widget->sizeHint().width() + buttonSpacing;
+    }
+    const bool fits = needed <= width();
+    if (!fits)
+        setStyle(Qt::ToolButtonIconOnly);
+    m_fit->setVisible(fits);
+    m_isFitting = false;
+}
+
+void TrendToolbar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        fitTexts();
 }
 
 void TrendToolbar::setFollowing(bool following)
@@ -103,15 +145,23 @@ void TrendToolbar::setCursorsShown(bool shown)
     m_cursors->setChecked(shown);
 }
 
+void TrendToolbar::setLanes(bool on)
+{
+    m_lanes->setChecked(on);
+}
+
 void TrendToolbar::setTrigger(const QString& words, bool waiting)
 {
     m_triggerWords = words;
-    m_trigger->setText(words.isEmpty() ? tr("Trigger…") : words);
+    m_trigger->setText(words);
+    m_trigger->setVisible(!words.isEmpty()); // else it is in the menu
     m_trigger->setProperty("waiting", waiting);
+    fitTexts();
 }
 
 void TrendToolbar::setRecording(const QString& words)
 {
+    const bool needsRoom = words.size() != m_recordWords.size();
     m_recordWords = words;
     const bool runs = !words.isEmpty();
     m_record->setText(runs ? tr("Stop recording") : tr("Record…"));
@@ -126,6 +176,8 @@ void TrendToolbar::setRecording(const QString& words)
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
     m_recordState->setPalette(colors);
+    if (needsRoom)
+        fitTexts();
 }
 
 void TrendToolbar::setRate(int hz)
@@ -138,6 +190,7 @@ void TrendToolbar::setReplaying(bool replaying)
 {
     m_replaying = replaying;
     m_live->setVisible(replaying);
+    fitTexts();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_channels})
         widget->setEnabled(!replaying);
     fillMenu();
@@ -158,13 +211,15 @@ void TrendToolbar::fillMenu()
     const auto action = [this](const char* name, const QString& text, auto signal) {
         QAction* one = m_menu->addAction(text);
         one->setObjectName(QString::fromLatin1(name));
-        one->setEnabled(!m_replaying || QLatin1String(name) != QLatin1String("trendClear"));
+        one->setEnabled(!m_replaying || !liveOnly.contains(QLatin1String(name)));
         connect(one, &QAction::triggered, this, signal);
     };
+    action("trendShowAll", tr("Show &all"), &TrendToolbar::fitRequested);
     action("trendBack", tr("&Previous view"), &TrendToolbar::backRequested);
+    action("trendTriggerMenu", tr("&Trigger…"), &TrendToolbar::triggerRequested);
     addRates();
     m_menu->addSeparator();
-    action("trendSaveImage", tr("Save &image…"), &TrendToolbar::saveImageRequested);
+    action("trendExport", tr("&Export view…"), &TrendToolbar::exportRequested);
     action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openRequested);
     action("trendClear", tr("&Clear chart data"), &TrendToolbar::clearRequested);
     m_menu->addSeparator();
@@ -214,10 +269,11 @@ void TrendToolbar::retranslate()
     };
     set(m_pause, tr("Pause"), tr("Pauses the chart; measuring continues (Space)"));
     set(m_fit, tr("All"), tr("Shows all measured data"));
+    set(m_lanes, tr("Lanes"), tr("Shows each quantity in a lane of its own"));
     set(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
     set(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
-    set(m_trigger, tr("Trigger…"), tr("Pauses the chart when an event occurs"));
-    set(m_more, tr("More"), tr("Read rate, images, recordings and saved views"));
+    set(m_trigger, tr("Trigger"), tr("Pauses the chart when an event occurs"));
+    set(m_more, tr("More"), tr("Trigger, read rate, export, recordings and saved views"));
     set(m_live, tr("Back to live data"), tr("Closes the recording and shows live values"));
     set(m_record, tr("Record…"), tr("Records measured values to a file"));
     m_recordState->setAccessibleName(tr("Recording"));
@@ -225,8 +281,8 @@ void TrendToolbar::retranslate()
     m_width->setToolTip(tr("Length of time shown in the chart"));
     retranslateWidths();
     fillMenu();
-    setTrigger(m_triggerWords, m_trigger->property("waiting").toBool());
     setRecording(m_recordWords);
+    setTrigger(m_triggerWords, m_trigger->property("waiting").toBool()); // fits all texts
 }
 
 void TrendToolbar::retranslateWidths()

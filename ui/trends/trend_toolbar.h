@@ -24,7 +24,9 @@ public:
     void setFollowing(bool following);
     void setShownWidth(base::Duration width);
     void setCursorsShown(bool shown);
+    void setLanes(bool on);
     void setTrigger(const QString& text, bool waiting); ///< empty: none
+    void showMenu(const QPoint& place);                 ///< on the screen
     /// "00:12 · 5580 rows"; empty: nothing is recorded.
     void setRecording(const QString& text);
     void setRate(int hz); ///< 0: as fast as the wire allows
@@ -37,12 +39,13 @@ Q_SIGNALS:
     void fitRequested();
     void backRequested();
     void cursorsRequested(bool on);
+    void lanesRequested(bool on);
     void channelsRequested();
     void triggerRequested();
     void recordRequested();
     void openRequested();
     void liveRequested();
-    void saveImageRequested();
+    void exportRequested();
     void clearRequested();
     void presetRequested(const QString& name);
     void presetSaveRequested();
@@ -51,10 +54,12 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolButton* addButton(const char* name, const char* icon, bool checkable = false);
     void connectControls();
+    void fitTexts();
     void fillMenu();
     void addRates();
     void addPresets();
@@ -65,6 +70,7 @@ private:
     QToolButton* m_pause = nullptr;
     QComboBox* m_width = nullptr;
     QToolButton* m_fit = nullptr;
+    QToolButton* m_lanes = nullptr;
     QToolButton* m_cursors = nullptr;
     QToolButton* m_channels = nullptr;
     QToolButton* m_trigger = nullptr;
@@ -78,5 +84,6 @@ private:
     QString m_recordWords;
     int m_rate = 0; ///< Hz
     bool m_replaying = false;
+    bool m_isFitting = false;
 };
 } // namespace ui

@@ -28,14 +28,19 @@ private Q_SLOTS:
     void pauseFreezesThePicture();
     void boxGivesItsTimesAndValues();
     void flatBoxLeavesTheValues();
-    void doubleClickResetsTheView();
+    void backRestoresEachView();
+    void doubleClickShowsEverything();
     void wheelZoomsAroundTheMouse();
     void wheelWhileFollowingKeepsTheRightEdge();
     void shiftWheelZoomsValues();
     void stepsBetweenTwoFramesAddUp();
-    void ctrlDragPans();
+    void dragPans();
+    void shiftDragPansValues();
+    void offScaleIsSaidAndFitted();
     void keysMatchTheMouse();
     void cursorsAreDraggedAndNudged();
+    void arrowsStepACursorBySamples();
+    void nothingIsReadOutsideTheData();
     void readoutsMatchPlainArithmetic();
     void legendAndDigitKeysHideChannels();
     void overviewMovesTheView();
@@ -88,7 +93,7 @@ void TestTrendChart::boxGivesItsTimesAndValues()
     fixture.chart.show({0s, 100s});
     fixture.waitForFrames();
     const QRectF area = fixture.area();
-    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.25, 0.25}, {0.75, 0.5});
+    fixture.drag(Qt::LeftButton, Qt::ControlModifier, {0.25, 0.25}, {0.75, 0.5});
     const double pixel = 100.0 / area.width();
     QVERIFY(!fixture.chart.isFollowing());
     QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 25) <= 1.5 * pixel);
@@ -106,7 +111,7 @@ void TestTrendChart::flatBoxLeavesTheValues()
     fixture.fill(0, 100s, [](double t) { return t; });
     fixture.chart.show({0s, 100s});
     fixture.waitForFrames();
-    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.4, 0.5}, {0.6, 0.5});
+    fixture.drag(Qt::LeftButton, Qt::ControlModifier, {0.4, 0.5}, {0.6, 0.5});
     fixture.waitForFrames();
     QVERIFY(fixture.paintedIn({0, 0, 0.1, 1}, 0)); // the axis fits what is in view
     QVERIFY(fixture.paintedIn({0.9, 0, 0.1, 1}, 0));
@@ -114,24 +119,38 @@ void TestTrendChart::flatBoxLeavesTheValues()
     QVERIFY(shown.from > 38s && shown.from < 42s && shown.to > 58s && shown.to < 62s);
 }
 
-void TestTrendChart::doubleClickResetsTheView()
+void TestTrendChart::backRestoresEachView()
 {
     gui::TrendChartFixture fixture;
     fixture.fill(0, 100s, [](double t) { return t; });
     fixture.chart.advance(100s);
     fixture.waitForFrames();
-    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.2}, {0.4, 0.8});
+    fixture.drag(Qt::LeftButton, Qt::ControlModifier, {0.2, 0.2}, {0.4, 0.8});
     const recording::TimeSpan first = fixture.chart.shown();
-    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.2}, {0.4, 0.8});
+    fixture.drag(Qt::LeftButton, Qt::ControlModifier, {0.2, 0.2}, {0.4, 0.8});
     QVERIFY(!(fixture.chart.shown() == first));
-    QTest::mouseDClick(fixture.plot->viewport(), Qt::LeftButton, Qt::NoModifier,
-                       fixture.at({0.5, 0.5}));
+    fixture.chart.zoomBack();
     QCOMPARE(fixture.chart.shown(), first);
     fixture.chart.zoomBack();
     QVERIFY(fixture.chart.isFollowing());
     QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{90s, 100s}));
     fixture.chart.zoomBack(); // nothing before that
     QVERIFY(fixture.chart.isFollowing());
+}
+
+void TestTrendChart::doubleClickShowsEverything()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({40s, 45s});
+    fixture.waitForFrames();
+    fixture.wheel({0.5, 0.5}, 240, Qt::ShiftModifier);
+    QTest::mouseDClick(fixture.plot->viewport(), Qt::LeftButton, Qt::NoModifier,
+                       fixture.at({0.5, 0.5}));
+    QVERIFY(fixture.chart.shown().from <= 0s && fixture.chart.shown().to >= 100s);
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.03, 0, 0.1, 0.1}, 0)); // both ends of the curve
+    QVERIFY(fixture.paintedIn({0.9, 0.85, 0.1, 0.15}, 0));
 }
 
 void TestTrendChart::wheelZoomsAroundTheMouse()
@@ -196,18 +215,64 @@ void TestTrendChart::stepsBetweenTwoFramesAddUp()
     QVERIFY(std::abs(axis.range().size() / before - std::pow(once / before, 4)) < 1e-6);
 }
 
-void TestTrendChart::ctrlDragPans()
+void TestTrendChart::dragPans()
 {
     for (const bool middle : {false, true}) {
         gui::TrendChartFixture fixture;
         fixture.fill(0, 100s, [](double t) { return t; });
         fixture.chart.show({40s, 60s});
         fixture.waitForFrames();
-        fixture.drag(middle ? Qt::MiddleButton : Qt::LeftButton,
-                     middle ? Qt::NoModifier : Qt::ControlModifier, {0.2, 0.5}, {0.7, 0.5});
+        fixture.drag(middle ? Qt::MiddleButton : Qt::LeftButton, Qt::NoModifier, {0.2, 0.5},
+                     {0.7, 0.5});
         QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 30) < 0.2);
         QVERIFY(std::abs(seconds(fixture.chart.width()) - 20) < 0.001);
     }
+}
+
+void TestTrendChart::shiftDragPansValues()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    const ui::TrendAxes::ValueAxis& axis = fixture.plot->picture().axes().axisOf({});
+    const ui::AxisRange before = axis.shown;
+    fixture.drag(Qt::LeftButton, Qt::ShiftModifier, {0.2, 0.2}, {0.6, 0.7});
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{0s, 10s}));
+    QVERIFY(std::abs(axis.shown.low - (before.low - 0.5 * before.size())) < 0.05);
+    QVERIFY(std::abs(axis.shown.size() - before.size()) < 1e-6);
+}
+
+/// Only where the user has set the scale; a click on the chip lets it follow the curve again.
+void TestTrendChart::offScaleIsSaidAndFitted()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    const ui::OffScaleChips& chips = fixture.plot->picture().offScaleChips();
+    const auto chip = [&]() -> std::optional<QPoint> {
+        for (double y = 1; y > 0; y -= 0.01) {
+            const QPoint place = fixture.at({0.95, y});
+            if (chips.unitAt(fixture.plot->mapToScene(place)))
+                return place;
+        }
+        return {};
+    };
+    QVERIFY(!chip());
+    fixture.drag(Qt::LeftButton, Qt::ShiftModifier, {0.2, 0.2}, {0.2, 0.6}); // up by 0.4
+    fixture.waitForFrames();
+    QVERIFY(chip());
+    QVERIFY(chip()->y() < fixture.at({0, 0.5}).y()); // at the top, where the curve left
+    fixture.drag(Qt::LeftButton, Qt::ShiftModifier, {0.2, 0.9}, {0.2, 0.2});
+    fixture.waitForFrames();
+    QVERIFY(chip());
+    QVERIFY(chip()->y() > fixture.at({0, 0.5}).y());
+    QTest::mouseClick(fixture.plot->viewport(), Qt::LeftButton, {}, *chip());
+    fixture.waitForFrames();
+    QVERIFY(!chip());
+    QVERIFY(!fixture.plot->picture().axes().axisOf({}).range.isFixed());
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{0s, 10s}));
 }
 
 void TestTrendChart::keysMatchTheMouse()
@@ -263,6 +328,51 @@ void TestTrendChart::cursorsAreDraggedAndNudged()
     QVERIFY(std::abs(seconds(fixture.chart.cursors()->to) - 80 + pixel) < 1e-3);
     QTest::keyClick(fixture.plot, Qt::Key_BracketLeft, Qt::ControlModifier);
     QVERIFY(std::abs(seconds(fixture.chart.cursors()->from) - 20 + 9 * pixel) < 1e-3);
+}
+
+/// Channels are measured at different instants; the cursor stops at each of them.
+void TestTrendChart::arrowsStepACursorBySamples()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; }); // every 10 ms
+    for (const Duration at : {5003ms, 5004ms, 9s + 5ms})
+        fixture.put(1, at, 1);
+    fixture.chart.show({0s, 10s});
+    fixture.chart.setCursors(5s, 8s);
+    fixture.waitForFrames();
+    for (const Duration expected : {5003ms, 5004ms, 5010ms, 5020ms}) {
+        QTest::keyClick(fixture.plot, Qt::Key_Right);
+        QCOMPARE(fixture.chart.cursors()->from, expected);
+    }
+    for (const Duration expected : {5010ms, 5004ms, 5003ms, 5000ms, 4990ms}) {
+        QTest::keyClick(fixture.plot, Qt::Key_Left);
+        QCOMPARE(fixture.chart.cursors()->from, expected);
+    }
+    QTest::keyClick(fixture.plot, Qt::Key_BracketRight, Qt::ShiftModifier); // now B is the one
+    const Duration b = fixture.chart.cursors()->to;
+    QTest::keyClick(fixture.plot, Qt::Key_Right, Qt::ShiftModifier);
+    QVERIFY(fixture.chart.cursors()->to > b + 90ms && fixture.chart.cursors()->to <= b + 100ms);
+    QCOMPARE(fixture.chart.cursors()->from, Duration(4990ms));
+    fixture.chart.setCursors(1s, 10s);
+    QTest::keyClick(fixture.plot, Qt::Key_Right); // nothing is after the last sample
+    QCOMPARE(fixture.chart.cursors()->to, Duration(10s));
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{0s, 10s}));
+    fixture.chart.setCursorsShown(false);
+    QTest::keyClick(fixture.plot, Qt::Key_Right);
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{1s, 11s})); // without cursors: pans
+}
+
+void TestTrendChart::nothingIsReadOutsideTheData()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fillFrom(0, 2s, 4s, [](double t) { return t; });
+    fixture.chart.show({0s, 10s});
+    for (const auto& [a, b] : {std::pair(1s, 3s), std::pair(3s, 5s)}) {
+        fixture.chart.setCursors(a, b);
+        const ui::CursorReading reading = fixture.chart.cursorReadings().front();
+        QCOMPARE(reading.a.has_value(), a == 3s);
+        QCOMPARE(reading.b.has_value(), b == 3s);
+    }
 }
 
 void TestTrendChart::readoutsMatchPlainArithmetic()

@@ -6,7 +6,9 @@
 #include "ui/charts/auto_range.h"
 #include "ui/charts/axis_ticks.h"
 #include "ui/charts/cursor_table.h"
+#include "ui/charts/trend_export.h"
 #include "ui/charts/trend_preset.h"
+#include "ui/trends/trend_settings.h"
 
 #include <QClipboard>
 #include <QSignalSpy>
@@ -35,6 +37,8 @@ private Q_SLOTS:
     void savesImages();
     void imageExportFailsWithAMessage();
     void fullDiskKeepsTheOldImage();
+    void tableHasALineForEachInstant();
+    void lanesAreRemembered();
     void presets();
     void brokenPresets();
     void cursorTable();
@@ -122,6 +126,53 @@ void TestTrendChartFiles::fullDiskKeepsTheOldImage()
     QVERIFY(!saved);
     QVERIFY(trouble.contains(path));
     QCOMPARE(QFileInfo(path).size(), size);
+}
+
+/// Read back by hand: names with units, a cell only where the channel was measured, values as they
+/// were read, whatever their scale in the chart.
+void TestTrendChartFiles::tableHasALineForEachInstant()
+{
+    gui::TrendChartFixture fixture;
+    fixture.channels[0].name = q("ID 1 · 位置, now");
+    fixture.channels[0].unit = q("°");
+    fixture.setScale(0, -3, 7);
+    fixture.put(0, 900ms, 1);
+    fixture.put(0, 1s, 12.5);
+    fixture.put(1, 1s, -3);
+    fixture.put(1, 1500ms, 4);
+    fixture.put(0, 2s, 13);
+    fixture.put(0, 4s, 99);
+    fixture.chart.setOrigin(500ms);
+    fixture.chart.show({950ms, 3s});
+    const QString table = QString::fromUtf8(ui::trendCsv(fixture.chart.shownTable()));
+    QCOMPARE(table, q("\uFEFFtime_s,\"ID 1 · 位置, now [°]\",Beta\n"
+                      "0.500000,12.5,-3\n"
+                      "1.000000,,4\n"
+                      "1.500000,13,\n"));
+    fixture.chart.setChannelVisible(0, false);
+    QCOMPARE(QString::fromUtf8(ui::trendCsv(fixture.chart.shownTable())),
+             q("\uFEFFtime_s,Beta\n0.500000,-3\n1.000000,4\n"));
+}
+
+void TestTrendChartFiles::lanesAreRemembered()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(q("s.ini"));
+    const QMap<QString, double> heights{{q("°"), 2.25}, {q("rpm"), 0.5}, {q(";"), 1.0}, {{}, 3.0}};
+    {
+        session::Settings settings(file);
+        ui::TrendSettings trend(settings);
+        QVERIFY(!trend.hasLanes());
+        QVERIFY(trend.laneHeights().isEmpty());
+        trend.setLanes(true);
+        trend.setLaneHeights(heights);
+    }
+    session::Settings settings(file);
+    const ui::TrendSettings trend(settings);
+    QVERIFY(trend.hasLanes());
+    QCOMPARE(trend.laneHeights(), heights);
+    settings.setPageValue(q("trend/lane_heights"), QStringList{q("rpm;-1"), q("x"), q("V;nan")});
+    QVERIFY(trend.laneHeights().isEmpty());
 }
 
 void TestTrendChartFiles::presets()

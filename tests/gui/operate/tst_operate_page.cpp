@@ -2,6 +2,7 @@
 // The operate page on the simulated bus: opening it and selecting a servo move nothing; readings
 // are shown on dial, gauges, lights, strip and chart; alarms stay until they are acknowledged;
 // recordings are made and shown again.
+#include "gui/dialogs.h"
 #include "gui/main_window_fixture.h"
 #include "session/recording/live_data.h"
 #include "sim/host/sim_link.h"
@@ -9,6 +10,7 @@
 #include "ui/charts/trend_chart.h"
 #include "ui/operate/servo_card.h"
 #include "ui/trends/trend_panel.h"
+#include "ui/widgets/banner.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/pill.h"
 #include "ui/widgets/position_dial.h"
@@ -17,6 +19,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -447,13 +450,72 @@ private Q_SLOTS:
         QVERIFY(!panel->isReplaying());
     }
 
+    /// The menu of the right mouse button; the suffix is the format.
+    void theViewIsExported()
+    {
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        auto* chart = fixture.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(fixture.context.workbench.liveData().store().count() > 50);
+        auto* plot = chart->findChild<QAbstractScrollArea*>(QStringLiteral("trendPlot"));
+        const QPoint middle = plot->viewport()->rect().center();
+        QContextMenuEvent click(QContextMenuEvent::Mouse, middle,
+                                plot->viewport()->mapToGlobal(middle));
+        QCoreApplication::sendEvent(plot->viewport(), &click);
+        auto* menu = fixture.find<QMenu>("trendMenu");
+        QTRY_VERIFY(menu->isVisible());
+        const QTemporaryDir folder;
+        auto* banner = fixture.find<ui::Banner>("trendBanner");
+        for (const char* name : {"view.csv", "view.png", "view.svg"}) {
+            menu->findChild<QAction*>(QStringLiteral("trendExport"))->trigger();
+            auto* dialog = fixture.find<QFileDialog>("exportViewDialog");
+            QVERIFY(dialog != nullptr);
+            const QString path = folder.filePath(QLatin1String(name));
+            Q_EMIT dialog->fileSelected(path);
+            dialog->close();
+            QTRY_VERIFY(QFileInfo(path).size() > 100);
+            QTRY_VERIFY(banner->isVisible() && gui::labelsOf(banner).contains(path));
+            QTRY_VERIFY(fixture.find<QFileDialog>("exportViewDialog") == nullptr);
+        }
+        QFile table(folder.filePath(QStringLiteral("view.csv")));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QString header = QString::fromUtf8(table.readLine());
+        for (const ui::TrendChannel& channel : chart->channels())
+            QCOMPARE(header.contains(channel.name), channel.visible);
+        menu->close();
+    }
+
+    /// In one row on the smallest window too; what is not there is in the menu.
+    void theTrendsButtonsAreInOneRow()
+    {
+        for (const QString& language : {QStringLiteral("en"), QStringLiteral("zh_CN")}) {
+            OperatePageFixture fixture(language);
+            QVERIFY(fixture.ready(1));
+            auto* more = fixture.find<QToolButton>("trendMore");
+            auto* pause = fixture.find<QToolButton>("trendPause");
+            auto* fit = fixture.find<QToolButton>("trendFit");
+            auto* record = fixture.find<QToolButton>("trendRecord");
+            for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
+                fixture.window->resize(size);
+                QTRY_COMPARE(more->y(), pause->y());
+                QVERIFY(more->geometry().right() <= more->parentWidget()->width());
+                QCOMPARE(record->toolButtonStyle() == Qt::ToolButtonTextBesideIcon,
+                         fit->isVisible());
+                QVERIFY(fit->isVisible() || size.width() == 1024);
+            }
+            fixture.click("trendLanes");
+            QVERIFY(fixture.find<ui::TrendChart>("trendChart")->hasLanes());
+            QVERIFY(fixture.settings.pageValue(QStringLiteral("trend/lanes"), false).toBool());
+        }
+    }
+
     void theTriggerFreezesTheChart()
     {
         OperatePageFixture fixture;
         QVERIFY(fixture.ready(1));
         auto* chart = fixture.find<ui::TrendChart>("trendChart");
         QTRY_VERIFY(fixture.context.workbench.liveData().store().count() > 50);
-        fixture.click("trendTrigger");
+        fixture.find<QAction>("trendTriggerMenu")->trigger();
         auto* kind = fixture.find<QComboBox>("triggerKind");
         QVERIFY(kind != nullptr);
         kind->setCurrentIndex(7); // something is written

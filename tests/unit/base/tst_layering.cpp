@@ -422,10 +422,12 @@ private Q_SLOTS:
 
     void mentionsAreFound()
     {
-        const QString source = QStringLiteral("#include \"a/b.h\" // see c/d.cpp, <e/f.h>\n"
-                                              "g(\"i.h\"); // j.h");
-        QCOMPARE(filesMentionedIn(source, true),
-                 QStringList({QStringLiteral("c/d.cpp"), QStringLiteral("j.h")}));
+        const QString one = QStringLiteral("c/d") + QStringLiteral(".cpp");
+        const QString other = QStringLiteral("j") + QStringLiteral(".h");
+        const QString source =
+            QStringLiteral("#include \"a/b.h\" // see %1, <e/f.h>\ng(\"i.h\"); // %2")
+                .arg(one, other);
+        QCOMPARE(filesMentionedIn(source, true), QStringList({one, other}));
     }
 
     void qtModulesAreChecked()
