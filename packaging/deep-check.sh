@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is too slow for every change: all tests with every case, also under both sanitizers, clang-tidy over all
-# sources, the benches in full with an hour of interrupted restores, and the README's two commands in a new
+# What is too slow for every change: all tests with every case, also under both sanitizers, the programs built
+# file by file, clang-tidy over all sources, the benches in full with an hour of interrupted restores, and the README's two commands in a new
 # Debian 12. Takes several hours; needs root and debootstrap for the last part.
 set -euo pipefail
 
@@ -18,6 +18,10 @@ install_packages build test ci
 
 chapter "Release build and tests"
 CI=true run_tests release build packaging/test.sh
+
+chapter "The programs without batches, with all warnings"
+cmake --preset dev >/dev/null
+cmake --build --preset dev --target servodesk servodesk-cli servodesk-sim
 
 chapter "Address and undefined-behavior sanitizers, all tests"
 build_preset asan -DSERVODESK_SANITIZE_ALL=ON

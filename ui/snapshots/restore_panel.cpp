@@ -4,6 +4,7 @@
 #include "device/motion/saved_speed.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "session/snapshot/snapshots.h"
+#include "snapshot/factory_snapshot.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/apply_dialog.h"

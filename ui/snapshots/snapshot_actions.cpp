@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshot_actions.h"
 
+#include "snapshot/factory_snapshot.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/snapshot_browser.h"
 #include "ui/snapshots/template_dialog.h"
