@@ -162,8 +162,12 @@ void TraceItem::show(const recording::SampleStore* store, const std::vector<Trac
         fetch(*store, span, m_plot.width());
         return;
     }
-    shift(*store, styles, span, size);
+    const bool onlyMoved = shift(*store, styles, span, size);
     m_coarse = (coarseUpdates || m_coarse) && m_image.missing() > partWidth / 4;
+    if (m_coarse && onlyMoved) { // the next frames need these columns too
+        complete(*store, partWidth);
+        m_coarse = m_image.missing() > partWidth / 4;
+    }
     if (m_coarse)
         paintCoarse(*store);
     else
@@ -183,8 +187,9 @@ base::Duration TraceItem::Image::at(int x) const
     return base::Duration(std::int64_t(std::floor(double(first + x) * perPixel)));
 }
 
-/// Moves the painted image to its position and checks how much of it is still valid.
-void TraceItem::shift(const recording::SampleStore& store, const std::vector<TraceStyle>& styles,
+/// Moves the painted image to its position and checks how much of it is still valid. False: it is
+/// of another scale.
+bool TraceItem::shift(const recording::SampleStore& store, const std::vector<TraceStyle>& styles,
                       const recording::TimeSpan& span, const QSize& size)
 {
     const int width = size.width();
@@ -196,7 +201,8 @@ void TraceItem::shift(const recording::SampleStore& store, const std::vector<Tra
     const std::int64_t first = std::int64_t(std::ceil(double(span.to.count()) / perPixel)) - width;
     const std::int64_t by = first - m_image.first;
     PixelRange& valid = m_image.valid;
-    if (m_image.perPixel != perPixel || m_image.styles != styles || std::abs(by) >= width)
+    const bool sameScale = m_image.perPixel == perPixel && m_image.styles == styles;
+    if (!sameScale || std::abs(by) >= width)
         valid = {};
     m_image.first = first;
     m_image.perPixel = perPixel;
@@ -215,6 +221,7 @@ void TraceItem::shift(const recording::SampleStore& store, const std::vector<Tra
     m_image.latest.resize(styles.size());
     for (std::size_t i = 0; i < styles.size(); ++i)
         m_image.latest[i] = store.latest(styles[i].id);
+    return sameScale;
 }
 
 /// The pixels before the last sample of its channel when the image was painted.

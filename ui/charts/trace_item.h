@@ -44,7 +44,7 @@ private:
         base::Duration at(int x) const;
     };
 
-    void shift(const recording::SampleStore& store, const std::vector<TraceStyle>& styles,
+    bool shift(const recording::SampleStore& store, const std::vector<TraceStyle>& styles,
                const recording::TimeSpan& span, const QSize& size);
     int upToDate(const recording::SampleStore& store) const;
     void complete(const recording::SampleStore& store, int maxColumns);

@@ -33,7 +33,8 @@ void TrendChart::Private::connectAll()
     QObject::connect(&m_frameTimer, &QTimer::timeout, q, [this] { frame(); });
     QObject::connect(&m_idleTimer, &QTimer::timeout, q, [this] { sharpen(); });
     QObject::connect(&control, &TrendControl::viewChanged, q, [this] {
-        m_rangeImmediately = m_coarseUpdates = true;
+        m_rangeImmediately = m_rangeImmediately || !m_isPanning;
+        m_coarseUpdates = true;
         scheduleFrame();
         Q_EMIT q->viewChanged();
     });
@@ -57,8 +58,15 @@ void TrendChart::Private::connectPlot()
         frame();
     });
     QObject::connect(plot, &TrendPlot::boxDrawn, c, &TrendControl::zoomToBox);
-    QObject::connect(plot, &TrendPlot::panned, c,
-                     [c](double x, double y) { c->pan(x, y, x == 0); });
+    QObject::connect(plot, &TrendPlot::panned, c, [this](double x, double y) {
+        m_isPanning = true;
+        control.pan(x, y, x == 0);
+        m_isPanning = false;
+    });
+    QObject::connect(plot, &TrendPlot::panEnded, q, [this] {
+        m_rangeImmediately = true;
+        scheduleFrame();
+    });
     QObject::connect(plot, &TrendPlot::zoomed, c, &TrendControl::zoom);
     QObject::connect(plot, &TrendPlot::valuesZoomed, c, &TrendControl::zoomValues);
     QObject::connect(plot, &TrendPlot::backRequested, c, &TrendControl::goBack);

@@ -51,5 +51,6 @@ private:
     QElapsedTimer m_sinceReadings;
     bool m_rangeImmediately = true; ///< the next frame ranges the axes without patience
     bool m_coarseUpdates = false;   ///< the user zooms or pans
+    bool m_isPanning = false;       ///< axes only grow until it ends: the curves do not jump
 };
 } // namespace ui

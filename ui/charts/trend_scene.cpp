@@ -202,9 +202,11 @@ void TrendScene::refresh(Axes axes, double ratio, bool coarseUpdates)
 {
     rangeAxes(axes);
     layOutPlot(); // the texts may have become longer
-    showLaneLabels();
-    if (layOutPlot()) // those beside the lanes as well
+    if (m_axes->hasLanes()) {
         showLaneLabels();
+        if (layOutPlot()) // those beside the lanes as well
+            showLaneLabels();
+    }
     showOffScale();
     m_axes->show(m_state.view, m_state.origin);
     showTraces(ratio, coarseUpdates);
