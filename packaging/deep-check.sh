@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is too slow for every change: all tests with every case, also under both sanitizers, the programs built
-# file by file, clang-tidy over all sources, the benches in full with an hour of interrupted restores, and the README's two commands in a new
-# Debian 12. Takes several hours; needs root and debootstrap for the last part.
+# file by file, clang-tidy over all sources, the benches in full with an hour of interrupted restores, and the
+# README's two commands in a new Debian 12. Takes several hours; needs root and debootstrap for the last part.
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh

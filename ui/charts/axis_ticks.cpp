@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/axis_ticks.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -5,11 +5,50 @@
 // buffers between frames. Values that are not numbers are left out like gaps. Main thread.
 #pragma once
 
-#include "ui/charts/trace.h"
+#include "recording/sample_store.h"
 
+#include <QColor>
 #include <QImage>
 
 namespace ui {
+/// From time and value to pixels, of the screen or of the paper.
+struct TraceFrame {
+    recording::TimeSpan span;
+    double low = 0; ///< value at the lower edge
+    double high = 1;
+    double width = 1; ///< pixels
+    double height = 1;
+
+    double x(base::Duration at) const
+    {
+        const double whole = double((span.to - span.from).count());
+        return double((at - span.from).count()) * width / (whole > 0 ? whole : 1);
+    }
+    double y(double value) const { return (high - value) * height / (high - low); }
+};
+
+struct TraceStyle {
+    recording::ChannelId id = -1;
+    QRgb color = 0xff000000;
+    bool steps = false;
+    double scale = 1;
+    double offset = 0;
+    double low = 0; ///< of its axis
+    double high = 1;
+    bool dashed = false;
+    double top = 0; ///< share of the image's height; nothing is painted outside of these
+    double bottom = 1;
+    bool operator==(const TraceStyle&) const = default;
+
+    double shown(double value) const { return value * scale + offset; }
+};
+
+/// Its min/max columns in a stretch of time.
+struct Trace {
+    TraceStyle style;
+    std::vector<recording::SampleColumn> columns;
+};
+
 struct PixelRange {
     int from = 0;
     int to = 0; ///< exclusive

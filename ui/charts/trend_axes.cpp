@@ -15,6 +15,7 @@ constexpr double gap = 6;            ///< between plot and text
 constexpr double columnGap = 10;     ///< between the texts of two axes
 constexpr double widthStep = 8;      ///< the plot does not resize for one more digit
 constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
+constexpr double topLines = 1.1;     ///< of text above the plot: units, marks
 constexpr double tickLength = 4;
 constexpr double laneGap = 10;     ///< between two lanes
 constexpr double firstLane = 2;    ///< times as high as each of the others
@@ -225,7 +226,8 @@ QRectF TrendAxes::layOutLanes(const QRectF& room)
         shares += laneHeight(*axis, axis == axes.front());
     }
     const QRectF plot(
-        QPointF(std::ceil(room.left() + widest + 2 * gap), std::ceil(room.top() + line + gap)),
+        QPointF(std::ceil(room.left() + widest + 2 * gap),
+                std::ceil(room.top() + topLines * line + gap)),
         QPointF(std::floor(room.right() - gap), std::floor(room.bottom() - line - 2 * gap)));
     const double spaces = (double(axes.size()) - 1) * laneGap;
     double top = plot.top();
@@ -257,7 +259,7 @@ QRectF TrendAxes::layOutBeside(const QRectF& room)
     }
     const double least = line; // the first and last time stick out
     const QRectF plot(QPointF(std::ceil(std::max(left, room.left() + 2 * least)),
-                              std::ceil(room.top() + line + gap)),
+                              std::ceil(room.top() + topLines * line + gap)),
                       QPointF(std::floor(std::min(right, room.right() - 2 * least)),
                               std::floor(room.bottom() - line - 2 * gap)));
     double leftEdge = plot.left() - gap;
@@ -382,7 +384,7 @@ void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid)
         painter->drawRect(axis.area);
     } else {
         painter->setPen(color);
-        write(axis.range.unit(), m_plot.top() - gap - 2);
+        write(axis.range.unit(), m_plot.top() - gap - metrics.capHeight() / 2);
     }
 }
 } // namespace ui

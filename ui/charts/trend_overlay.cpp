@@ -12,8 +12,8 @@ using recording::Mark;
 using recording::MarkKind;
 
 namespace {
-constexpr double flagSize = 16;
-constexpr double apart = 20;        ///< marks closer than this share a flag
+constexpr double minFlagSize = 16;
+constexpr double flagSpace = 4;     ///< marks whose flags are closer share one
 constexpr double textSpace = 5;     ///< beside a flag
 constexpr double minTextWidth = 24; ///< less is not readable
 constexpr double reach = 6;         ///< of the mouse
@@ -91,6 +91,7 @@ void TrendOverlay::setColors(const TrendColors& colors)
 void TrendOverlay::setFont(const QFont& font)
 {
     m_font = font;
+    m_flagSize = std::max(minFlagSize, std::ceil(QFontMetricsF(font).capHeight() * 1.7));
     m_flags.clear();
     update();
 }
@@ -150,7 +151,7 @@ void TrendOverlay::setNotice(const QString& text)
 
 QRectF TrendOverlay::boundingRect() const
 {
-    return m_plot.adjusted(-flagSize, -flagSize - 2, flagSize, 2);
+    return m_plot.adjusted(-m_flagSize, -m_flagSize - 2, m_flagSize, 2);
 }
 
 std::optional<Cursor> TrendOverlay::cursorAt(const QPointF& place) const
@@ -183,8 +184,8 @@ std::vector<MarkGroup> TrendOverlay::groups() const
         MarkGroup group;
         group.first = i;
         group.x = m_view.fractionOf((*m_marks)[i].at) * m_plot.width();
-        const std::size_t next =
-            std::clamp(after(m_view.timeAt((group.x + apart) / m_plot.width())), i + 1, end);
+        const std::size_t next = std::clamp(
+            after(m_view.timeAt((group.x + m_flagSize + flagSpace) / m_plot.width())), i + 1, end);
         group.count = next - i;
         group.highestSeverity = (*m_marks)[i].kind;
         for (std::size_t k = i; k < std::min(next, i + maxCheckedMarks); ++k) {
@@ -204,7 +205,8 @@ QString TrendOverlay::marksAt(const QPointF& place) const
     const double x = place.x() - m_plot.left();
     QStringList lines;
     for (const MarkGroup& group : groups()) {
-        if (x < group.x - reach || x > group.x + (group.count > 1 ? apart : flagSize))
+        if (x < group.x - reach ||
+            x > group.x + (group.count > 1 ? m_flagSize + flagSpace : m_flagSize))
             continue;
         for (std::size_t i = 0; i < group.count && lines.size() < maxListedMarks; ++i)
             lines << markText(group.first + i);
@@ -266,8 +268,8 @@ void TrendOverlay::paintMarks(QPainter* painter) const
 {
     const std::vector<MarkGroup> all = groups();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const double next = i + 1 < all.size() ? all[i + 1].x - flagSize / 2 : m_plot.width();
-        paintMark(painter, all[i], next - all[i].x - flagSize / 2 - 2 * textSpace);
+        const double next = i + 1 < all.size() ? all[i + 1].x - m_flagSize / 2 : m_plot.width();
+        paintMark(painter, all[i], next - all[i].x - m_flagSize / 2 - 2 * textSpace);
     }
 }
 
@@ -277,12 +279,12 @@ const QPixmap& TrendOverlay::flagOf(MarkKind kind, const QPainter& painter) cons
     const double ratio = painter.device()->devicePixelRatioF();
     QPixmap& flag = m_flags[kind];
     if (flag.isNull() || flag.devicePixelRatio() != ratio) {
-        flag = QPixmap((QSizeF(flagSize, flagSize) * ratio).toSize());
+        flag = QPixmap((QSizeF(m_flagSize, m_flagSize) * ratio).toSize());
         flag.setDevicePixelRatio(ratio);
         flag.fill(Qt::transparent);
         QPainter onFlag(&flag);
         onFlag.setFont(m_font);
-        paintFlag(&onFlag, QRectF(0, 0, flagSize, flagSize), kind);
+        paintFlag(&onFlag, QRectF(0, 0, m_flagSize, m_flagSize), kind);
     }
     return flag;
 }
@@ -304,7 +306,7 @@ void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double r
     const double x = m_plot.left() + std::round(group.x);
     painter->setPen(QPen(color, 1));
     painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
-    const QRectF flag(x - flagSize / 2, m_plot.top() - flagSize, flagSize, flagSize);
+    const QRectF flag(x - m_flagSize / 2, m_plot.top() - m_flagSize, m_flagSize, m_flagSize);
     if (painter->paintEngine()->type() == QPaintEngine::Raster)
         painter->drawPixmap(flag.topLeft(), flagOf(group.highestSeverity, *painter));
     else
@@ -330,7 +332,7 @@ void TrendOverlay::paintCursor(QPainter* painter, Cursor which, base::Duration a
     const double x = m_plot.left() + std::round(place * m_plot.width());
     painter->setPen(QPen(m_colors.accent, m_active == which ? 2 : 1, Qt::DashLine));
     painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
-    const QRectF flag(x - flagSize / 2, m_plot.top() + 1, flagSize, flagSize);
+    const QRectF flag(x - m_flagSize / 2, m_plot.top() + 1, m_flagSize, m_flagSize);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(Qt::NoPen);
     painter->setBrush(m_colors.accent);

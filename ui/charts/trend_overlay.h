@@ -40,6 +40,7 @@ public:
     void setFocused(bool on);
     void setNotice(const QString& text); ///< in the middle of an empty plot
 
+    double flagSize() const { return m_flagSize; }
     std::optional<Cursor> cursorAt(const QPointF& place) const;
     /// Empty: no mark there.
     QString marksAt(const QPointF& place) const;
@@ -60,6 +61,7 @@ private:
     QRectF m_plot;
     TrendColors m_colors;
     QFont m_font;
+    double m_flagSize = 16;
     TimeView m_view;
     const std::vector<recording::Mark>* m_marks = nullptr;
     MarkTextFunction m_text;
