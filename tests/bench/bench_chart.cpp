@@ -248,6 +248,11 @@ void benchmarkAll(double maxMs)
     fixture.measure("panning 10 s with the mouse", maxMs, [&](int i) { fixture.drag(i); });
     chart.show({20min, 40min});
     fixture.measure("panning 20 min with the mouse", maxMs, [&](int i) { fixture.drag(i); });
+    chart.setLanes(true);
+    fixture.measure("panning 20 min in lanes", maxMs, [&](int i) { fixture.drag(i); });
+    chart.setFollowing(true);
+    fixture.measure("following 20 min in lanes", maxMs, follow);
+    chart.setLanes(false);
     chart.show({0min, length});
     fixture.measure("zooming with the wheel, 60 min to 50 ms and back", maxMs,
                     [&](int i) { fixture.wheel((i + 10) % 100 < 50 ? 120 : -120); });
