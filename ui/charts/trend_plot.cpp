@@ -16,6 +16,7 @@ constexpr double minBoxSize = 6; ///< pixels; less was a click
 constexpr double flatBox = 14;   ///< lower than this means time only
 constexpr double notch = 0.8;    ///< of the wheel: what is left of the stretch
 constexpr double wheelUnit = 120;
+constexpr double minDrag = 4; ///< pixels
 constexpr double smallPan = 0.1;
 constexpr double closer = 0.8;
 constexpr double farNudge = 10; ///< pixels
@@ -90,6 +91,7 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
         return;
     }
     m_dragMode = dragModeFor(*event, position);
+    m_hasMoved = false;
     if (m_dragMode == DragMode::Pan || m_dragMode == DragMode::PanValues)
         viewport()->setCursor(Qt::ClosedHandCursor);
 }
@@ -99,6 +101,9 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
     const QPointF position = mapToScene(event->position().toPoint());
     const QRectF& plot = m_scene->plot();
     const double down = (m_last.y() - position.y()) / plot.height();
+    m_hasMoved = m_hasMoved || (position - m_pressed).manhattanLength() >= minDrag;
+    if (m_dragMode != DragMode::Nothing && !m_hasMoved)
+        return; // a click whose mouse shook
     switch (m_dragMode) {
     case DragMode::Nothing:
         hover(position);
@@ -135,7 +140,7 @@ void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
     }
     event->accept();
     viewport()->unsetCursor();
-    if (held == DragMode::Pan || held == DragMode::PanValues)
+    if (m_hasMoved && (held == DragMode::Pan || held == DragMode::PanValues))
         Q_EMIT panEnded();
     if (held == DragMode::LaneEdge)
         Q_EMIT laneEdgeReleased();

@@ -70,6 +70,7 @@ private:
     DragMode m_dragMode = DragMode::Nothing;
     QPointF m_pressed; ///< scene
     QPointF m_last;
+    bool m_hasMoved = false; ///< since it was pressed
     QString m_draggedLane; ///< the unit of the lane above the edge that is held
 };
 } // namespace ui

@@ -157,6 +157,7 @@ void TrendToolbar::setTrigger(const QString& words, bool waiting)
     m_trigger->setVisible(!words.isEmpty()); // else it is in the menu
     m_trigger->setProperty("waiting", waiting);
     fitTexts();
+    fillMenu();
 }
 
 void TrendToolbar::setRecording(const QString& words)
@@ -216,7 +217,8 @@ void TrendToolbar::fillMenu()
     };
     action("trendShowAll", tr("Show &all"), &TrendToolbar::fitRequested);
     action("trendBack", tr("&Previous view"), &TrendToolbar::backRequested);
-    action("trendTriggerMenu", tr("&Trigger…"), &TrendToolbar::triggerRequested);
+    action("trendTriggerMenu", m_triggerWords.isEmpty() ? tr("&Trigger…") : m_triggerWords,
+           &TrendToolbar::triggerRequested);
     addRates();
     m_menu->addSeparator();
     action("trendExport", tr("&Export view…"), &TrendToolbar::exportRequested);

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void shiftWheelZoomsValues();
     void stepsBetweenTwoFramesAddUp();
     void dragPans();
+    void aClickThatShakesPansNothing();
     void shiftDragPansValues();
     void offScaleIsSaidAndFitted();
     void keysMatchTheMouse();
@@ -227,6 +228,26 @@ void TestTrendChart::dragPans()
         QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 30) < 0.2);
         QVERIFY(std::abs(seconds(fixture.chart.width()) - 20) < 0.001);
     }
+}
+
+void TestTrendChart::aClickThatShakesPansNothing()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.advance(100s);
+    fixture.waitForFrames();
+    QWidget* const viewport = fixture.plot->viewport();
+    const QPoint place = fixture.at({0.5, 0.5});
+    QTest::mousePress(viewport, Qt::LeftButton, {}, place);
+    gui::TrendChartFixture::moveTo(viewport, place + QPoint(2, 1), Qt::LeftButton);
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, place + QPoint(2, 1));
+    QVERIFY(fixture.chart.isFollowing());
+    QTest::mousePress(viewport, Qt::LeftButton, {}, place);
+    gui::TrendChartFixture::moveTo(viewport, place + QPoint(80, 0), Qt::LeftButton);
+    gui::TrendChartFixture::moveTo(viewport, place + QPoint(1, 0), Qt::LeftButton);
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, place + QPoint(1, 0));
+    QVERIFY(!fixture.chart.isFollowing()); // there and back is a drag
+    QVERIFY(std::abs(seconds(fixture.chart.shown().to) - 100) < 0.1);
 }
 
 void TestTrendChart::shiftDragPansValues()
