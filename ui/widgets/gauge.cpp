@@ -3,6 +3,7 @@
 
 #include "ui/common/theme.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace {
 constexpr double nearFraction = 0.06;
 constexpr int sixteenths = 16; ///< QPainter counts angles in these
 constexpr double half = 180;
+constexpr double smallestFont = 0.72; ///< of the usual one
 
 Tone toneOf(Gauge::LimitState standing)
 {
@@ -33,6 +35,21 @@ Tone toneOf(Gauge::LimitState standing)
 void drawArc(QPainter& painter, const QRectF& box, double from, double to)
 {
     painter.drawArc(box, qRound(from * sixteenths), qRound((to - from) * sixteenths));
+}
+
+/// In a smaller font where the text is too wide; cut only if that does not help.
+void paintFitted(QPainter& painter, const QRect& room, const QString& text)
+{
+    const QFont usual = painter.font();
+    const double width = QFontMetricsF(usual).horizontalAdvance(text);
+    QFont font = usual;
+    if (width > room.width())
+        font.setPointSizeF(usual.pointSizeF() *
+                           std::max(smallestFont, room.width() / width * 0.98));
+    painter.setFont(font);
+    painter.drawText(room, Qt::AlignCenter,
+                     QFontMetricsF(font).elidedText(text, Qt::ElideRight, room.width()));
+    painter.setFont(usual);
 }
 } // namespace
 
@@ -166,8 +183,7 @@ void Gauge::paintTexts(QPainter& painter) const
     const int line = fontMetrics().height();
     painter.setPen(tone(Tone::Quiet, palette()));
     const QRect top(2, 4, width() - 4, line);
-    painter.drawText(top, Qt::AlignCenter,
-                     fontMetrics().elidedText(m_title, Qt::ElideRight, top.width()));
+    paintFitted(painter, top, m_title);
     if (!m_notMeasured.isEmpty()) {
         const QRect room(6, height() - 3 * line - 2, width() - 12, 3 * line);
         painter.drawText(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap,
@@ -184,8 +200,7 @@ void Gauge::paintTexts(QPainter& painter) const
     const QString footer = m_scale.unit.isEmpty() || m_footer.isEmpty()
                                ? m_scale.unit + m_footer
                                : m_scale.unit + QStringLiteral(" · ") + m_footer;
-    painter.drawText(bottom, Qt::AlignCenter,
-                     fontMetrics().elidedText(footer, Qt::ElideRight, bottom.width()));
+    paintFitted(painter, bottom, footer);
     QFont big = font();
     big.setPointSizeF(font().pointSizeF() * 1.55);
     big.setBold(true);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gauge and dial: how they show a value and its limits, and that the dial requests goals only when
 // allowed, within the limits, by mouse, wheel and keys.
+#include "gui/recorded_painting.h"
 #include "gui/workbench_fixture.h"
 #include "support/test_main.h"
 #include "ui/widgets/circle_text.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/position_dial.h"
 
+#include <QPainter>
 #include <QSignalSpy>
 
 using ui::DialState;
@@ -168,6 +170,24 @@ private Q_SLOTS:
             QVERIFY(std::hypot(away.x(), away.y()) <= diameter / 2 + 2);
         }
         QCOMPARE(taken.top(), top);
+    }
+
+    /// As wide as it is in a window of 1024 px.
+    void aNarrowGaugeShowsAllItsText()
+    {
+        ui::Gauge gauge;
+        gauge.setTitle(QStringLiteral("Temperature"));
+        gauge.resize(74, 118);
+        gui::RecordedPainting painting(gauge.size());
+        QPainter painter(&painting);
+        gauge.render(&painter);
+        painter.end();
+        const auto& texts = painting.texts();
+        const auto title = std::find_if(texts.begin(), texts.end(), [](const auto& painted) {
+            return painted.text == QLatin1String("Temperature");
+        });
+        QVERIFY(title != texts.end());
+        QVERIFY(QRectF(gauge.rect()).contains(title->ink));
     }
 
     void theWheelNeedsTheFocus()
