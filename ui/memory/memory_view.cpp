@@ -172,9 +172,9 @@ void MemoryView::fitColumns()
         const int header = horizontalHeader()->sectionSizeHint(section(column));
         widths[index] = std::min(widths[index], std::max(minWidth, header));
     };
-    atLeast(MemoryColumn::Name, 22 * em);
-    atLeast(MemoryColumn::Physical, 12 * em);
-    atLeast(MemoryColumn::State, defaultStateChars * em);
+    atLeast(MemoryColumn::Name, 19 * em);
+    atLeast(MemoryColumn::Physical, 17 * em);
+    atLeast(MemoryColumn::State, 15 * em);
     int needed = std::accumulate(widths.begin(), widths.end(), 0);
     for (const MemoryColumn column : hideOrder) {
         if (needed <= room)
@@ -192,7 +192,7 @@ void MemoryView::fitColumns()
         needed -= less;
     }
     int left = std::max(0, room - needed);
-    for (const auto index : {state, name, physical}) {
+    for (const auto index : {name, physical, state}) {
         const int more = std::min(left, m_columnWidths[index] - widths[index]);
         widths[index] += more;
         left -= more;

@@ -41,11 +41,13 @@ void drawArc(QPainter& painter, const QRectF& box, double from, double to)
 void paintFitted(QPainter& painter, const QRect& room, const QString& text)
 {
     const QFont usual = painter.font();
-    const double width = QFontMetricsF(usual).horizontalAdvance(text);
     QFont font = usual;
-    if (width > room.width())
-        font.setPointSizeF(usual.pointSizeF() *
-                           std::max(smallestFont, room.width() / width * 0.98));
+    // Step by step: hinted letters do not shrink evenly.
+    for (double share = 1; share > smallestFont; share -= 0.04) {
+        font.setPointSizeF(usual.pointSizeF() * share);
+        if (QFontMetricsF(font).horizontalAdvance(text) <= room.width())
+            break;
+    }
     painter.setFont(font);
     painter.drawText(room, Qt::AlignCenter,
                      QFontMetricsF(font).elidedText(text, Qt::ElideRight, room.width()));

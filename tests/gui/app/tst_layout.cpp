@@ -5,6 +5,7 @@
 #include "gui/main_window_fixture.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
+#include "ui/memory/memory_text.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -238,6 +239,19 @@ private Q_SLOTS:
         const auto* table = fixture.find<QTableView>("memoryTable");
         for (int column = 0; column < table->model()->columnCount(); ++column)
             QVERIFY2(!table->isColumnHidden(column), qPrintable(QString::number(column)));
+        // Physical values are whole; only lists of flags may be cut.
+        int whole = 0;
+        for (int row = 0; row < table->model()->rowCount(); ++row) {
+            const QModelIndex cell =
+                table->model()->index(row, static_cast<int>(ui::MemoryColumn::Physical));
+            const QString value = cell.data().toString();
+            if (value.isEmpty() || value.contains(QLatin1Char('+')))
+                continue;
+            ++whole;
+            QVERIFY2(table->columnWidth(cell.column()) >= table->sizeHintForIndex(cell).width(),
+                     qPrintable(value));
+        }
+        QVERIFY(whole > 10);
     }
 
     void interactiveWidgetsHaveNames()

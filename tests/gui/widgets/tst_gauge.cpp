@@ -177,7 +177,7 @@ private Q_SLOTS:
     {
         ui::Gauge gauge;
         gauge.setTitle(QStringLiteral("Temperature"));
-        gauge.resize(74, 118);
+        gauge.resize(68, 118);
         gui::RecordedPainting painting(gauge.size());
         QPainter painter(&painting);
         gauge.render(&painter);
