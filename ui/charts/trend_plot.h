@@ -71,6 +71,6 @@ private:
     QPointF m_pressed; ///< scene
     QPointF m_last;
     bool m_hasMoved = false; ///< since it was pressed
-    QString m_draggedLane; ///< the unit of the lane above the edge that is held
+    QString m_draggedLane;   ///< the unit of the lane above the edge that is held
 };
 } // namespace ui
