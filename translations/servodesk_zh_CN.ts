@@ -13436,12 +13436,16 @@ Retries: %9</source>
         <translation>每种量各占一栏</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>触发</translation>
-    </message>
-    <message>
         <source>Trigger, read rate, export, recordings and saved views</source>
         <translation>触发、读取频率、导出、录制文件和已保存的视图</translation>
+    </message>
+    <message>
+        <source>The chart no longer waits for the event</source>
+        <translation>曲线不再等待该事件</translation>
+    </message>
+    <message>
+        <source>Ends the recording and closes its file</source>
+        <translation>结束录制并关闭文件</translation>
     </message>
 </context>
 <context>

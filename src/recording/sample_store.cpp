@@ -211,6 +211,22 @@ std::optional<SamplePoint> SampleStore::at(ChannelId channel, Duration instant) 
     return point;
 }
 
+std::optional<SamplePoint> SampleStore::before(ChannelId channel, Duration instant) const
+{
+    const SampleChannel* found = m_data->findNonEmpty(channel);
+    if (!found || instant <= found->span().from)
+        return std::nullopt;
+    return found->point(found->previous(found->lowerBound(instant)));
+}
+
+std::optional<SamplePoint> SampleStore::after(ChannelId channel, Duration instant) const
+{
+    const SampleChannel* found = m_data->findNonEmpty(channel);
+    if (!found || instant >= found->span().to)
+        return std::nullopt;
+    return found->point(found->lowerBound(instant + Duration(1)));
+}
+
 void SampleStore::columns(ChannelId channel, TimeSpan span, int pixels,
                           std::vector<SampleColumn>& out) const
 {

@@ -83,6 +83,10 @@ public:
     /// within a gap.
     std::optional<SamplePoint> at(ChannelId channel, base::Duration instant) const;
 
+    /// The nearest sample before or after that instant, whatever gap lies between.
+    std::optional<SamplePoint> before(ChannelId channel, base::Duration instant) const;
+    std::optional<SamplePoint> after(ChannelId channel, base::Duration instant) const;
+
     /// At most `pixels` columns that cover [from, to], and one more at each side where there are
     /// samples outside, so that lines run out of the picture. Cost grows with `pixels`, not with
     /// the number of samples. `out` is overwritten.

@@ -56,8 +56,10 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
         if (look.dashed)
             dash(m_runs[i], firstPixel(span, image.width()), pen);
         widen(m_runs[i], int(pen.width - 1) / 2);
-        roundOff(m_runs[i], pen, float(look.top * image.height()),
-                 float(look.bottom * image.height()));
+        const auto rowAt = [&](double share) {
+            return float(std::clamp(share, 0.0, 1.0) * image.height());
+        };
+        roundOff(m_runs[i], pen, rowAt(look.top), rowAt(look.bottom));
     }
     updateCover(traces.size());
     clear(image);

@@ -160,7 +160,7 @@ void TrendAxes::setLaneHeights(QMap<QString, double> heights)
 double TrendAxes::laneHeight(const ValueAxis& axis, bool isFirst) const
 {
     const double usual = isFirst ? firstLane : 1.0;
-    return std::clamp(m_laneHeights.value(axis.range.unit(), usual), 0.05, 20.0);
+    return std::clamp(m_laneHeights.value(axis.range.unit(), usual), 0.2, 10.0);
 }
 
 double TrendAxes::minLaneHeight() const
@@ -215,7 +215,7 @@ QRectF TrendAxes::layOut(const QRectF& room)
 }
 
 /// One below the other; the first one, which is the position as a rule, is higher.
-QRectF TrendAxes::layOutLanes(const QRectF& room)
+QRectF TrendAxes::layOutLanes(const QRectF& chart)
 {
     const double line = QFontMetricsF(m_font).height();
     const std::vector<ValueAxis*> axes = usedAxes();
@@ -226,19 +226,20 @@ QRectF TrendAxes::layOutLanes(const QRectF& room)
         shares += laneHeight(*axis, axis == axes.front());
     }
     const QRectF plot(
-        QPointF(std::ceil(room.left() + widest + 2 * gap),
-                std::ceil(room.top() + topLines * line + gap)),
-        QPointF(std::floor(room.right() - gap), std::floor(room.bottom() - line - 2 * gap)));
-    const double spaces = (double(axes.size()) - 1) * laneGap;
+        QPointF(std::ceil(chart.left() + widest + 2 * gap),
+                std::ceil(chart.top() + topLines * line + gap)),
+        QPointF(std::floor(chart.right() - gap), std::floor(chart.bottom() - line - 2 * gap)));
+    // Lanes of a very low plot are closer, but none is outside of it.
+    const double space = std::min(laneGap, plot.height() / (2.0 * double(axes.size()) + 1));
+    const double room = plot.height() - (double(axes.size()) - 1) * space;
     double top = plot.top();
     for (ValueAxis* axis : axes) {
-        const double share = laneHeight(*axis, axis == axes.front()) / shares;
-        const double height = std::max((plot.height() - spaces) * share, 1.0);
+        const double height = room * laneHeight(*axis, axis == axes.front()) / shares;
         axis->left = true;
         axis->width = widest;
         axis->edge = plot.left() - gap - widest;
-        axis->area = QRectF(plot.left(), std::round(top), plot.width(), std::floor(height));
-        top += height + laneGap;
+        axis->area = QRectF(plot.left(), std::floor(top), plot.width(), std::floor(height));
+        top += height + space;
     }
     return plot;
 }
@@ -375,8 +376,8 @@ void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid)
         painter->setPen(color);
         double baseline = y + metrics.capHeight() / 2;
         if (m_lanes) // the text of another lane is near
-            baseline =
-                std::clamp(baseline, axis.area.top() + metrics.capHeight(), axis.area.bottom());
+            baseline = std::min(std::max(baseline, axis.area.top() + metrics.capHeight()),
+                                axis.area.bottom());
         write(valueText(value, axis.step), baseline);
     }
     if (m_lanes) {

@@ -79,7 +79,7 @@ private:
     double textWidth(const ValueAxis& axis) const;
     std::vector<ValueAxis*> usedAxes();
     QRectF layOutBeside(const QRectF& room);
-    QRectF layOutLanes(const QRectF& room);
+    QRectF layOutLanes(const QRectF& chart);
     double laneHeight(const ValueAxis& axis, bool isFirst) const;
     double minLaneHeight() const;
 

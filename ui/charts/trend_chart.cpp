@@ -56,6 +56,7 @@ const std::vector<TrendChannel>& TrendChart::channels() const
 void TrendChart::setMarks(const std::vector<recording::Mark>* marks)
 {
     m_private->state().marks = marks;
+    m_private->plot->picture().refreshOverlay(); // it may be painted before the next frame
     m_private->scheduleFrame();
 }
 

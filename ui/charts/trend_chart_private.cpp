@@ -60,9 +60,11 @@ void TrendChart::Private::connectPlot()
     QObject::connect(plot, &TrendPlot::boxDrawn, c, &TrendControl::zoomToBox);
     QObject::connect(plot, &TrendPlot::panned, c, [this](double x, double y) {
         m_isPanning = true;
-        control.pan(x, y, x == 0);
+        control.pan(x, y);
         m_isPanning = false;
     });
+    QObject::connect(plot, &TrendPlot::valuesPanned, c, &TrendControl::panValues);
+    QObject::connect(plot, &TrendPlot::panStarted, c, &TrendControl::pushView);
     QObject::connect(plot, &TrendPlot::panEnded, q, [this] {
         m_rangeImmediately = true;
         scheduleFrame();

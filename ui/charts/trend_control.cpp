@@ -6,12 +6,12 @@
 namespace ui {
 using base::Duration;
 using recording::TimeSpan;
-using namespace std::chrono_literals;
 
 namespace {
 constexpr std::size_t maxStoredViews = 50;
 constexpr qint64 oneTurn = 800; ///< ms; a turn of the wheel has many steps, but is one zoom
 constexpr double fitMargin = 0.02;
+constexpr double minBoxPart = 12; ///< pixels of a lane in a box that is meant for it
 } // namespace
 
 TrendControl::TrendControl(QObject* parent)
@@ -129,37 +129,55 @@ void TrendControl::zoomToBox(const QRectF& shares)
     Q_EMIT viewChanged();
 }
 
-/// The part of the plot's height between these shares; lanes that it does not touch stay.
+/// The part of the plot's height between these shares; lanes that it hardly touches stay.
 void TrendControl::zoomValuesTo(double low, double high)
 {
     const QRectF& plot = m_axes->plot();
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-        if (!axis.used || axis.area.height() <= 0)
+        if (!axis.used || axis.area.height() < 1)
+            continue;
+        const double top = std::max(axis.area.top(), plot.bottom() - high * plot.height());
+        const double bottom = std::min(axis.area.bottom(), plot.bottom() - low * plot.height());
+        if (bottom - top < minBoxPart)
             continue;
         const auto valueAt = [&](double share) {
             const double y = plot.bottom() - share * plot.height();
             const double within = (axis.area.bottom() - y) / axis.area.height();
             return axis.shown.low + std::clamp(within, 0.0, 1.0) * axis.shown.size();
         };
-        axis.fix({valueAt(low), valueAt(high)}); // nothing between them: no change
+        axis.fix({valueAt(low), valueAt(high)});
     }
 }
 
-void TrendControl::pan(double x, double y, bool values)
+void TrendControl::pan(double x, double y)
 {
     if (x != 0) {
         const auto by = Duration(std::int64_t(-x * double(m_state.view.width().count())));
         m_state.view.panBy(by, m_state.store != nullptr ? m_state.store->span() : std::nullopt);
     }
-    if (y != 0) {
-        for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-            if (!axis.used || !(values || axis.range.isFixed()) || axis.area.height() <= 0)
-                continue;
-            const double by = y * m_axes->plot().height() / axis.area.height() * axis.shown.size();
-            axis.fix({axis.shown.low - by, axis.shown.high - by});
-        }
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (axis.used && axis.range.isFixed() && y != 0)
+            moveAxis(axis, y);
     }
     Q_EMIT viewChanged();
+}
+
+void TrendControl::panValues(const QString* unit, double y)
+{
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (axis.used && (unit == nullptr || axis.range.unit() == *unit))
+            moveAxis(axis, y);
+    }
+    Q_EMIT viewChanged();
+}
+
+/// By a share of the plot's height.
+void TrendControl::moveAxis(TrendAxes::ValueAxis& axis, double y)
+{
+    if (axis.area.height() < 1)
+        return;
+    const double by = y * m_axes->plot().height() / axis.area.height() * axis.shown.size();
+    axis.fix({axis.shown.low - by, axis.shown.high - by});
 }
 
 void TrendControl::zoom(double factor, double place)
@@ -234,33 +252,24 @@ void TrendControl::stepCursor(int samples)
             break;
         at = *to;
     }
-    moveCursor(m_movedCursor, at);
+    (isA ? m_state.cursors->first : m_state.cursors->second) = at;
+    const TimeSpan span = m_state.view.span();
+    if (at < span.from || at > span.to)
+        drag({at - m_state.view.width() / 2, at + m_state.view.width() / 2});
+    Q_EMIT cursorsChanged();
 }
 
 /// The sample before or after this instant that is nearest to it.
 std::optional<Duration> TrendControl::neighborOf(Duration at, bool next) const
 {
-    constexpr Duration instant(1);
     std::optional<Duration> nearest;
     for (const TrendChannel& channel : m_state.channels) {
         if (!channel.visible || channel.id < 0 || m_state.store == nullptr)
             continue;
-        std::optional<Duration> found;
-        if (!next) {
-            if (const auto point = m_state.store->at(channel.id, at - instant))
-                found = point->at;
-        } else if (const auto all = m_state.store->span(channel.id)) {
-            // Few samples are copied, however many there are.
-            for (Duration reach = 1ms; !found && at < all->to; reach *= 4) {
-                const auto points = m_state.store->points(channel.id, {at + instant, at + reach});
-                if (!points.empty())
-                    found = points.front().at;
-                if (at + reach > all->to)
-                    break;
-            }
-        }
-        if (found && (!nearest || (next ? *found < *nearest : *found > *nearest)))
-            nearest = found;
+        const auto found =
+            next ? m_state.store->after(channel.id, at) : m_state.store->before(channel.id, at);
+        if (found && (!nearest || (next ? found->at < *nearest : found->at > *nearest)))
+            nearest = found->at;
     }
     return nearest;
 }

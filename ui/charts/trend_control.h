@@ -29,8 +29,9 @@ public:
     void pushView() { remember(Kind::Single); }
     void drag(const recording::TimeSpan& span); ///< show() without a way back of its own
     void zoomToBox(const QRectF& shares);
-    /// `values` also where an axis still ranges by itself.
-    void pan(double x, double y, bool values);
+    /// `y`: of the axes that do not range by themselves.
+    void pan(double x, double y);
+    void panValues(const QString* unit, double y); ///< null: all; they keep their range then
     void zoom(double factor, double place);
     void zoomValues(const QString* unit, double factor, double place);
     void showEnd(bool newest);
@@ -55,6 +56,7 @@ private:
     void remember(Kind kind);
     void zoomValuesTo(double low, double high);
     std::optional<base::Duration> neighborOf(base::Duration at, bool next) const;
+    void moveAxis(TrendAxes::ValueAxis& axis, double y);
     template <typename Change>
     void changeAxes(const QString* unit, Change change);
 

@@ -72,14 +72,14 @@ QString writeTrendFile(const QString& path, const QByteArray& bytes)
     return good ? QString() : file.errorString();
 }
 
-QByteArray trendCsv(const TrendTable& table)
+QByteArray trendCsv(const TrendTable& table, const std::atomic_bool& stop)
 {
     QStringList names{QStringLiteral("time_s")};
     for (const TrendTable::Column& column : table.columns)
         names << column.name;
     QByteArray text = QByteArrayLiteral("\xEF\xBB\xBF") + files::csvLine(names);
     std::vector<std::size_t> next(table.columns.size(), 0);
-    for (;;) {
+    while (!stop) {
         std::optional<base::Duration> at;
         for (std::size_t i = 0; i < next.size(); ++i) {
             const auto& points = table.columns[i].points;
@@ -87,7 +87,7 @@ QByteArray trendCsv(const TrendTable& table)
                 at = points[next[i]].at;
         }
         if (!at)
-            return text;
+            break;
         text += QByteArray::number(double((*at - table.zero).count()) / 1e6, 'f', 6);
         for (std::size_t i = 0; i < next.size(); ++i) {
             const auto& points = table.columns[i].points;
@@ -97,6 +97,7 @@ QByteArray trendCsv(const TrendTable& table)
         }
         text += '\n';
     }
+    return text;
 }
 
 TrendTable TrendChart::shownTable() const

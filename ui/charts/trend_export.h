@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QString>
 
+#include <atomic>
 #include <vector>
 
 namespace ui {
@@ -21,7 +22,8 @@ struct TrendTable {
 
 /// CSV with a byte order mark, so that Excel reads the names: a line for each instant at which
 /// anything was measured, in seconds; cells are empty where a channel was not.
-QByteArray trendCsv(const TrendTable& table);
+/// Ends early, with what there is, once `stop` is set.
+QByteArray trendCsv(const TrendTable& table, const std::atomic_bool& stop = false);
 
 /// Writes a temporary file first. A device is written to. The system's message; empty: done.
 QString writeTrendFile(const QString& path, const QByteArray& bytes);

@@ -84,7 +84,10 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
         return;
     }
     event->accept();
+    if (m_dragMode != DragMode::Nothing)
+        return; // another button, while the first one is held
     m_pressed = m_last = position;
+    m_dragButton = event->button();
     const std::optional<QString> offScale = m_scene->offScaleChips().unitAt(position);
     if (offScale && event->button() == Qt::LeftButton) {
         Q_EMIT valuesFitRequested(*offScale);
@@ -101,9 +104,13 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
     const QPointF position = mapToScene(event->position().toPoint());
     const QRectF& plot = m_scene->plot();
     const double down = (m_last.y() - position.y()) / plot.height();
-    m_hasMoved = m_hasMoved || (position - m_pressed).manhattanLength() >= minDrag;
-    if (m_dragMode != DragMode::Nothing && !m_hasMoved)
-        return; // a click whose mouse shook
+    if (m_dragMode != DragMode::Nothing && !m_hasMoved) {
+        if ((position - m_pressed).manhattanLength() < minDrag)
+            return; // a click whose mouse shook
+        m_hasMoved = true;
+        if (m_dragMode == DragMode::Pan || m_dragMode == DragMode::PanValues)
+            Q_EMIT panStarted();
+    }
     switch (m_dragMode) {
     case DragMode::Nothing:
         hover(position);
@@ -115,9 +122,12 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
     case DragMode::Pan:
         Q_EMIT panned((position.x() - m_last.x()) / plot.width(), down);
         break;
-    case DragMode::PanValues:
-        Q_EMIT panned(0, down);
+    case DragMode::PanValues: {
+        const TrendAxes::ValueAxis* const lane = m_scene->axes().laneAt(m_pressed);
+        const QString unit = lane != nullptr ? lane->range.unit() : QString();
+        Q_EMIT valuesPanned(lane != nullptr ? &unit : nullptr, down);
         break;
+    }
     case DragMode::CursorA:
     case DragMode::CursorB:
         Q_EMIT cursorMoved(m_dragMode == DragMode::CursorA ? Cursor::A : Cursor::B,
@@ -133,6 +143,10 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
 
 void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
 {
+    if (m_dragMode != DragMode::Nothing && event->button() != m_dragButton) {
+        event->accept();
+        return;
+    }
     const DragMode held = std::exchange(m_dragMode, DragMode::Nothing);
     if (held == DragMode::Nothing) {
         QChartView::mouseReleaseEvent(event);
@@ -156,9 +170,12 @@ void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
 
 void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (m_scene->plot().contains(mapToScene(event->position().toPoint())) &&
-        event->button() == Qt::LeftButton) {
-        m_dragMode = DragMode::Nothing;
+    const QPointF position = mapToScene(event->position().toPoint());
+    const bool onControl = m_scene->offScaleChips().unitAt(position) ||
+                           m_scene->overlay().cursorAt(position) ||
+                           m_scene->axes().laneEdgeAt(position) != nullptr;
+    if (m_scene->plot().contains(position) && event->button() == Qt::LeftButton && !onControl &&
+        m_dragMode == DragMode::Nothing) {
         event->accept();
         Q_EMIT fitRequested();
     } else {
@@ -345,10 +362,10 @@ bool TrendPlot::moveKey(int key, Qt::KeyboardModifiers with)
         Q_EMIT panned(-by, 0);
         break;
     case Qt::Key_Up:
-        Q_EMIT panned(0, -by);
+        Q_EMIT valuesPanned(nullptr, -by);
         break;
     case Qt::Key_Down:
-        Q_EMIT panned(0, by);
+        Q_EMIT valuesPanned(nullptr, by);
         break;
     case Qt::Key_PageUp:
         Q_EMIT panned(1, 0);

@@ -22,7 +22,10 @@ public:
 Q_SIGNALS:
     void resized();
     void boxDrawn(const QRectF& shares); ///< x and y from the lower left; whole height: time only
-    void panned(double x, double y);     ///< by shares, since the last one
+    void panStarted();
+    void panned(double x,
+                double y); ///< by shares, since the last one; y: of scales the user has set
+    void valuesPanned(const QString* unit, double y); ///< null: all
     void panEnded();
     void zoomed(double factor, double place);
     /// axis: unit, or null for all
@@ -70,6 +73,7 @@ private:
     DragMode m_dragMode = DragMode::Nothing;
     QPointF m_pressed; ///< scene
     QPointF m_last;
+    Qt::MouseButton m_dragButton = Qt::NoButton;
     bool m_hasMoved = false; ///< since it was pressed
     QString m_draggedLane;   ///< the unit of the lane above the edge that is held
 };

@@ -41,7 +41,8 @@ void placeIn(TraceStyle& style, const TrendAxes::ValueAxis& axis, const QRectF& 
 {
     const AxisRange& shown = axis.shown;
     const QRectF& area = axis.area;
-    if (area.height() <= 0 || plot.height() <= 0)
+    style.top = style.bottom = 0; // without room: nothing
+    if (area.height() < 1 || plot.height() < 1)
         return;
     const double perPixel = shown.size() / area.height();
     style.high = shown.high + (area.top() - plot.top()) * perPixel;

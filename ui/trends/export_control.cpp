@@ -23,6 +23,11 @@ ExportControl::ExportControl(TrendChart& chart, Banner& banner, session::Setting
     , m_parent(parent)
 {}
 
+ExportControl::~ExportControl()
+{
+    m_stop = true;
+}
+
 void ExportControl::choose()
 {
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmmss"));
@@ -56,7 +61,10 @@ void ExportControl::save(const QString& path)
 void ExportControl::saveTable(const QString& path)
 {
     m_thread.start([this, path, table = m_chart.shownTable()] {
-        const QString error = writeTrendFile(path, trendCsv(table));
+        const QByteArray text = trendCsv(table, m_stop);
+        if (m_stop)
+            return;
+        const QString error = writeTrendFile(path, text);
         QMetaObject::invokeMethod(this, [this, path, error] { showResult(path, error); });
     });
 }

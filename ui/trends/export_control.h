@@ -7,6 +7,8 @@
 
 #include <QObject>
 
+#include <atomic>
+
 class QWidget;
 
 namespace session {
@@ -22,6 +24,7 @@ class ExportControl final : public QObject {
 
 public:
     ExportControl(TrendChart& chart, Banner& banner, session::Settings& settings, QWidget* parent);
+    ~ExportControl() override; ///< a table that is being written is given up
 
     void choose(); ///< asks for the file; its suffix is the format
 
@@ -34,6 +37,7 @@ private:
     Banner& m_banner;
     session::Settings& m_settings;
     QWidget* m_parent;
+    std::atomic_bool m_stop = false;
     base::JobThread m_thread; ///< last: its job uses this
 };
 } // namespace ui

@@ -27,6 +27,14 @@ constexpr std::array<Duration, 8> widths{2s, 5s, 10s, 30s, 60s, 600s, 3600s, 144
 constexpr int buttonSpacing = 4;
 constexpr std::array rates{0, 200, 100, 50, 20, 10, 5, 1};
 const QStringList liveOnly{QStringLiteral("trendClear"), QStringLiteral("trendTriggerMenu")};
+
+void setTexts(QToolButton* button, const QString& text, const QString& tip)
+{
+    button->setText(text);
+    button->setToolTip(text + QStringLiteral(": ") + tip);
+    button->setAccessibleName(text);
+    button->setAccessibleDescription(tip);
+}
 } // namespace
 
 TrendToolbar::TrendToolbar(QWidget* parent)
@@ -153,7 +161,9 @@ void TrendToolbar::setLanes(bool on)
 void TrendToolbar::setTrigger(const QString& words, bool waiting)
 {
     m_triggerWords = words;
-    m_trigger->setText(words);
+    setTexts(m_trigger, words,
+             waiting ? tr("The chart no longer waits for the event")
+                     : tr("Pauses the chart when an event occurs"));
     m_trigger->setVisible(!words.isEmpty()); // else it is in the menu
     m_trigger->setProperty("waiting", waiting);
     fitTexts();
@@ -165,7 +175,10 @@ void TrendToolbar::setRecording(const QString& words)
     const bool needsRoom = words.size() != m_recordWords.size();
     m_recordWords = words;
     const bool runs = !words.isEmpty();
-    m_record->setText(runs ? tr("Stop recording") : tr("Record…"));
+    if (runs)
+        setTexts(m_record, tr("Stop recording"), tr("Ends the recording and closes its file"));
+    else
+        setTexts(m_record, tr("Record…"), tr("Records measured values to a file"));
     const QString icon =
         runs ? QStringLiteral("media-playback-stop") : QStringLiteral("media-record");
     if (m_record->property("iconName") != icon) {
@@ -263,21 +276,13 @@ void TrendToolbar::addPresets()
 
 void TrendToolbar::retranslate()
 {
-    const auto set = [](QToolButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setToolTip(text + QStringLiteral(": ") + tip);
-        button->setAccessibleName(text);
-        button->setAccessibleDescription(tip);
-    };
-    set(m_pause, tr("Pause"), tr("Pauses the chart; measuring continues (Space)"));
-    set(m_fit, tr("All"), tr("Shows all measured data"));
-    set(m_lanes, tr("Lanes"), tr("Shows each quantity in a lane of its own"));
-    set(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
-    set(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
-    set(m_trigger, tr("Trigger"), tr("Pauses the chart when an event occurs"));
-    set(m_more, tr("More"), tr("Trigger, read rate, export, recordings and saved views"));
-    set(m_live, tr("Back to live data"), tr("Closes the recording and shows live values"));
-    set(m_record, tr("Record…"), tr("Records measured values to a file"));
+    setTexts(m_pause, tr("Pause"), tr("Pauses the chart; measuring continues (Space)"));
+    setTexts(m_fit, tr("All"), tr("Shows all measured data"));
+    setTexts(m_lanes, tr("Lanes"), tr("Shows each quantity in a lane of its own"));
+    setTexts(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
+    setTexts(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
+    setTexts(m_more, tr("More"), tr("Trigger, read rate, export, recordings and saved views"));
+    setTexts(m_live, tr("Back to live data"), tr("Closes the recording and shows live values"));
     m_recordState->setAccessibleName(tr("Recording"));
     m_width->setAccessibleName(tr("Time shown"));
     m_width->setToolTip(tr("Length of time shown in the chart"));

@@ -36,11 +36,14 @@ private Q_SLOTS:
     void stepsBetweenTwoFramesAddUp();
     void dragPans();
     void aClickThatShakesPansNothing();
+    void draggingDownLeavesTheScale();
+    void anotherButtonDoesNotEndADrag();
     void shiftDragPansValues();
     void offScaleIsSaidAndFitted();
     void keysMatchTheMouse();
     void cursorsAreDraggedAndNudged();
     void arrowsStepACursorBySamples();
+    void arrowsCrossGapsAndLeaveTheView();
     void nothingIsReadOutsideTheData();
     void readoutsMatchPlainArithmetic();
     void legendAndDigitKeysHideChannels();
@@ -250,6 +253,39 @@ void TestTrendChart::aClickThatShakesPansNothing()
     QVERIFY(std::abs(seconds(fixture.chart.shown().to) - 100) < 0.1);
 }
 
+/// And a way back is kept.
+void TestTrendChart::draggingDownLeavesTheScale()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({40s, 60s});
+    fixture.waitForFrames();
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.5, 0.7}, {0.5, 0.2});
+    QVERIFY(!fixture.plot->picture().axes().axisOf({}).range.isFixed());
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{40s, 60s}));
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.5}, {0.7, 0.5});
+    QVERIFY(fixture.chart.shown().from < 31s);
+    fixture.chart.zoomBack();
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{40s, 60s}));
+}
+
+void TestTrendChart::anotherButtonDoesNotEndADrag()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.waitForFrames();
+    QWidget* const viewport = fixture.plot->viewport();
+    QTest::mousePress(viewport, Qt::LeftButton, Qt::ControlModifier, fixture.at({0.2, 0.5}));
+    gui::TrendChartFixture::moveTo(viewport, fixture.at({0.4, 0.5}), Qt::LeftButton,
+                                   Qt::ControlModifier);
+    QTest::mousePress(viewport, Qt::RightButton, {}, fixture.at({0.4, 0.5}));
+    QTest::mouseRelease(viewport, Qt::RightButton, {}, fixture.at({0.4, 0.5}));
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{0s, 100s}));
+    QTest::mouseRelease(viewport, Qt::LeftButton, Qt::ControlModifier, fixture.at({0.4, 0.5}));
+    QVERIFY(fixture.chart.width() < 22s); // the box
+}
+
 void TestTrendChart::shiftDragPansValues()
 {
     gui::TrendChartFixture fixture;
@@ -381,6 +417,26 @@ void TestTrendChart::arrowsStepACursorBySamples()
     fixture.chart.setCursorsShown(false);
     QTest::keyClick(fixture.plot, Qt::Key_Right);
     QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{1s, 11s})); // without cursors: pans
+}
+
+void TestTrendChart::arrowsCrossGapsAndLeaveTheView()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 2s, [](double t) { return t; });
+    fixture.store.gap(fixture.ids[0]);
+    fixture.fillFrom(0, 60s, 62s, [](double t) { return t; });
+    fixture.chart.show({0s, 70s});
+    fixture.chart.setCursors(2s, 65s);
+    QTest::keyClick(fixture.plot, Qt::Key_Right);
+    QCOMPARE(fixture.chart.cursors()->from, Duration(60s));
+    QTest::keyClick(fixture.plot, Qt::Key_Left);
+    QCOMPARE(fixture.chart.cursors()->from, Duration(2s));
+    fixture.chart.show({30s, 34s}); // neither cursor is in view
+    QTest::keyClick(fixture.plot, Qt::Key_Right);
+    QCOMPARE(fixture.chart.cursors()->from, Duration(60s));
+    const recording::TimeSpan shown = fixture.chart.shown();
+    QVERIFY(shown.from < 60s && shown.to > 60s);
+    QCOMPARE(fixture.chart.width(), Duration(4s));
 }
 
 void TestTrendChart::nothingIsReadOutsideTheData()

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void edgesAreDragged();
     void heightsAreKept();
     void wheelWithShiftZoomsOneLane();
+    void draggingChangesOneLane();
     void hiddenChannelsLeaveNoLane();
     void manyLanesInLittleRoom();
 };
@@ -183,6 +184,22 @@ void TestTrendLanes::wheelWithShiftZoomsOneLane()
     QVERIFY(fixture.axes().axisOf(QStringLiteral("rpm")).shown.size() < 0.9 * speed.size());
 }
 
+/// With Shift its values, with Ctrl a box, which may reach a little into the next lane.
+void TestTrendLanes::draggingChangesOneLane()
+{
+    for (const auto with : {Qt::ShiftModifier, Qt::ControlModifier}) {
+        LanesFixture fixture;
+        const ui::AxisRange position = fixture.axes().axisOf(QStringLiteral("°")).shown;
+        const QRectF speed = fixture.sharesOf(fixture.laneOf("rpm"));
+        const double pixel = 1 / fixture.area().height();
+        fixture.drag(Qt::LeftButton, with, {0.2, speed.top() + 20 * pixel},
+                     {0.6, speed.bottom() + 14 * pixel});
+        QCOMPARE(fixture.axes().axisOf(QStringLiteral("°")).shown, position);
+        QVERIFY(!fixture.axes().axisOf(QStringLiteral("°")).range.isFixed());
+        QVERIFY(fixture.axes().axisOf(QStringLiteral("rpm")).range.isFixed());
+    }
+}
+
 void TestTrendLanes::hiddenChannelsLeaveNoLane()
 {
     LanesFixture fixture;
@@ -207,17 +224,22 @@ void TestTrendLanes::manyLanesInLittleRoom()
         fixture.channels.push_back(channel);
     }
     fixture.chart.setChannels(fixture.channels);
-    for (const QSize size : {QSize(300, 160), QSize(200, 90), QSize(800, 500)}) {
-        fixture.chart.resize(size);
+    int low = 0;
+    for (int height = 500; height > 60; height -= 9) {
+        fixture.chart.resize(420, height);
         fixture.waitForFrames();
-        if (fixture.area().isEmpty())
+        const QRectF plot = fixture.area();
+        if (plot.isEmpty())
             continue; // no room for a plot at all
-        double bottom = fixture.area().top() - 1;
+        low += plot.height() < 90 ? 1 : 0;
+        double bottom = plot.top() - 1;
         for (const char* unit : {"°", "rpm", "mA", "%", "V", "°C", "a", "b", "c"}) {
             QVERIFY2(fixture.laneOf(unit).top() > bottom, unit);
             bottom = fixture.laneOf(unit).bottom();
         }
+        QVERIFY(bottom <= plot.bottom());
     }
+    QVERIFY(low > 2);
 }
 
 SERVODESK_TEST(TestTrendLanes)
