@@ -13447,6 +13447,10 @@ Retries: %9</source>
         <source>Ends the recording and closes its file</source>
         <translation>结束录制并关闭文件</translation>
     </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发</translation>
+    </message>
 </context>
 <context>
     <name>ui::TriggerControl</name>

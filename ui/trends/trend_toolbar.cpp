@@ -161,7 +161,7 @@ void TrendToolbar::setLanes(bool on)
 void TrendToolbar::setTrigger(const QString& words, bool waiting)
 {
     m_triggerWords = words;
-    setTexts(m_trigger, words,
+    setTexts(m_trigger, words.isEmpty() ? tr("Trigger") : words,
              waiting ? tr("The chart no longer waits for the event")
                      : tr("Pauses the chart when an event occurs"));
     m_trigger->setVisible(!words.isEmpty()); // else it is in the menu
