@@ -86,7 +86,7 @@ void TrendScene::setColors(const TrendColors& colors)
 void TrendScene::setPaper(bool on)
 {
     m_traces->setPaper(on);
-    m_offScaleChips->setVisible(!on); // nobody can click them there
+    m_offScaleChips->setVisible(!on); // paper has no clicks
 }
 
 void TrendScene::setFont(const QFont& font)
