@@ -140,12 +140,11 @@ void TrendControl::zoomValuesTo(double low, double high)
         const double bottom = std::min(axis.area.bottom(), plot.bottom() - low * plot.height());
         if (bottom - top < minBoxPart)
             continue;
-        const auto valueAt = [&](double share) {
-            const double y = plot.bottom() - share * plot.height();
-            const double within = (axis.area.bottom() - y) / axis.area.height();
-            return axis.shown.low + std::clamp(within, 0.0, 1.0) * axis.shown.size();
+        const auto valueAt = [&](double y) {
+            const double share = (axis.area.bottom() - y) / axis.area.height();
+            return axis.shown.low + share * axis.shown.size();
         };
-        axis.fix({valueAt(low), valueAt(high)});
+        axis.fix({valueAt(bottom), valueAt(top)});
     }
 }
 

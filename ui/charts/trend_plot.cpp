@@ -103,7 +103,7 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
     const QRectF& plot = m_scene->plot();
-    const double down = (m_last.y() - position.y()) / plot.height();
+    const double up = (m_last.y() - position.y()) / plot.height();
     if (m_dragMode != DragMode::Nothing && !m_hasMoved) {
         if ((position - m_pressed).manhattanLength() < minDrag)
             return; // a click whose mouse shook
@@ -120,12 +120,12 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
         m_scene->overlay().setBox(boxTo(position));
         break;
     case DragMode::Pan:
-        Q_EMIT panned((position.x() - m_last.x()) / plot.width(), down);
+        Q_EMIT panned((position.x() - m_last.x()) / plot.width(), up);
         break;
     case DragMode::PanValues: {
         const TrendAxes::ValueAxis* const lane = m_scene->axes().laneAt(m_pressed);
         const QString unit = lane != nullptr ? lane->range.unit() : QString();
-        Q_EMIT valuesPanned(lane != nullptr ? &unit : nullptr, down);
+        Q_EMIT valuesPanned(lane != nullptr ? &unit : nullptr, up);
         break;
     }
     case DragMode::CursorA:
