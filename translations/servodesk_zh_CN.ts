@@ -9361,6 +9361,14 @@ Retries: %9</source>
         <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo slower. Only for parts of equal mass.</source>
         <translation>夹持：按物体能承受的程度设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。速度会变慢。仅适合质量相同的物品。</translation>
     </message>
+    <message>
+        <source>Torque limit details</source>
+        <translation>扭矩限制的详细设置</translation>
+    </message>
+    <message>
+        <source>Shows the slider, and how to set a gripping force</source>
+        <translation>显示滑块以及如何设定夹持力</translation>
+    </message>
 </context>
 <context>
     <name>ui::ControlMode</name>
@@ -9951,6 +9959,10 @@ Retries: %9</source>
         <source>Shows this run on the Step response page, where the next run is compared with it</source>
         <translation>在“阶跃响应”页显示，下一次运行与它对比</translation>
     </message>
+    <message>
+        <source>No entries. Writes, snapshots, tests and alarms are listed here, unless a filter above hides them.</source>
+        <translation>没有记录。写入、快照、测试和报警都列在这里，除非被上方的筛选隐藏。</translation>
+    </message>
 </context>
 <context>
     <name>ui::HistorySendLabel</name>
@@ -10331,14 +10343,6 @@ Retries: %9</source>
         <translation>EPROM 已上锁</translation>
     </message>
     <message>
-        <source>EPROM unlocked by ServoDesk</source>
-        <translation>EPROM 已解锁（由 ServoDesk 解锁）</translation>
-    </message>
-    <message>
-        <source>EPROM unlocked, not by ServoDesk</source>
-        <translation>EPROM 已解锁（非 ServoDesk 解锁）</translation>
-    </message>
-    <message>
         <source>This family has no EPROM lock. The servo stores every setting immediately.</source>
         <translation>该系列没有 EPROM 锁。每次设置都立即保存。</translation>
     </message>
@@ -10365,6 +10369,14 @@ Retries: %9</source>
     <message>
         <source>Lock</source>
         <translation>上锁</translation>
+    </message>
+    <message>
+        <source>EPROM unlocked</source>
+        <translation>EPROM 未上锁</translation>
+    </message>
+    <message>
+        <source>EPROM left unlocked</source>
+        <translation>EPROM 遗留未锁</translation>
     </message>
 </context>
 <context>
@@ -10447,14 +10459,6 @@ Retries: %9</source>
 <context>
     <name>ui::MemoryToolbar</name>
     <message>
-        <source>off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>fastest</source>
-        <translation>最快</translation>
-    </message>
-    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -10477,18 +10481,6 @@ Retries: %9</source>
     <message>
         <source>Group</source>
         <translation>分组</translation>
-    </message>
-    <message>
-        <source>Live</source>
-        <translation>刷新</translation>
-    </message>
-    <message>
-        <source>Live reading</source>
-        <translation>实时读取</translation>
-    </message>
-    <message>
-        <source>Explain this row</source>
-        <translation>本行说明</translation>
     </message>
     <message>
         <source>All groups</source>
@@ -10537,6 +10529,30 @@ Retries: %9</source>
     <message>
         <source>Physical</source>
         <translation>物理值</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>As fast as the bus allows</source>
+        <translation>总线允许的最快速度</translation>
+    </message>
+    <message>
+        <source>&amp;Live reading</source>
+        <translation>实时读取(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Explain this &amp;row</source>
+        <translation>解释此行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>Copy, export or print the table, and live reading</source>
+        <translation>复制、导出或打印表格，以及实时读取</translation>
     </message>
 </context>
 <context>
@@ -11962,12 +11978,12 @@ Retries: %9</source>
         <translation>对比和恢复的是当前项；按住 Ctrl 可多选对比</translation>
     </message>
     <message>
-        <source>No snapshots yet. One is saved automatically before the first change to a servo.</source>
-        <translation>还没有快照。第一次修改舵机之前会自动保存一份。</translation>
-    </message>
-    <message>
         <source>Words in model, label, note or file name</source>
         <translation>型号、标签、备注或文件名中的文字</translation>
+    </message>
+    <message>
+        <source>No snapshots yet. Take one here; one is also saved before the first change to a servo.</source>
+        <translation>还没有快照。可在此保存一个；首次更改舵机之前也会自动保存。</translation>
     </message>
 </context>
 <context>

@@ -194,7 +194,7 @@ public:
     bool switchModeByTile(const char* mode)
     {
         QTest::mouseClick(
-            find<QToolButton>(qPrintable(QStringLiteral("mode_") + QString::fromLatin1(mode))),
+            find<QAbstractButton>(qPrintable(QStringLiteral("mode_") + QString::fromLatin1(mode))),
             Qt::LeftButton);
         QDialog* asked = question();
         if (asked == nullptr)

@@ -5,12 +5,31 @@
 #include "ui/common/theme.h"
 
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QToolButton>
 
 namespace ui {
 namespace {
 const QString englishCode = QStringLiteral("en");
 const QString chineseCode = QStringLiteral("zh_CN");
+
+/// The usual sign for light and dark: a disk, one half filled.
+QIcon themeIcon(const QPalette& palette, double ratio)
+{
+    constexpr int side = 16;
+    QPixmap picture(QSize(side, side) * ratio);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF disk(1.5, 1.5, side - 3, side - 3);
+    painter.setPen(QPen(palette.color(QPalette::ButtonText), 1.4));
+    painter.drawEllipse(disk);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette.color(QPalette::ButtonText));
+    painter.drawPie(disk, -90 * 16, 180 * 16);
+    return picture;
+}
 } // namespace
 
 AppearanceButtons::AppearanceButtons(ThemeSwitch& theme, LanguageSwitch& language,
@@ -74,9 +93,7 @@ void AppearanceButtons::showChoices()
     m_commands.action(Command::ThemeSystem)->setChecked(theme == session::Theme::System);
     m_commands.action(Command::ThemeLight)->setChecked(theme == session::Theme::Light);
     m_commands.action(Command::ThemeDark)->setChecked(theme == session::Theme::Dark);
-    m_themeButton->setIcon(QIcon::fromTheme(isDark(palette())
-                                                ? QStringLiteral("weather-clear")
-                                                : QStringLiteral("weather-clear-night")));
+    m_themeButton->setIcon(themeIcon(palette(), devicePixelRatioF()));
 }
 
 void AppearanceButtons::retranslate()

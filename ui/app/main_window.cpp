@@ -135,7 +135,7 @@ QWidget* MainWindow::buildCenter()
 {
     auto* center = new QWidget(this);
     auto* column = new QVBoxLayout(center);
-    column->setContentsMargins(6, 6, 6, 6);
+    column->setContentsMargins({});
     m_banner = new Banner(center);
     m_pages = new Pages(m_context, m_settings, center);
     m_center = new QStackedWidget(center);

@@ -2,6 +2,7 @@
 #include "ui/app/pages.h"
 
 #include "ui/commissioning/commission_page.h"
+#include "ui/common/widget_style.h"
 #include "ui/history/history_page.h"
 #include "ui/memory/memory_page.h"
 #include "ui/operate/operate_page.h"
@@ -9,6 +10,10 @@
 #include "ui/step/step_page.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/trends/trend_panel.h"
+
+#include <QLayout>
+#include <QPainter>
+#include <QTabBar>
 
 #include <array>
 
@@ -57,6 +62,8 @@ Pages::Pages(AppContext& appContext, session::Settings& settings, QWidget* paren
     for (QWidget* page : std::initializer_list<QWidget*>{m_operate, memory, sweep, m_step,
                                                          m_snapshots, commission, m_history})
         addTab(page, QString());
+    for (int i = 0; i < count(); ++i)
+        widget(i)->layout()->setContentsMargins(cardMargin, cardMargin, cardMargin, cardMargin);
     connectCommands(appContext.commands);
     connectHistory(appContext.commands);
     connect(sweep, &SweepPage::previousTestsRequested,
@@ -124,6 +131,16 @@ void Pages::connectHistory(const Commands& commands)
     });
     connect(m_history, &HistoryPage::previousTestsRequested,
             commands.action(Command::PreviousTests), &QAction::trigger);
+}
+
+/// The strip of the tabs belongs to the window's bars, not to the ground of the pages.
+void Pages::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const QRect strip(0, 0, width(), tabBar()->height());
+    painter.fillRect(strip, palette().color(QPalette::AlternateBase));
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawLine(strip.bottomLeft(), strip.bottomRight());
 }
 
 void Pages::retranslate()

@@ -30,6 +30,9 @@ public:
 Q_SIGNALS:
     void usableWithoutServo(); ///< isUsableWithoutServo() has become true
 
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
 private:
     void connectCommands(const Commands& commands);
     void connectHistory(const Commands& commands);

@@ -3,6 +3,7 @@
 
 #include "ui/charts/axis_ticks.h"
 #include "ui/common/palette.h"
+#include "ui/common/widget_style.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -53,11 +54,7 @@ CursorTable::CursorTable(TrendChart* chart, QWidget* parent)
     m_times->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_table->setObjectName(QStringLiteral("cursorTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setShowGrid(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::ResizeToContents);
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -4,6 +4,7 @@
 #include "ui/commissioning/commission_batch_view.h"
 #include "ui/commissioning/commission_form.h"
 #include "ui/commissioning/commission_status.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/floating_overlay.h"
@@ -42,12 +43,11 @@ CommissionPage::CommissionPage(AppContext& appContext, session::Settings& settin
 void CommissionPage::build()
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("commissionBanner"));
     m_banner->hideMessage();
     auto* row = new QHBoxLayout;
-    row->setSpacing(12);
+    row->setSpacing(cardMargin);
     row->addWidget(buildSetup());
     row->addWidget(buildWork(), 1);
     column->addLayout(row, 1);
@@ -59,7 +59,7 @@ QWidget* CommissionPage::buildSetup()
     auto* left = new QWidget(this);
     left->setFixedWidth(setupWidth);
     auto* column = new QVBoxLayout(left);
-    column->setContentsMargins({});
+    makeCard(left);
     m_form = new CommissionForm(m_settings, left);
     m_reasonLabel = new QLabel(left);
     m_reasonLabel->setObjectName(QStringLiteral("commissionWhy"));
@@ -94,7 +94,7 @@ QWidget* CommissionPage::buildWork()
 {
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
-    column->setContentsMargins({});
+    makeCard(right);
     m_status = new CommissionStatus(m_workbench, right);
     m_batch = new CommissionBatchView(right);
     column->addWidget(m_status);

@@ -12,11 +12,14 @@
 namespace ui {
 namespace {
 struct Colors {
-    QRgb window, base, alternate, text, quiet, button, line, accent, onAccent, tip;
+    QRgb window;    ///< the ground the cards lie on
+    QRgb base;      ///< cards, tables and fields
+    QRgb alternate; ///< bars, and every second row
+    QRgb text, quiet, button, line, accent, onAccent, tip;
 };
-constexpr Colors lightColors{0xfff3f4f6, 0xffffffff, 0xfff8f9fb, 0xff1f2430, 0xff5d6675,
+constexpr Colors lightColors{0xffeef0f4, 0xffffffff, 0xfff7f8fb, 0xff1f2430, 0xff5d6675,
                              0xffffffff, 0xffc9ced6, 0xff1d6ee6, 0xffffffff, 0xffffffff};
-constexpr Colors darkColors{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0xffa3abb8,
+constexpr Colors darkColors{0xff202329, 0xff2a2e35, 0xff2f333b, 0xffe6e8ec, 0xffa3abb8,
                             0xff353a43, 0xff4b515c, 0xff3d82ea, 0xffffffff, 0xff3a3f49};
 
 /// Disabled: still readable, but visibly not usable.
@@ -59,11 +62,44 @@ QPalette paletteOf(const Colors& c)
     return palette;
 }
 
-// What Fusion lacks: more spacing, and one clear main action.
+/// Of selected rows: pale, so that colors that mean something are told apart on it.
+QColor selectionTint(const Colors& c)
+{
+    constexpr float share = 0.18F;
+    const QColor base(c.base);
+    const QColor accent(c.accent);
+    const auto mix = [](float a, float b) { return a + (b - a) * share; };
+    return QColor::fromRgbF(mix(base.redF(), accent.redF()), mix(base.greenF(), accent.greenF()),
+                            mix(base.blueF(), accent.blueF()));
+}
+
+// What Fusion lacks: more spacing, cards, underlined tabs, and one clear main action.
 const char* const styleRules = R"(
 QToolTip { padding: 4px; }
+QToolBar#topBar { background: palette(alternate-base); border: none; border-bottom: 1px solid palette(mid); }
+QStatusBar { background: palette(alternate-base); border-top: 1px solid palette(mid); }
+QStatusBar::item { border: none; }
+QMenuBar { background: palette(alternate-base); }
+QMenuBar::item { background: transparent; padding: 4px 8px; }
+QMenuBar::item:selected { background: palette(highlight); color: palette(highlighted-text); }
+QWidget[panel="true"] { background: palette(alternate-base); }
+QWidget[card="true"] {
+    background: palette(base); border: 1px solid palette(mid); border-radius: 6px;
+}
+QLabel[heading="true"] { font-weight: 600; }
+QTabBar::tab {
+    background: transparent; border: none; border-bottom: 3px solid transparent;
+    color: @quiet; padding: 7px 10px 5px 10px;
+}
+QTabBar::tab:hover { color: palette(window-text); }
+QTabBar::tab:selected { color: palette(window-text); border-bottom-color: palette(highlight); }
+QTabBar::tab:selected:focus { color: palette(link); }
+QTableView { selection-background-color: @tint; selection-color: palette(text); }
 QPushButton, QToolButton { padding: 4px 10px; }
-QTabWidget > QToolButton { padding: 0 8px; }
+QToolButton[disclosure="true"] { padding: 0; border: none; }
+QToolButton[menuOnly="true"]::menu-indicator { image: none; }
+QPushButton[link="true"] { color: palette(link); padding: 4px 0; text-align: left; }
+QTabWidget > QToolButton { padding: 0 6px; }
 QPushButton[mainAction="true"] {
     background: palette(highlight); color: palette(highlighted-text);
     border: 1px solid palette(highlight); border-radius: 4px; padding: 5px 12px;
@@ -80,7 +116,7 @@ QPushButton[stopAction="true"]:hover { background: #d63c3c; }
 QPushButton[stopAction="true"]:pressed { background: #a32222; }
 QPushButton[stopAction="true"]:disabled { background: palette(button); color: @faint; }
 QHeaderView::section {
-    padding: 4px 6px; border: none; border-bottom: 1px solid palette(mid);
+    padding: 4px 6px 4px 3px; border: none; border-bottom: 1px solid palette(mid);
     background: palette(base); font-weight: 600;
 }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
@@ -174,6 +210,8 @@ void ThemeSwitch::paint()
     // Set again each time: rules with palette(...) are resolved when they are set.
     const QColor faint = faintText(colors);
     qApp->setStyleSheet(QString::fromLatin1(styleRules)
+                            .replace(QLatin1String("@tint"), selectionTint(colors).name())
+                            .replace(QLatin1String("@quiet"), QColor(colors.quiet).name())
                             .replace(QLatin1String("@faint"), QStringLiteral("rgba(%1,%2,%3,%4)")
                                                                   .arg(faint.red())
                                                                   .arg(faint.green())

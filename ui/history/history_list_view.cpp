@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/history_list_view.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/widgets/fit_columns.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -10,25 +11,16 @@
 #include <utility>
 
 namespace ui {
-namespace {
-constexpr int historyRowPadding = 8;
-}
-
 HistoryListView::HistoryListView(HistoryTableModel& model, QWidget* parent)
     : QTableView(parent)
 {
     setObjectName(QStringLiteral("historyTable"));
     setModel(&model);
     setItemDelegate(new ToneDelegate(this));
-    setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setTabKeyNavigation(false);
-    setWordWrap(false);
-    verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + historyRowPadding);
+    styleTable(this);
     m_columns = new FitColumns(this);
-    horizontalHeader()->setHighlightSections(false);
     const auto save = [this](const QModelIndex&, int first) { saveTopRow(first); };
     connect(&model, &HistoryTableModel::rowsAboutToBeInserted, this, save);
     connect(&model, &HistoryTableModel::rowsAboutToBeRemoved, this, save);

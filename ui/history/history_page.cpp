@@ -4,6 +4,7 @@
 #include "session/history/history_server_choice.h"
 #include "session/history/history_server_source.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/history/history_filter_bar.h"
 #include "ui/history/history_list_view.h"
@@ -51,7 +52,6 @@ HistoryPage::~HistoryPage() = default;
 void HistoryPage::build()
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("historyBanner"));
     m_banner->hideMessage();
@@ -62,7 +62,17 @@ void HistoryPage::build()
     m_filters = new HistoryFilterBar(m_settings, this);
     column->addWidget(m_banner);
     column->addWidget(m_filters);
-    column->addWidget(m_view, 1);
+    auto* card = new QWidget(this);
+    m_emptyLabel = new QLabel(card);
+    m_emptyLabel->setObjectName(QStringLiteral("historyNothing"));
+    makeEmptyState(m_emptyLabel);
+    auto* inside = new QVBoxLayout(card);
+    inside->addWidget(m_emptyLabel, 1);
+    inside->addWidget(m_view, 1);
+    makeCard(card);
+    m_view->setFrameShape(QFrame::NoFrame);
+    card->layout()->setContentsMargins(1, 1, 1, 1);
+    column->addWidget(card, 1);
     column->addWidget(m_identityHint);
     column->addWidget(buildActions());
     column->addWidget(new HistorySendLabel(m_workbench.historySender(), this));
@@ -206,6 +216,8 @@ void HistoryPage::showState()
     m_label->setEnabled(one);
     m_export->setEnabled(m_table.rowCount() > 0);
     m_count->setText(countText());
+    m_emptyLabel->setVisible(m_table.rowCount() == 0);
+    m_view->setVisible(m_table.rowCount() > 0);
 }
 
 void HistoryPage::openSelected()
@@ -350,6 +362,9 @@ void HistoryPage::showError(const base::Error& error)
 
 void HistoryPage::retranslate()
 {
+    m_emptyLabel->setText(
+        tr("No entries. Writes, snapshots, tests and alarms are listed here, unless a "
+           "filter above hides them."));
     setAccessibleName(tr("History"));
     m_identityHint->setText(
         tr("Servos have no serial number. They are identified by model, firmware, ID and the label "

@@ -81,6 +81,7 @@ private:
     QPushButton* m_label = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_serverSet = nullptr;
+    QLabel* m_emptyLabel = nullptr;
     QLabel* m_count = nullptr;
     QTimer m_queryTimer; ///< several changes cause one query
 };

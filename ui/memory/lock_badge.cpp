@@ -79,9 +79,9 @@ QString LockBadge::lockText(Lock lock)
     case Lock::Closed:
         return tr("EPROM locked");
     case Lock::OpenByUs:
-        return tr("EPROM unlocked by ServoDesk");
+        return tr("EPROM unlocked");
     case Lock::OpenByOthers:
-        return tr("EPROM unlocked, not by ServoDesk");
+        return tr("EPROM left unlocked");
     case Lock::NoServo:
         break;
     }

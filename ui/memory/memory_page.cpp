@@ -29,7 +29,7 @@ namespace {
 // Of the panel beside the table, in letters; between them a share of the width.
 constexpr int minPanelChars = 28;
 constexpr int maxPanelChars = 48;
-constexpr int panelPercent = 22;
+constexpr int panelPercent = 20;
 
 /// What is missing in a complete reading cannot be read (stored move of some LX).
 bool hasValue(const session::ServoEntry& entry, const catalog::Register& reg)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the memory page and their connections.
+#include "ui/common/widget_style.h"
 #include "ui/memory/memory_output.h"
 #include "ui/memory/memory_page.h"
 #include "ui/memory/memory_toolbar.h"
@@ -21,8 +22,6 @@ using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms; // forty looks a second are more than an eye follows
 constexpr auto ageStep = 1s;
 constexpr auto liveDelay = 150ms;
-constexpr int sideMargin = 4; // the table needs every letter of the width
-constexpr int topMargin = 8;
 } // namespace
 
 MemoryPage::MemoryPage(session::Workbench& workbench, Commands& commands, Selection& selection,
@@ -58,13 +57,18 @@ void MemoryPage::build(session::Settings& settings)
     m_view->setModel(&m_filter);
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("memoryNothing"));
-    m_emptyLabel->setAlignment(Qt::AlignCenter);
-    m_emptyLabel->setWordWrap(true);
+    makeEmptyState(m_emptyLabel);
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(m_view);
     m_stack->addWidget(m_emptyLabel);
-    auto* side = new QSplitter(Qt::Vertical, this);
+    makeCard(m_stack);
+    m_stack->layout()->setContentsMargins(1, 1, 1, 1); // the table needs every letter of the width
+    m_view->setFrameShape(QFrame::NoFrame);
+    auto* card = new QWidget(this);
+    auto* side = new QSplitter(Qt::Vertical, card);
     side->setChildrenCollapsible(false);
+    (new QVBoxLayout(card))->addWidget(side);
+    makeCard(card);
     m_panel = new RegisterPanel(side);
     m_history = new ServoHistoryPanel(side);
     side->addWidget(m_panel);
@@ -74,10 +78,9 @@ void MemoryPage::build(session::Settings& settings)
     m_splitter = new QSplitter(this);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->addWidget(m_stack);
-    m_splitter->addWidget(side);
+    m_splitter->addWidget(card);
     connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_userSplit = true; });
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(sideMargin, topMargin, sideMargin, 0);
     column->addWidget(m_toolbar);
     column->addWidget(m_splitter, 1);
     new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);

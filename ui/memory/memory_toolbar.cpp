@@ -5,16 +5,16 @@
 #include "ui/common/widget_text.h"
 #include "ui/memory/lock_badge.h"
 #include "ui/widgets/flow_layout.h"
-#include "ui/widgets/segment_button.h"
+#include "ui/widgets/segmented_control.h"
 
-#include <QButtonGroup>
+#include <QActionGroup>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 
 namespace ui {
@@ -31,15 +31,6 @@ constexpr int liveOff = 0;
 constexpr int liveMax = -1;
 constexpr std::array liveRates{liveOff, 1, 5, 20, liveMax};
 constexpr int defaultLiveRate = 5;
-
-QWidget* compactBox(QWidget* parent)
-{
-    auto* box = new QWidget(parent);
-    auto* layout = new QHBoxLayout(box);
-    layout->setContentsMargins({});
-    layout->setSpacing(0);
-    return box;
-}
 } // namespace
 
 MemoryToolbar::MemoryToolbar(Commands& commands, session::Settings& settings, QWidget* parent)
@@ -54,10 +45,10 @@ MemoryToolbar::MemoryToolbar(Commands& commands, session::Settings& settings, QW
     addFind();
     addChoices();
     addOrder();
-    addLive();
     m_lock = new LockBadge(commands.action(Command::CloseLock), this);
     m_layout->addWidget(m_lock);
-    addCommands();
+    addReadAll();
+    addMenu();
     retranslate();
 }
 
@@ -66,30 +57,20 @@ void MemoryToolbar::addFind()
     m_find = new QLineEdit(this);
     m_find->setObjectName(QStringLiteral("registerFind"));
     m_find->setClearButtonEnabled(true);
-    m_find->setMinimumWidth(m_find->fontMetrics().averageCharWidth() * 24);
+    m_find->setMinimumWidth(m_find->fontMetrics().averageCharWidth() * 20);
     m_layout->addWidget(m_find);
     connect(m_find, &QLineEdit::textChanged, this, &MemoryToolbar::textChanged);
 }
 
-QToolButton* MemoryToolbar::segment(const QString& name, QButtonGroup* group, QWidget* box)
-{
-    auto* button = new SegmentButton(box);
-    button->setObjectName(name);
-    group->addButton(button, static_cast<int>(group->buttons().size()));
-    box->layout()->addWidget(button);
-    return button;
-}
-
 void MemoryToolbar::addChoices()
 {
-    QWidget* box = compactBox(this);
-    m_rowFilters = new QButtonGroup(this);
-    segment(QStringLiteral("rowsAll"), m_rowFilters, box)->setChecked(true);
-    segment(QStringLiteral("rowsChanged"), m_rowFilters, box);
-    segment(QStringLiteral("rowsDifferent"), m_rowFilters, box);
-    m_layout->addWidget(box);
-    connect(m_rowFilters, &QButtonGroup::idClicked, this,
-            [this](int id) { Q_EMIT rowFilterChanged(static_cast<RowFilter>(id)); });
+    m_rowFilters = new SegmentedControl(this);
+    for (const char* name : {"rowsAll", "rowsChanged", "rowsDifferent"})
+        m_rowFilters->addSegment(QString::fromLatin1(name));
+    m_rowFilters->select(0);
+    m_layout->addWidget(m_rowFilters);
+    connect(m_rowFilters, &SegmentedControl::chosen, this,
+            [this](int index) { Q_EMIT rowFilterChanged(static_cast<RowFilter>(index)); });
     m_groups = new QComboBox(this);
     m_groups->setObjectName(QStringLiteral("groupFilter"));
     m_groups->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -102,78 +83,81 @@ void MemoryToolbar::addChoices()
 
 void MemoryToolbar::addOrder()
 {
-    QWidget* box = compactBox(this);
-    m_order = new QButtonGroup(this);
-    QToolButton* raw = segment(QStringLiteral("rawFirst"), m_order, box);
-    QToolButton* physical = segment(QStringLiteral("physicalFirst"), m_order, box);
-    (m_settings.pageValue(orderKey, false).toBool() ? physical : raw)->setChecked(true);
-    m_layout->addWidget(box);
-    connect(m_order, &QButtonGroup::idClicked, this, [this](int id) {
-        m_settings.setPageValue(orderKey, id == 1);
-        Q_EMIT physicalFirstChanged(id == 1);
+    m_order = new SegmentedControl(this);
+    m_order->addSegment(QStringLiteral("rawFirst"));
+    m_order->addSegment(QStringLiteral("physicalFirst"));
+    m_order->select(m_settings.pageValue(orderKey, false).toBool() ? 1 : 0);
+    m_layout->addWidget(m_order);
+    connect(m_order, &SegmentedControl::chosen, this, [this](int index) {
+        m_settings.setPageValue(orderKey, index == 1);
+        Q_EMIT physicalFirstChanged(index == 1);
     });
+}
+
+void MemoryToolbar::addMenu()
+{
+    auto* more = new QToolButton(this);
+    more->setObjectName(QStringLiteral("memoryMore"));
+    more->setIcon(QIcon::fromTheme(QStringLiteral("application-menu")));
+    more->setPopupMode(QToolButton::InstantPopup);
+    more->setProperty("menuOnly", true);
+    more->setFocusPolicy(Qt::StrongFocus);
+    m_more = more;
+    m_menu = new QMenu(more);
+    m_menu->setToolTipsVisible(true);
+    more->setMenu(m_menu);
+    m_layout->addWidget(more);
+    for (const Command command : {Command::CopyRows, Command::ExportTable, Command::PrintTable})
+        m_menu->addAction(m_commands.action(command));
+    m_menu->addSeparator();
+    addLive();
+    m_help = m_menu->addAction(QString());
+    m_help->setObjectName(QStringLiteral("rowHelp"));
+    connect(m_help, &QAction::triggered, this, &MemoryToolbar::helpRequested);
 }
 
 void MemoryToolbar::addLive()
 {
-    auto* box = new QWidget(this);
-    auto* layout = new QHBoxLayout(box);
-    layout->setContentsMargins({});
-    m_liveLabel = new QLabel(box);
-    m_live = new QComboBox(box);
-    m_live->setObjectName(QStringLiteral("liveRate"));
-    m_live->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_liveLabel->setBuddy(m_live);
-    layout->addWidget(m_liveLabel);
-    layout->addWidget(m_live);
-    m_layout->addWidget(box);
-    retranslateLists();
+    m_live = m_menu->addMenu(QString());
+    auto* group = new QActionGroup(m_live);
     const int stored = m_settings.pageValue(liveRateKey, defaultLiveRate).toInt();
-    const int index = m_live->findData(stored);
-    m_live->setCurrentIndex(index >= 0 ? index : m_live->findData(defaultLiveRate));
-    connect(m_live, &QComboBox::currentIndexChanged, this, [this] {
-        m_settings.setPageValue(liveRateKey, m_live->currentData().toInt());
-        Q_EMIT livePeriodChanged();
-    });
+    const bool isKnown = std::find(liveRates.begin(), liveRates.end(), stored) != liveRates.end();
+    m_liveRate = isKnown ? stored : defaultLiveRate;
+    for (const int rate : liveRates) {
+        QAction* one = m_live->addAction(QString());
+        one->setObjectName(QStringLiteral("liveRate%1").arg(rate));
+        one->setCheckable(true);
+        one->setChecked(rate == m_liveRate);
+        group->addAction(one);
+        connect(one, &QAction::triggered, this, [this, rate] {
+            m_liveRate = rate;
+            m_settings.setPageValue(liveRateKey, rate);
+            Q_EMIT livePeriodChanged();
+        });
+    }
 }
 
-QToolButton* MemoryToolbar::commandButton(const QString& name, Command command, bool withText)
+void MemoryToolbar::addReadAll()
 {
-    auto* button = new QToolButton(this);
-    button->setObjectName(name);
-    button->setDefaultAction(m_commands.action(command));
-    button->setToolButtonStyle(withText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-    button->setFocusPolicy(Qt::StrongFocus);
-    m_commandButtons.push_back(button);
-    m_layout->addWidget(button);
-    return button;
-}
-
-void MemoryToolbar::addCommands()
-{
-    commandButton(QStringLiteral("readAll"), Command::ReadTable, true);
-    commandButton(QStringLiteral("copyRows"), Command::CopyRows, false);
-    commandButton(QStringLiteral("exportTable"), Command::ExportTable, false);
-    commandButton(QStringLiteral("printTable"), Command::PrintTable, false);
-    m_help = new QToolButton(this);
-    m_help->setObjectName(QStringLiteral("cellHelp"));
-    m_help->setText(QStringLiteral("?"));
-    m_help->setFocusPolicy(Qt::StrongFocus);
-    m_layout->addWidget(m_help);
-    connect(m_help, &QToolButton::clicked, this, &MemoryToolbar::helpRequested);
+    m_readAll = new QToolButton(this);
+    m_readAll->setObjectName(QStringLiteral("readAll"));
+    m_readAll->setDefaultAction(m_commands.action(Command::ReadTable));
+    m_readAll->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_readAll->setFocusPolicy(Qt::StrongFocus);
+    m_layout->addWidget(m_readAll);
 }
 
 bool MemoryToolbar::physicalFirst() const
 {
-    return m_order->checkedId() == 1;
+    return m_order->selected() == 1;
 }
 
 std::optional<base::Duration> MemoryToolbar::livePeriod() const
 {
-    const int rate = m_live->currentData().toInt();
-    if (rate == liveOff)
+    if (m_liveRate == liveOff)
         return std::nullopt;
-    return rate == liveMax ? base::Duration{} : base::Duration(std::chrono::seconds(1)) / rate;
+    return m_liveRate == liveMax ? base::Duration{}
+                                 : base::Duration(std::chrono::seconds(1)) / m_liveRate;
 }
 
 void MemoryToolbar::focusSearch()
@@ -185,22 +169,18 @@ void MemoryToolbar::focusSearch()
 void MemoryToolbar::retranslateLists()
 {
     const QSignalBlocker groupsBlocker(m_groups);
-    const QSignalBlocker liveBlocker(m_live);
     const int group = std::max(m_groups->currentIndex(), 0);
     m_groups->clear();
     m_groups->addItem(tr("All groups"));
     for (const Area area : groups)
         m_groups->addItem(text::areaLabel(area));
     m_groups->setCurrentIndex(group);
-    const int live = m_live->currentIndex();
-    m_live->clear();
-    for (const int rate : liveRates) {
-        const QString word = rate == liveOff   ? tr("off")
-                             : rate == liveMax ? tr("fastest")
-                                               : tr("%1 Hz").arg(rate);
-        m_live->addItem(word, rate);
+    for (std::size_t i = 0; i < liveRates.size(); ++i) {
+        const int rate = liveRates[i];
+        m_live->actions()[qsizetype(i)]->setText(rate == liveOff   ? tr("Off")
+                                                 : rate == liveMax ? tr("As fast as the bus allows")
+                                                                   : tr("%1 Hz").arg(rate));
     }
-    m_live->setCurrentIndex(live);
 }
 
 void MemoryToolbar::retranslate()
@@ -211,24 +191,23 @@ void MemoryToolbar::retranslate()
         m_find, tr("Find a register"),
         tr("Address, name, key or a word from the help; if several words are entered, all must "
            "match"));
-    setButtonText(m_rowFilters->button(0), tr("All"), tr("Shows all registers"));
-    setButtonText(m_rowFilters->button(1), tr("Changed"),
+    setButtonText(m_rowFilters->segment(0), tr("All"), tr("Shows all registers"));
+    setButtonText(m_rowFilters->segment(1), tr("Changed"),
                   tr("Shows registers that differ from the first reading of this session"));
-    setButtonText(m_rowFilters->button(2), tr("≠ default"),
+    setButtonText(m_rowFilters->segment(2), tr("≠ default"),
                   tr("Shows registers that differ from their known factory value"));
     setAccessText(m_groups, tr("Group"), tr("Shows only one group of registers"));
-    setButtonText(m_order->button(0), tr("Raw"),
+    setButtonText(m_order->segment(0), tr("Raw"),
                   tr("Shows raw values first and uses them for input"));
-    setButtonText(m_order->button(1), tr("Physical"),
+    setButtonText(m_order->segment(1), tr("Physical"),
                   tr("Shows values with units first and uses them "
                      "for input"));
-    m_liveLabel->setText(tr("Live"));
-    setAccessText(m_live, tr("Live reading"),
-                  tr("Read rate of the visible rows; nothing is written"));
-    setAccessText(m_help, tr("Explain this row"),
-                  tr("Shows everything that is known about the selected row"));
-    for (QToolButton* button : m_commandButtons)
-        button->setAccessibleName(button->defaultAction()->iconText());
+    m_live->setTitle(tr("&Live reading"));
+    m_live->menuAction()->setToolTip(tr("Read rate of the visible rows; nothing is written"));
+    m_help->setText(tr("Explain this &row"));
+    m_help->setToolTip(tr("Shows everything that is known about the selected row"));
+    setAccessText(m_more, tr("More"), tr("Copy, export or print the table, and live reading"));
+    m_readAll->setAccessibleName(m_readAll->defaultAction()->iconText());
 }
 
 void MemoryToolbar::changeEvent(QEvent* event)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The toolbar of the memory page: filter, order, live reading, the padlock, and the commands for
-// the whole table. Remembers its choices in the settings. Owned by the page; main thread.
+// The toolbar of the memory page: filter, order, the padlock, and a menu with live reading and the
+// commands for the whole table. Remembers its choices in the settings. Owned by the page; main
+// thread.
 #pragma once
 
 #include "session/settings.h"
@@ -9,15 +10,16 @@
 
 #include <QWidget>
 
-class QButtonGroup;
 class QComboBox;
-class QLabel;
+class QAction;
 class QLineEdit;
+class QMenu;
 class QToolButton;
 
 namespace ui {
 class FlowLayout;
 class LockBadge;
+class SegmentedControl;
 
 class MemoryToolbar final : public QWidget {
     Q_OBJECT
@@ -46,10 +48,9 @@ private:
     void addFind();
     void addChoices();
     void addOrder();
+    void addReadAll();
+    void addMenu();
     void addLive();
-    void addCommands();
-    QToolButton* segment(const QString& name, QButtonGroup* group, QWidget* box);
-    QToolButton* commandButton(const QString& name, Command command, bool withText);
     void retranslate();
     void retranslateLists();
 
@@ -57,13 +58,15 @@ private:
     session::Settings& m_settings;
     FlowLayout* m_layout;
     QLineEdit* m_find = nullptr;
-    QButtonGroup* m_rowFilters = nullptr;
-    QButtonGroup* m_order = nullptr;
+    SegmentedControl* m_rowFilters = nullptr;
+    SegmentedControl* m_order = nullptr;
     QComboBox* m_groups = nullptr;
-    QLabel* m_liveLabel = nullptr;
-    QComboBox* m_live = nullptr;
     LockBadge* m_lock = nullptr;
-    QToolButton* m_help = nullptr;
-    std::vector<QToolButton*> m_commandButtons;
+    QToolButton* m_readAll = nullptr;
+    QToolButton* m_more = nullptr;
+    QMenu* m_menu = nullptr;
+    QMenu* m_live = nullptr;
+    QAction* m_help = nullptr;
+    int m_liveRate = 0; ///< as stored
 };
 } // namespace ui

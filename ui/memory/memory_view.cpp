@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/memory/memory_view.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/memory/memory_model.h"
 
 #include <QHeaderView>
@@ -29,17 +30,10 @@ MemoryView::MemoryView(QWidget* parent)
     : QTableView(parent)
 {
     setObjectName(QStringLiteral("memoryTable"));
-    setSelectionBehavior(SelectRows);
     setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
-    setTabKeyNavigation(false);
-    setShowGrid(false);
-    setAlternatingRowColors(true);
-    setWordWrap(false);
-    setHorizontalScrollMode(ScrollPerPixel);
-    verticalHeader()->hide();
+    styleTable(this);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(8);
 }
@@ -127,7 +121,7 @@ void MemoryView::measureColumn(MemoryColumn column, bool canShrink)
     if (column == MemoryColumn::Value)
         width = std::max(width, 9 * em);
     if (column == MemoryColumn::Physical)
-        width = std::clamp(width, 11 * em, 26 * em);
+        width = std::clamp(width, 11 * em, 60 * em);
     if (column == MemoryColumn::State)
         width = std::clamp(width, defaultStateChars * em, 28 * em);
     if (column == MemoryColumn::Name)
@@ -192,7 +186,7 @@ void MemoryView::fitColumns()
         needed -= less;
     }
     int left = std::max(0, room - needed);
-    for (const auto index : {name, physical, state}) {
+    for (const auto index : {physical, name, state}) {
         const int more = std::min(left, m_columnWidths[index] - widths[index]);
         widths[index] += more;
         left -= more;

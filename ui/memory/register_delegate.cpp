@@ -44,16 +44,6 @@ std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
     return isSecondaryColumn(column) ? std::optional(Tone::Quiet) : std::nullopt;
 }
 
-QColor selectionColor(const QPalette& palette)
-{
-    constexpr float share = 0.18F;
-    const QColor base = palette.color(QPalette::Base);
-    const QColor strong = palette.color(QPalette::Active, QPalette::Highlight);
-    const auto mix = [](float a, float b) { return a + (b - a) * share; };
-    return QColor::fromRgbF(mix(base.redF(), strong.redF()), mix(base.greenF(), strong.greenF()),
-                            mix(base.blueF(), strong.blueF()));
-}
-
 RegisterEditor* editorOf(QObject* object)
 {
     for (; object != nullptr; object = object->parent()) {
@@ -74,12 +64,7 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem* option, const QMode
     const auto tone = toneOf(*row, memoryColumn(index));
     const QColor text = tone ? ui::tone(*tone, colors) : colors.color(QPalette::Text);
     colors.setColor(QPalette::Text, text);
-    // A pale selection, so that the tones can be distinguished on it as well.
-    const QColor selection = selectionColor(colors);
-    for (const auto group : {QPalette::Active, QPalette::Inactive}) {
-        colors.setColor(group, QPalette::Highlight, selection);
-        colors.setColor(group, QPalette::HighlightedText, text);
-    }
+    colors.setColor(QPalette::HighlightedText, text); // the selection is pale
     // Space between a number and the column that begins behind it.
     if ((option->displayAlignment & Qt::AlignRight) != 0)
         option->text += QStringLiteral("\u00a0\u00a0");

@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/memory/memory_text.h"
 #include "ui/memory/register_help.h"
@@ -55,6 +56,8 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     m_facts = addLabel(QStringLiteral("registerFacts"));
     m_column->addStretch();
     setWidget(m_body);
+    makeTransparent(this);
+    m_column->setContentsMargins({});
     updateColors();
     retranslate();
 }

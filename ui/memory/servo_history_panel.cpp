@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/memory/servo_history_panel.h"
 
+#include "ui/common/widget_style.h"
+
 #include <QEvent>
 #include <QLabel>
 #include <QListView>
@@ -21,9 +23,7 @@ ServoHistoryPanel::ServoHistoryPanel(QWidget* parent)
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_emptyLabel->setWordWrap(true);
-    QFont bold = m_title->font();
-    bold.setBold(true);
-    m_title->setFont(bold);
+    makeHeading(m_title);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 8, 0, 0);
     layout->addWidget(m_title);

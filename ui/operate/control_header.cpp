@@ -2,6 +2,8 @@
 #include "ui/operate/control_header.h"
 
 #include "ui/common/theme.h"
+#include "ui/common/widget_style.h"
+#include "ui/operate/control_mode.h"
 #include "ui/operate/control_torque.h"
 
 #include <QHBoxLayout>
@@ -9,8 +11,6 @@
 
 namespace ui {
 namespace {
-constexpr int titleLines = 2; ///< the height of a long title
-
 /// The stop did not reach the servo, or another program has turned torque on again.
 bool isOnSinceStop(const session::ServoEntry& entry)
 {
@@ -25,14 +25,12 @@ ControlHeader::ControlHeader(Commands& commands, QWidget* parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
     , m_torque(new ControlTorque(commands, this))
+    , m_mode(new ControlMode(this))
     , m_stopped(new QLabel(this))
 {
     m_title->setObjectName(QStringLiteral("controlTitle"));
     m_title->setWordWrap(true);
-    QFont bold = m_title->font();
-    bold.setBold(true);
-    m_title->setFont(bold);
-    m_title->setMinimumHeight(titleLines * m_title->fontMetrics().lineSpacing());
+    makeHeading(m_title);
     m_stopped->setObjectName(QStringLiteral("controlStopped"));
     QSizePolicy keepsRoom = m_stopped->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
@@ -40,13 +38,14 @@ ControlHeader::ControlHeader(Commands& commands, QWidget* parent)
     m_stopped->hide();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
-    column->setSpacing(2);
+    column->setSpacing(6);
     auto* head = new QWidget(this); // a layout in the column would take its spacing
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins({});
     row->addWidget(m_title, 1);
     row->addWidget(m_torque);
     column->addWidget(head);
+    column->addWidget(m_mode);
     column->addWidget(m_stopped);
 }
 

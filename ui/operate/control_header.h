@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head of the control panel: which servos are controlled, the torque switch, and the line that
-// an emergency stop leaves until torque is turned on again. Its height never changes, because
-// controls below it would move. Owned by the control panel; main thread.
+// The head of the control panel, which never scrolls away: which servos are controlled, torque,
+// mode, and one line for what an emergency stop leaves until torque is turned on again. Its height
+// never changes, because controls below it would move. Owned by the control panel; main thread.
 #pragma once
 
 #include "ui/common/commands.h"
@@ -11,6 +11,7 @@
 class QLabel;
 
 namespace ui {
+class ControlMode;
 class ControlTorque;
 
 class ControlHeader final : public QWidget {
@@ -20,6 +21,7 @@ public:
     ControlHeader(Commands& commands, QWidget* parent);
 
     ControlTorque* torque() const { return m_torque; }
+    ControlMode* mode() const { return m_mode; }
     /// nullptr: no servo is selected. `others`: servos that are controlled together with it.
     void showServo(const session::ServoEntry* entry, std::size_t others);
     /// `stopped`: an emergency stop forbids movement.
@@ -28,6 +30,7 @@ public:
 private:
     QLabel* m_title;
     ControlTorque* m_torque;
+    ControlMode* m_mode;
     QLabel* m_stopped;
 };
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "device/motion/move_limits.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_text.h"
 #include "ui/operate/control_slider.h"
 #include "ui/widgets/press_guard.h"
 
@@ -11,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -21,6 +23,7 @@ namespace {
 constexpr std::int64_t fullScale = 1000; ///< raw: 100 %
 constexpr double rawPerPercent = 10;
 constexpr double maxStallTorque = 500; ///< kg·cm
+const QString detailsKey = QStringLiteral("operate/torque_limit_details");
 
 QString stallTorqueKey(const QString& model)
 {
@@ -32,12 +35,14 @@ ControlLimit::ControlLimit(session::Settings& settings, QWidget* parent)
     : QWidget(parent)
     , m_settings(settings)
     , m_title(new QLabel(this))
+    , m_more(new QToolButton(this))
+    , m_details(new QWidget(this))
     , m_percent(new QDoubleSpinBox(this))
-    , m_slider(new ControlSlider(this))
+    , m_slider(new ControlSlider(m_details))
     , m_force(new QLabel(this))
-    , m_stallTitle(new QLabel(this))
-    , m_stall(new QDoubleSpinBox(this))
-    , m_advice(new QLabel(this))
+    , m_stallTitle(new QLabel(m_details))
+    , m_stall(new QDoubleSpinBox(m_details))
+    , m_advice(new QLabel(m_details))
 {
     setObjectName(QStringLiteral("controlLimit"));
     build();
@@ -99,16 +104,39 @@ void ControlLimit::build()
     column->setContentsMargins({});
     column->setSpacing(4);
     auto* head = new QHBoxLayout;
+    head->setSpacing(4);
+    head->addWidget(m_more);
     head->addWidget(m_title, 1);
     head->addWidget(m_force);
     head->addWidget(m_percent);
     column->addLayout(head);
-    column->addWidget(m_slider);
+    column->addWidget(m_details);
+    auto* details = new QVBoxLayout(m_details);
+    details->setContentsMargins({});
+    details->setSpacing(4);
+    details->addWidget(m_slider);
     auto* stall = new QHBoxLayout;
     stall->addWidget(m_stallTitle, 1);
     stall->addWidget(m_stall);
-    column->addLayout(stall);
-    column->addWidget(m_advice);
+    details->addLayout(stall);
+    details->addWidget(m_advice);
+    m_more->setObjectName(QStringLiteral("torqueLimitMore"));
+    m_more->setProperty("disclosure", true);
+    m_more->setCheckable(true);
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    connect(m_more, &QToolButton::toggled, this, [this](bool shown) {
+        m_settings.setPageValue(detailsKey, shown);
+        showDetails(shown);
+    });
+    const bool shown = m_settings.pageValue(detailsKey, false).toBool();
+    m_more->setChecked(shown);
+    showDetails(shown);
+}
+
+void ControlLimit::showDetails(bool shown)
+{
+    m_more->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+    m_details->setVisible(shown);
 }
 
 double ControlLimit::stallTorque() const
@@ -207,6 +235,8 @@ void ControlLimit::showForce()
 
 void ControlLimit::retranslate()
 {
+    setAccessText(m_more, tr("Torque limit details"),
+                  tr("Shows the slider, and how to set a gripping force"));
     m_percent->setAccessibleName(tr("Torque limit"));
     m_percent->setToolTip(tr("Percentage of the stall torque. Enter sends the value. Esc turns "
                              "torque off on the whole bus and shows the present value again."));

@@ -11,6 +11,7 @@
 
 class QDoubleSpinBox;
 class QLabel;
+class QToolButton;
 
 namespace ui {
 class ControlSlider;
@@ -35,6 +36,7 @@ protected:
 
 private:
     void build();
+    void showDetails(bool shown);
     void fill();
     void showForce();
     void edited();
@@ -44,6 +46,8 @@ private:
 
     session::Settings& m_settings;
     QLabel* m_title;
+    QToolButton* m_more;
+    QWidget* m_details; ///< slider, stall torque and advice
     QDoubleSpinBox* m_percent;
     ControlSlider* m_slider;
     QLabel* m_force;

@@ -3,64 +3,43 @@
 
 #include "ui/common/widget_text.h"
 #include "ui/operate/control_text.h"
-#include "ui/widgets/flow_layout.h"
 #include "ui/widgets/press_guard.h"
-#include "ui/widgets/segment_button.h"
-
-#include <QButtonGroup>
 
 namespace ui {
-namespace {
-constexpr int between = 2;
-}
-
 ControlMode::ControlMode(QWidget* parent)
-    : QWidget(parent)
-    , m_row(new FlowLayout(this, between))
+    : SegmentedControl(parent)
 {
     setObjectName(QStringLiteral("controlMode"));
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
+    connect(this, &SegmentedControl::chosen, this, [this](int index) {
+        showMode(); // the servo decides which one it is in
+        const QString& key = m_profile->modes[static_cast<std::size_t>(index)].key;
+        if (key != m_mode)
+            Q_EMIT requested(key);
+    });
     retranslate();
 }
 
 void ControlMode::build()
 {
-    delete m_group;
-    m_group = new QButtonGroup(this);
-    while (QLayoutItem* item = m_row->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    clear();
     if (!m_profile)
         return;
-    int index = 0;
     for (const catalog::Mode& mode : m_profile->modes) {
-        auto* button = new SegmentButton(this);
-        button->setObjectName(QStringLiteral("mode_") + mode.key);
+        QAbstractButton* button = addSegment(QStringLiteral("mode_") + mode.key);
         setButtonText(button, modeTitle(mode),
                       tr("%1. Click to preview what switching to this mode changes.")
                           .arg(modeHelp(mode.key)));
         new PressGuard(button);
-        m_group->addButton(button, index++);
-        m_row->addWidget(button);
-        connect(button, &SegmentButton::clicked, this, [this, key = mode.key] {
-            check(); // the servo decides which one it is in
-            if (key != m_mode)
-                Q_EMIT requested(key);
-        });
     }
-    check();
+    showMode();
 }
 
-void ControlMode::check()
+void ControlMode::showMode()
 {
-    m_group->setExclusive(false);
-    int index = 0;
-    for (const catalog::Mode& mode : m_profile->modes)
-        m_group->button(index++)->setChecked(mode.key == m_mode);
-    m_group->setExclusive(!m_mode.isEmpty());
+    int selected = -1;
+    for (std::size_t i = 0; i < m_profile->modes.size(); ++i)
+        selected = m_profile->modes[i].key == m_mode ? static_cast<int>(i) : selected;
+    select(selected);
 }
 
 void ControlMode::showServo(const session::ServoEntry* entry, bool usable)
@@ -75,7 +54,7 @@ void ControlMode::showServo(const session::ServoEntry* entry, bool usable)
         build();
     } else if (key != m_mode) {
         m_mode = key;
-        check();
+        showMode();
     }
     setVisible(shown);
     setEnabled(usable);

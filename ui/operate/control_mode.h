@@ -4,15 +4,10 @@
 #pragma once
 
 #include "session/servos/servo_entry.h"
-
-#include <QWidget>
-
-class QButtonGroup;
+#include "ui/widgets/segmented_control.h"
 
 namespace ui {
-class FlowLayout;
-
-class ControlMode final : public QWidget {
+class ControlMode final : public SegmentedControl {
     Q_OBJECT
 
 public:
@@ -26,10 +21,8 @@ Q_SIGNALS:
 
 private:
     void build();
-    void check();
+    void showMode();
 
-    FlowLayout* m_row;
-    QButtonGroup* m_group = nullptr;
     catalog::ProfilePtr m_profile;
     QString m_mode; ///< as read; empty: not known
 };

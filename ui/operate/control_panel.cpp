@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/control_panel.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/operate/control_fields.h"
 #include "ui/operate/control_goal.h"
 #include "ui/operate/control_header.h"
@@ -30,9 +31,10 @@ using device::GoalKind;
 namespace {
 using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms;
-constexpr int margin = 12;
 constexpr int minWidth = 340;
 constexpr int maxWidth = 420;
+constexpr int dialPercent = 30; ///< of the panel's height: at 1280×800 nothing has to scroll
+constexpr int dialMargin = 24;
 
 /// Always takes its space, so that the controls keep their width; empty while all of them fit.
 class QuietScrollBar final : public QScrollBar {
@@ -51,7 +53,6 @@ QScrollArea* newScrollArea(QWidget* parent)
 {
     auto* scroll = new QScrollArea(parent);
     scroll->setObjectName(QStringLiteral("controlScroll"));
-    scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setVerticalScrollBar(new QuietScrollBar(Qt::Vertical, scroll));
@@ -91,24 +92,22 @@ void ControlPanel::build(session::Settings& settings)
     QScrollArea* scroll = newScrollArea(this);
     m_messages = new ControlMessages(settings, this);
     auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins({});
-    outer->setSpacing(0);
+    outer->setSpacing(8);
+    m_header = new ControlHeader(m_commands, this);
+    outer->addWidget(m_header);
     outer->addWidget(scroll, 1);
     outer->addWidget(m_messages);
+    makeCard(this);
     auto* body = new QWidget(scroll);
     scroll->setWidget(body);
-    scroll->viewport()->setAutoFillBackground(false);
-    body->setAutoFillBackground(false);
-    m_header = new ControlHeader(m_commands, body);
+    makeTransparent(scroll);
     m_empty = new QLabel(body);
     m_empty->setObjectName(QStringLiteral("controlEmpty"));
     m_empty->setWordWrap(true);
     m_content = new QWidget(body);
     buildContent(settings);
     auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(margin, margin, margin, margin);
-    column->setSpacing(10);
-    column->addWidget(m_header);
+    column->setContentsMargins({});
     column->addWidget(m_empty);
     column->addWidget(m_content);
     column->addStretch(1);
@@ -116,7 +115,6 @@ void ControlPanel::build(session::Settings& settings)
 
 void ControlPanel::buildContent(session::Settings& settings)
 {
-    m_mode = new ControlMode(m_content);
     m_dialLayout = new QVBoxLayout;
     m_goal = new ControlGoal(m_content);
     m_fields = new ControlFields(m_content);
@@ -125,8 +123,7 @@ void ControlPanel::buildContent(session::Settings& settings)
     m_result = new MoveResult(m_content);
     auto* column = new QVBoxLayout(m_content);
     column->setContentsMargins({});
-    column->setSpacing(10);
-    column->addWidget(m_mode);
+    column->setSpacing(8);
     column->addLayout(m_dialLayout);
     // The result is last: its lines come and go.
     for (QWidget* control :
@@ -143,7 +140,8 @@ void ControlPanel::connectControls()
         {*m_goal, *m_fields, *m_send, *m_messages, *m_result, *m_torqueConfirmation}, this);
     connect(m_sender, &GoalSender::controlsChanged, this, &ControlPanel::scheduleRefresh);
     connect(m_header->torque(), &ControlTorque::requested, this, &ControlPanel::requestTorque);
-    connect(m_mode, &ControlMode::requested, &m_motion, &session::MotionController::previewMode);
+    connect(m_header->mode(), &ControlMode::requested, &m_motion,
+            &session::MotionController::previewMode);
     connect(m_goal, &ControlGoal::stopRequested, this, &ControlPanel::stopMove);
     connect(m_goal, &ControlGoal::goalShown, this, &ControlPanel::goalShown);
     connect(m_limit, &ControlLimit::limitRequested, &m_motion,
@@ -185,6 +183,7 @@ void ControlPanel::setDial(QWidget* dial)
     m_dial = dial;
     m_dialLayout->addWidget(dial, 0, Qt::AlignHCenter);
     new PressGuard(dial);
+    fitDial();
     scheduleRefresh();
 }
 
@@ -248,6 +247,7 @@ void ControlPanel::refresh()
     m_content->setVisible(obstacle.isEmpty());
     m_header->showServo(known, otherCount());
     m_header->torque()->showServo(obstacle.isEmpty() ? known : nullptr, isPortOpen());
+    m_header->mode()->showServo(obstacle.isEmpty() ? known : nullptr, isPortOpen());
     m_header->showStopped(known, m_motion.isStopped());
     m_torqueConfirmation->dismissIfOutdated();
     if (obstacle.isEmpty())
@@ -261,7 +261,6 @@ void ControlPanel::showControls(const session::ServoEntry& known)
     const bool canMove = isPortOpen() && !m_motion.isStopped();
     if (!m_motion.isBusy())
         m_goal->clearPending();
-    m_mode->showServo(&known, isPortOpen());
     m_goal->showServo(known, {m_motion.totalSteps(known.ref), m_motion.canRepeatStep()});
     m_fields->showServo(known, several);
     m_limit->showServo(&known, isPortOpen());
@@ -367,7 +366,7 @@ void ControlPanel::retranslate()
 {
     setAccessibleName(tr("Control"));
     m_header->torque()->retranslate();
-    m_mode->retranslate();
+    m_header->mode()->retranslate();
     m_goal->retranslate();
     m_fields->retranslate();
     m_send->retranslate();
@@ -382,6 +381,22 @@ void ControlPanel::showEvent(QShowEvent* event)
     QWidget::showEvent(event);
     if (!event->spontaneous())
         readUnreadTables();
+}
+
+void ControlPanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitDial();
+}
+
+/// Only with the height of the panel, which what comes and goes below the dial does not change.
+void ControlPanel::fitDial()
+{
+    if (m_dial == nullptr)
+        return;
+    const int side = std::clamp(height() * dialPercent / 100, m_dial->minimumSizeHint().height(),
+                                m_dial->sizeHint().height());
+    m_dial->setFixedSize(side + dialMargin, side);
 }
 
 void ControlPanel::changeEvent(QEvent* event)

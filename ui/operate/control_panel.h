@@ -23,7 +23,6 @@ class ControlGoal;
 class ControlHeader;
 class ControlLimit;
 class ControlMessages;
-class ControlMode;
 class ControlSend;
 class GoalSender;
 class MoveResult;
@@ -60,6 +59,7 @@ Q_SIGNALS:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void build(session::Settings& settings);
@@ -77,6 +77,7 @@ private:
     void refresh();
     void showControls(const session::ServoEntry& known);
     void scheduleRefresh();
+    void fitDial();
     void requestTorque(device::Torque torque);
     void stopMove();
     void confirmModeSwitch(const device::ModePlan& plan);
@@ -93,7 +94,6 @@ private:
     ControlMessages* m_messages = nullptr;
     QLabel* m_empty = nullptr;
     QWidget* m_content = nullptr;
-    ControlMode* m_mode = nullptr;
     QVBoxLayout* m_dialLayout = nullptr;
     QWidget* m_dial = nullptr;
     ControlGoal* m_goal = nullptr;

@@ -5,10 +5,8 @@
 #include "ui/common/widget_text.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/press_guard.h"
-#include "ui/widgets/segment_button.h"
+#include "ui/widgets/segmented_control.h"
 
-#include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QPushButton>
 
 namespace ui {
@@ -16,49 +14,32 @@ using device::MoveMethod;
 
 ControlSend::ControlSend(QWidget* parent)
     : QWidget(parent)
-    , m_method(new QButtonGroup(this))
+    , m_method(new SegmentedControl(this))
+    , m_execute(new QPushButton(this))
+    , m_set(new QPushButton(this))
 {
     setObjectName(QStringLiteral("controlWrite"));
+    for (const char* name : {"howWrite", "howSync", "howAsync"})
+        m_method->addSegment(QString::fromLatin1(name));
+    m_method->select(0);
+    m_execute->setObjectName(QStringLiteral("execute"));
+    m_set->setObjectName(QStringLiteral("setGoal"));
+    m_set->setProperty("mainAction", true);
+    for (QWidget* button : {m_execute, m_set})
+        new PressGuard(button);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
-    new FlowLayout(this, 6); // where words are long, the buttons that send are in a second row
-    QWidget* methods = addGroup();
-    static const char* const names[] = {"howWrite", "howSync", "howAsync"};
-    for (int i = 0; i < 3; ++i) {
-        auto* button = new SegmentButton(methods);
-        button->setObjectName(QString::fromLatin1(names[i]));
-        m_method->addButton(button, i);
-        methods->layout()->addWidget(button);
-    }
-    m_method->button(0)->setChecked(true);
-    QWidget* actions = addGroup();
-    m_execute = new QPushButton(actions);
-    m_execute->setObjectName(QStringLiteral("execute"));
-    m_set = new QPushButton(actions);
-    m_set->setObjectName(QStringLiteral("setGoal"));
-    m_set->setProperty("mainAction", true);
-    for (QWidget* button : {m_execute, m_set}) {
-        new PressGuard(button);
-        actions->layout()->addWidget(button);
-    }
+    auto* row = new FlowLayout(this, 6); // where words are long, Set is in a second row
+    for (QWidget* control : std::initializer_list<QWidget*>{m_method, m_execute, m_set})
+        row->addWidget(control);
     connect(m_execute, &QPushButton::clicked, this, &ControlSend::executeRequested);
     connect(m_set, &QPushButton::clicked, this, &ControlSend::sendRequested);
 }
 
-QWidget* ControlSend::addGroup()
-{
-    auto* group = new QWidget(this);
-    auto* row = new QHBoxLayout(group);
-    row->setContentsMargins({});
-    row->setSpacing(2);
-    layout()->addWidget(group);
-    return group;
-}
-
 MoveMethod ControlSend::method() const
 {
-    return static_cast<MoveMethod>(std::max(0, m_method->checkedId()));
+    return static_cast<MoveMethod>(std::max(0, m_method->selected()));
 }
 
 bool ControlSend::canSend() const
@@ -70,9 +51,9 @@ void ControlSend::showServo(const session::ServoEntry& entry, const State& state
 {
     for (const MoveMethod one : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async}) {
         const bool offered = device::supports(entry.servo, one);
-        m_method->button(static_cast<int>(one))->setVisible(offered);
+        m_method->segment(static_cast<int>(one))->setVisible(offered);
         if (!offered && method() == one)
-            m_method->button(0)->setChecked(true);
+            m_method->select(0);
     }
     chooseMethod(entry.servo, state.severalServos);
     const bool waiting = state.waitingGoals > 0;
@@ -92,9 +73,9 @@ void ControlSend::chooseMethod(const device::Servo& servo, bool severalServos)
         return;
     m_methodChosen = true;
     if (severalServos && method() == MoveMethod::Write && device::supports(servo, MoveMethod::Sync))
-        m_method->button(static_cast<int>(MoveMethod::Sync))->setChecked(true);
+        m_method->select(static_cast<int>(MoveMethod::Sync));
     else if (!severalServos && method() == MoveMethod::Sync)
-        m_method->button(static_cast<int>(MoveMethod::Write))->setChecked(true);
+        m_method->select(static_cast<int>(MoveMethod::Write));
 }
 
 void ControlSend::retranslate()
@@ -107,7 +88,7 @@ void ControlSend::retranslate()
         std::pair{QT_TR_NOOP("Async"), QT_TR_NOOP("The goal waits in the servo until you choose "
                                                   "Execute")}};
     for (int i = 0; i < 3; ++i) {
-        auto* button = m_method->button(i);
+        QAbstractButton* button = m_method->segment(i);
         setButtonText(button, tr(words[static_cast<std::size_t>(i)].first),
                       tr(words[static_cast<std::size_t>(i)].second));
     }

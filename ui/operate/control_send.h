@@ -9,10 +9,11 @@
 
 #include <QWidget>
 
-class QButtonGroup;
 class QPushButton;
 
 namespace ui {
+class SegmentedControl;
+
 class ControlSend final : public QWidget {
     Q_OBJECT
 
@@ -37,10 +38,9 @@ Q_SIGNALS:
     void executeRequested();
 
 private:
-    QWidget* addGroup();
     void chooseMethod(const device::Servo& servo, bool severalServos);
 
-    QButtonGroup* m_method;
+    SegmentedControl* m_method;
     QPushButton* m_execute;
     QPushButton* m_set;
     bool m_methodChosen = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/operate_page.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/operate/control_panel.h"
 #include "ui/operate/operate_status.h"
 #include "ui/operate/servo_strip.h"
@@ -59,8 +60,7 @@ OperatePage::~OperatePage() = default;
 void OperatePage::build(session::Settings& settings)
 {
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 6, 0, 0);
-    row->setSpacing(8);
+    row->setSpacing(cardMargin);
     m_control = new ControlPanel(m_workbench, m_commands, m_selection, settings, m_motion, this);
     m_dial = new PositionDial(this);
     m_dial->setObjectName(QStringLiteral("positionDial"));

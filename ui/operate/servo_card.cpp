@@ -18,6 +18,8 @@ constexpr int side = 8;
 constexpr int barHeight = 4;
 constexpr int light = 8;
 
+const QString separator = QStringLiteral(" · ");
+
 std::optional<double> share(std::optional<double> at, double low, double high)
 {
     if (!at || high <= low)
@@ -50,9 +52,9 @@ CardState cardState(const session::ServoEntry& entry, bool fresh, base::Duration
             numbers << withUnit(*gauge.value, {}, gauge.scale.decimals) + QLatin1Char(' ') +
                            gauge.scale.unit;
     }
-    view.numbers = numbers.join(QStringLiteral(" · "));
-    view.toolTip =
-        view.title + QStringLiteral(" · ") + view.state + QLatin1Char('\n') + view.numbers;
+    view.numbers = numbers;
+    view.toolTip = view.title + QStringLiteral(" · ") + view.state + QLatin1Char('\n') +
+                   numbers.join(separator);
     return view;
 }
 
@@ -73,7 +75,7 @@ void ServoCard::show(const CardState& view, bool selected)
     m_view = view;
     m_selected = selected;
     setAccessibleName(view.title);
-    setAccessibleDescription(view.state + QStringLiteral(", ") + view.numbers);
+    setAccessibleDescription(view.state + QStringLiteral(", ") + view.numbers.join(separator));
     setToolTip(view.toolTip);
     update();
 }
@@ -115,7 +117,16 @@ void ServoCard::paintEvent(QPaintEvent*)
     paintBar(painter, QRectF(room.left(), room.top() + line + 5, room.width(), barHeight));
     painter.setPen(tone(Tone::Quiet, palette()));
     painter.drawText(QRect(room.left(), room.bottom() - line, room.width(), line), Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_view.numbers, Qt::ElideRight, room.width()));
+                     numbersText(room.width()));
+}
+
+/// As many as fit whole; the tooltip has all of them.
+QString ServoCard::numbersText(int width) const
+{
+    QStringList shown = m_view.numbers;
+    while (shown.size() > 1 && fontMetrics().horizontalAdvance(shown.join(separator)) > width)
+        shown.removeLast();
+    return fontMetrics().elidedText(shown.join(separator), Qt::ElideRight, width);
 }
 
 void ServoCard::paintBar(QPainter& painter, const QRectF& bar) const

@@ -15,7 +15,7 @@ struct CardState {
     Tone tone = Tone::Quiet;
     std::optional<double> position{}; ///< 0 … 1 between the limits
     std::optional<double> goal{};
-    QString numbers; ///< "187.4° · 7.4 V · 31 °C"
+    QStringList numbers; ///< "187.4°", "7.4 V", "31 °C"; those that fit are shown
     QString toolTip;
     bool isStale = false; ///< the values may have changed since
     bool operator==(const CardState&) const = default;
@@ -36,6 +36,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QString numbersText(int width) const;
     void paintBar(QPainter& painter, const QRectF& bar) const;
 
     CardState m_view;

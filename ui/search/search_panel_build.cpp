@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the search panel and their connections.
+#include "ui/common/widget_style.h"
 #include "ui/search/checklist_view.h"
 #include "ui/search/search_panel.h"
 #include "ui/search/search_scope.h"
@@ -62,6 +63,8 @@ SearchPanel::SearchPanel(session::Workbench& workbench, Commands& commands, Sele
 void SearchPanel::build()
 {
     setObjectName(QStringLiteral("searchPanel"));
+    setProperty("panel", true);
+    setAttribute(Qt::WA_StyledBackground);
     m_search->setObjectName(QStringLiteral("searchButton"));
     m_search->setProperty("mainAction", true);
     m_stop->setObjectName(QStringLiteral("stopSearchButton"));
@@ -69,6 +72,7 @@ void SearchPanel::build()
     m_progress->setRange(0, permille);
     m_showChecklist->setObjectName(QStringLiteral("whyButton"));
     m_showChecklist->setFlat(true);
+    m_showChecklist->setProperty("link", true);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_search, 1);
     buttons->addWidget(m_stop);
@@ -99,8 +103,8 @@ QWidget* SearchPanel::buildList()
     m_scroll->setObjectName(QStringLiteral("checklistScroll"));
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidget(m_checklist);
+    makeTransparent(m_scroll);
     for (QWidget* page : std::initializer_list<QWidget*>{m_list, m_empty, m_scroll})
         m_stack->addWidget(page);
     return m_stack;

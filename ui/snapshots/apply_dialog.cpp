@@ -6,6 +6,7 @@
 #include "text/notice_text.h"
 #include "text/restore_text.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/widget_style.h"
 #include "ui/snapshots/restore_text.h"
 #include "ui/widgets/question_dialog.h"
 #include "ui/widgets/test_text.h"
@@ -159,13 +160,9 @@ void ApplyDialog::build()
     m_table->setObjectName(QStringLiteral("applyTable"));
     m_table->setItemDelegate(new ToneDelegate(m_table));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setTabKeyNavigation(false);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
+    styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     const QString model = m_source.snapshot ? m_source.snapshot->servo.model : QString();
     for (int row = 0; row < int(m_rows.size()); ++row) {
         for (int cell = 0; cell < Count; ++cell)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshot_browser.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/snapshots/snapshot_query.h"
 #include "ui/snapshots/snapshot_row.h"
 
@@ -58,7 +59,7 @@ void SnapshotBrowser::build()
     column->setContentsMargins({});
     column->setSpacing(6);
     m_title = new QLabel(this);
-    m_title->setTextFormat(Qt::RichText);
+    makeHeading(m_title);
     m_servoFilter = new QComboBox(this);
     m_servoFilter->setObjectName(QStringLiteral("shelfWhose"));
     m_servoFilter->addItems({QString(), QString()});
@@ -74,21 +75,22 @@ void SnapshotBrowser::build()
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setUniformRowHeights(true);
     m_tree->setTextElideMode(Qt::ElideRight);
+    m_tree->hide(); // until there is a row
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("shelfNothing"));
-    m_emptyLabel->setWordWrap(true);
+    makeEmptyState(m_emptyLabel);
     auto* row = new QHBoxLayout;
     row->addWidget(m_servoFilter);
     row->addWidget(m_search, 1);
     column->addWidget(m_title);
     column->addLayout(row);
-    column->addWidget(m_emptyLabel);
+    column->addWidget(m_emptyLabel, 1);
     column->addWidget(m_tree, 1);
 }
 
 void SnapshotBrowser::retranslate()
 {
-    m_title->setText(QStringLiteral("<b>%1</b>").arg(tr("Snapshots")));
+    m_title->setText(tr("Snapshots"));
     m_servoFilter->setItemText(ThisServo, tr("This servo"));
     m_servoFilter->setItemText(AllServos, tr("All servos"));
     m_servoFilter->setAccessibleName(tr("Snapshots to show"));
@@ -101,8 +103,8 @@ void SnapshotBrowser::retranslate()
     m_tree->setAccessibleName(tr("Snapshots"));
     m_tree->setToolTip(tr("The current snapshot is used for comparing and restoring; hold Ctrl to "
                           "compare more snapshots"));
-    m_emptyLabel->setText(
-        tr("No snapshots yet. One is saved automatically before the first change to a servo."));
+    m_emptyLabel->setText(tr(
+        "No snapshots yet. Take one here; one is also saved before the first change to a servo."));
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i)
         static_cast<SnapshotRow*>(m_tree->topLevelItem(i))->updateText();
 }
@@ -180,6 +182,7 @@ void SnapshotBrowser::fill(const std::vector<history::HistorySnapshot>& all)
     insertHistoryRows(rows);
     m_pendingNumber = 0;
     m_emptyLabel->setVisible(m_tree->topLevelItemCount() == 0);
+    m_tree->setHidden(m_emptyLabel->isVisibleTo(this));
     m_filling = false;
     selectionChanged();
 }
@@ -271,6 +274,7 @@ void SnapshotBrowser::addFile(const session::OpenedFile& file, const QString& ti
     m_tree->clearSelection();
     m_tree->setCurrentItem(row);
     m_emptyLabel->hide();
+    m_tree->show();
     m_filling = false;
     selectionChanged();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshot_pane.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/widgets/fit_columns.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/pill.h"
@@ -16,7 +17,6 @@
 
 namespace ui {
 namespace {
-constexpr int rowPadding = 8;
 constexpr int maxColumnWidth = 30; ///< characters
 } // namespace
 
@@ -71,21 +71,15 @@ void SnapshotPane::build()
     m_table = new QTableView(this);
     m_table->setObjectName(QStringLiteral("compareTable"));
     m_table->setItemDelegate(new ToneDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setTabKeyNavigation(false);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + rowPadding);
-    m_table->horizontalHeader()->setHighlightSections(false);
+    styleTable(m_table);
     // A long list of flags must not push other columns out of view; its tooltip shows all of it.
     m_table->horizontalHeader()->setMaximumSectionSize(maxColumnWidth *
                                                        m_table->fontMetrics().averageCharWidth());
     m_table->installEventFilter(this);
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("compareNothing"));
-    m_emptyLabel->setWordWrap(true);
-    m_emptyLabel->setAlignment(Qt::AlignCenter);
+    makeEmptyState(m_emptyLabel);
     column->addWidget(m_title);
     column->addLayout(row);
     column->addWidget(m_emptyLabel, 1);

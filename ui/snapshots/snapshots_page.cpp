@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshots_page.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/snapshots/compare_tables.h"
 #include "ui/snapshots/restore_panel.h"
 #include "ui/snapshots/restore_text.h"
@@ -51,13 +52,13 @@ SnapshotsPage::SnapshotsPage(AppContext& appContext, session::Settings& settings
 void SnapshotsPage::build()
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("snapshotsBanner"));
     m_banner->hideMessage();
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->setObjectName(QStringLiteral("snapshotsSplit"));
     split->setChildrenCollapsible(false);
+    split->setHandleWidth(cardMargin);
     split->addWidget(buildBrowser());
     split->addWidget(buildCompare());
     split->setStretchFactor(0, 0);
@@ -78,11 +79,11 @@ QWidget* SnapshotsPage::buildBrowser()
     auto* box = new QWidget(this);
     box->setMinimumWidth(minBrowserWidth);
     auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 6, 0);
     m_browser = new SnapshotBrowser(m_workbench, m_workbench.history(), m_selection, box);
     m_actions = new SnapshotActions(m_context, m_settings, *m_browser, box);
     column->addWidget(m_browser, 1);
     column->addWidget(m_actions);
+    makeCard(box);
     return box;
 }
 
@@ -90,11 +91,11 @@ QWidget* SnapshotsPage::buildCompare()
 {
     auto* box = new QWidget(this);
     auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(6, 0, 0, 0);
     m_pane = new SnapshotPane(box);
     m_restore = new RestorePanel(m_context, m_settings, *m_browser, m_pane->model(), box);
     column->addWidget(m_pane, 1);
     column->addWidget(m_restore);
+    makeCard(box);
     return box;
 }
 

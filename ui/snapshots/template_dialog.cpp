@@ -4,6 +4,7 @@
 #include "catalog/value.h"
 #include "jobs/restore/restore_rows.h"
 #include "text/language.h"
+#include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
 #include <QEvent>
@@ -42,12 +43,9 @@ TemplateDialog::TemplateDialog(const snapshot::Snapshot& from, catalog::ProfileP
     m_summary->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("templateTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
+    styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("templateSave"));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("templateCancel"));
     auto* column = new QVBoxLayout(this);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the step page, and its texts.
+#include "ui/common/widget_style.h"
 #include "ui/step/step_form.h"
 #include "ui/step/step_gains.h"
 #include "ui/step/step_page.h"
@@ -20,7 +21,6 @@ namespace ui {
 void StepPage::build(session::Settings& settings)
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("stepBanner"));
     m_banner->hideMessage();
@@ -34,19 +34,21 @@ void StepPage::build(session::Settings& settings)
                 if (settled || (found.empty() && elsewhere.empty()))
                     m_banner->hideMessage();
             });
-    auto* left = new QVBoxLayout;
+    auto* card = new QWidget(this);
+    auto* left = new QVBoxLayout(card);
     left->setSpacing(6);
-    m_scroll = new QScrollArea(this);
-    m_scroll->setFrameShape(QFrame::NoFrame);
+    makeCard(card);
+    m_scroll = new QScrollArea(card);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setWidget(buildSetup(settings));
+    makeTransparent(m_scroll);
     left->addWidget(m_scroll, 1);
     left->addWidget(buildRun());
     m_results = new StepResults(m_test, settings, this);
     auto* row = new QHBoxLayout;
-    row->setSpacing(10);
-    row->addLayout(left);
+    row->setSpacing(cardMargin);
+    row->addWidget(card);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
     new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);
@@ -59,7 +61,7 @@ QWidget* StepPage::buildSetup(session::Settings& settings)
     setup->setContentsMargins(0, 0, 4, 0);
     m_form = new StepForm(settings, m_setup);
     m_gainsTitle = new QLabel(m_setup);
-    m_gainsTitle->setTextFormat(Qt::RichText);
+    makeHeading(m_gainsTitle);
     m_gains = new StepGains(m_setup);
     setup->addWidget(m_form);
     setup->addWidget(m_gainsTitle);
@@ -114,7 +116,7 @@ QWidget* StepPage::buildRun()
 void StepPage::retranslate()
 {
     setAccessibleName(tr("Step response"));
-    m_gainsTitle->setText(QStringLiteral("<b>%1</b>").arg(tr("Gains")));
+    m_gainsTitle->setText(tr("Gains"));
     m_run->setText(tr("Run"));
     m_run->setToolTip(tr("Runs the step with the servo's present values: the servo will move"));
     m_try->setText(tr("Try"));

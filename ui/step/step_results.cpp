@@ -184,6 +184,7 @@ void StepResults::showCurves()
     if (!live.empty())
         addCurve(live, nameOf(m_test.liveSpec(), place));
     m_emptyLabel->setVisible(m_channels.empty());
+    m_chart->setVisible(!m_channels.empty());
     m_chart->setChannels(m_channels);
     m_chart->zoomToFit();
 }

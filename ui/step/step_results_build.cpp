@@ -2,6 +2,7 @@
 // Builds the widgets that show the results of step responses, and their texts.
 #include "text/error_text.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/common/widget_style.h"
 #include "ui/step/step_results.h"
 #include "ui/step/step_text.h"
 #include "ui/widgets/flow_layout.h"
@@ -22,7 +23,6 @@
 
 namespace ui {
 namespace {
-constexpr int rowPadding = 6;
 constexpr int columns = 5;
 constexpr int minAdviceHeight = 220;
 constexpr int minChartHeight = 210;
@@ -32,12 +32,8 @@ QTableWidget* metricsTableWidget(QWidget* parent)
     auto* table = new QTableWidget(0, columns, parent);
     table->setObjectName(QStringLiteral("stepFigures"));
     table->setItemDelegate(new ToneDelegate(table));
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setTabKeyNavigation(false);
-    table->setWordWrap(false);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowPadding);
+    styleTable(table);
     new StretchFirstColumn(table);
     return table;
 }
@@ -48,8 +44,12 @@ void StepResults::build()
     setObjectName(QStringLiteral("stepResults"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
+    auto* card = new QWidget(this);
+    auto* chartColumn = new QVBoxLayout(card);
+    makeCard(card);
     auto* head = new QHBoxLayout;
     m_title = new QLabel(this);
+    makeHeading(m_title);
     m_choiceLabel = new QLabel(this);
     m_choice = new QComboBox(this);
     m_choice->setObjectName(QStringLiteral("stepChoice"));
@@ -60,10 +60,9 @@ void StepResults::build()
     connect(m_previousRuns, &QPushButton::clicked, this, &StepResults::previousRunsRequested);
     m_forget = new QPushButton(this);
     m_forget->setObjectName(QStringLiteral("stepForget"));
-    m_title->setWordWrap(true);
-    head->addWidget(m_title, 1);
     head->addWidget(m_choiceLabel);
     head->addWidget(m_choice);
+    head->addStretch();
     head->addWidget(m_previousRuns);
     head->addWidget(m_forget);
     m_storedRuns = new QLabel(this);
@@ -72,22 +71,28 @@ void StepResults::build()
     m_storedRuns->setWordWrap(true);
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("stepNothing"));
-    m_emptyLabel->setWordWrap(true);
-    m_emptyLabel->setForegroundRole(QPalette::PlaceholderText);
+    makeEmptyState(m_emptyLabel);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("stepChart"));
     m_chart->setMinimumHeight(minChartHeight);
     auto* findings = new QSplitter(Qt::Horizontal, this);
     findings->setChildrenCollapsible(false);
-    m_figures = metricsTableWidget(findings);
-    auto* side = new QScrollArea(findings);
-    side->setFrameShape(QFrame::NoFrame);
+    findings->setHandleWidth(cardMargin);
+    auto* figures = new QWidget(findings);
+    m_figures = metricsTableWidget(figures);
+    m_figures->setFrameShape(QFrame::NoFrame);
+    (new QVBoxLayout(figures))->addWidget(m_figures);
+    makeCard(figures);
+    auto* adviceCard = new QWidget(findings);
+    auto* side = new QScrollArea(adviceCard);
+    (new QVBoxLayout(adviceCard))->addWidget(side);
+    makeCard(adviceCard);
     side->setWidgetResizable(true);
     side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     side->setMinimumWidth(minAdviceHeight);
     m_adviceBox = new QWidget(side);
     auto* advice = new QVBoxLayout(m_adviceBox);
-    advice->setContentsMargins(6, 0, 0, 0);
+    advice->setContentsMargins({});
     m_adviceTitle = new QLabel(m_adviceBox);
     m_adviceTitle->setTextFormat(Qt::RichText);
     advice->addWidget(m_adviceTitle);
@@ -113,20 +118,24 @@ void StepResults::build()
     advice->addWidget(buttons);
     advice->addWidget(m_saved);
     side->setWidget(m_adviceBox);
-    findings->addWidget(m_figures);
-    findings->addWidget(side);
+    makeTransparent(side);
+    findings->addWidget(figures);
+    findings->addWidget(adviceCard);
     findings->setStretchFactor(0, 3);
     findings->setStretchFactor(1, 2);
     auto* split = new QSplitter(Qt::Vertical, this);
     split->setChildrenCollapsible(false);
-    split->addWidget(m_chart);
+    split->setHandleWidth(cardMargin);
+    chartColumn->addWidget(m_title);
+    chartColumn->addLayout(head);
+    chartColumn->addWidget(m_storedRuns);
+    chartColumn->addWidget(m_emptyLabel, 1);
+    chartColumn->addWidget(m_chart, 1);
+    split->addWidget(card);
     split->addWidget(findings);
     split->setStretchFactor(0, 3);
     split->setStretchFactor(1, 2);
-    column->addLayout(head);
-    column->addWidget(m_storedRuns);
-    column->addWidget(m_emptyLabel);
-    column->addWidget(split, 1);
+    column->addWidget(split);
 }
 
 void StepResults::retranslate()

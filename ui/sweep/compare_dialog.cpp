@@ -6,6 +6,7 @@
 #include "report/sweep_compare_text.h"
 #include "text/language.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/widget_style.h"
 #include "ui/widgets/test_text.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -72,11 +73,8 @@ void setUpTable(QTableWidget* table, const char* name)
 {
     table->setObjectName(QLatin1String(name));
     table->setItemDelegate(new ToneDelegate(table));
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setWordWrap(false);
-    table->verticalHeader()->hide();
+    styleTable(table);
     table->horizontalHeader()->setStretchLastSection(true);
-    table->setTabKeyNavigation(false);
 }
 } // namespace
 

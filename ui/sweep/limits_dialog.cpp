@@ -4,6 +4,7 @@
 #include "text/error_text.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_style.h"
 #include "ui/sweep/limits_delegate.h"
 #include "ui/sweep/limits_model.h"
 
@@ -84,8 +85,9 @@ void LimitsDialog::build()
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::SelectedClicked |
                              QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    styleTable(m_table);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
     m_table->setTabKeyNavigation(true);
-    m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(int(LimitColumn::Unit),
                                                       QHeaderView::ResizeToContents);

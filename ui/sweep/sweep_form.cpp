@@ -2,12 +2,12 @@
 #include "ui/sweep/sweep_form.h"
 
 #include "device/motion/move_limits.h"
+#include "ui/common/widget_text.h"
 #include "ui/sweep/sweep_end_conditions.h"
 #include "ui/sweep/sweep_goal_list.h"
 #include "ui/widgets/flow_layout.h"
-#include "ui/widgets/segment_button.h"
+#include "ui/widgets/segmented_control.h"
 
-#include <QButtonGroup>
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
@@ -70,31 +70,20 @@ void SweepForm::build()
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(6);
-    auto* kinds = new QWidget(this);
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    kinds->setSizePolicy(policy);
-    auto* flow = new FlowLayout(kinds, 2);
-    auto* group = new QButtonGroup(this);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        auto* button = new SegmentButton(kinds);
-        button->setObjectName(QStringLiteral("sweepShape_") + results::sweepShapeName(shapes[i]));
-        button->setCheckable(true);
-        group->addButton(button);
-        flow->addWidget(button);
-        m_shapes[i] = button;
-        connect(button, &QToolButton::clicked, this, [this, i] {
-            selectShape(shapes[i]);
-            Q_EMIT changed();
-        });
-    }
+    m_shapes = new SegmentedControl(this);
+    for (const auto shape : shapes)
+        m_shapes->addSegment(QStringLiteral("sweepShape_") + results::sweepShapeName(shape));
+    connect(m_shapes, &SegmentedControl::chosen, this, [this](int index) {
+        selectShape(shapes[static_cast<std::size_t>(index)]);
+        Q_EMIT changed();
+    });
     m_middle = new QVBoxLayout;
     for (QGridLayout** grid : {&m_grid, &m_extraGrid}) {
         *grid = new QGridLayout;
         (*grid)->setHorizontalSpacing(10);
         (*grid)->setVerticalSpacing(2);
     }
-    column->addWidget(kinds);
+    column->addWidget(m_shapes);
     column->addLayout(m_grid);
     column->addLayout(m_middle);
     buildFields();
@@ -221,8 +210,7 @@ void SweepForm::saveSettings()
 void SweepForm::selectShape(SweepShape shape)
 {
     m_shape = shape;
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-        m_shapes[i]->setChecked(shapes[i] == shape);
+    m_shapes->select(int(std::find(shapes.begin(), shapes.end(), shape) - shapes.begin()));
     arrange();
 }
 
@@ -410,11 +398,8 @@ void SweepForm::retranslate()
         std::pair{tr("Sine"), tr("The goal follows a sine wave: shows how well the servo follows")},
         std::pair{tr("Random"), tr("Random goals; the same seed gives the same goals")},
         std::pair{tr("List"), tr("Goals from a file, one per line")}};
-    for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-        m_shapes[i]->setText(names[i].first);
-        m_shapes[i]->setToolTip(names[i].second);
-        m_shapes[i]->setAccessibleName(names[i].first);
-    }
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        setButtonText(m_shapes->segment(int(i)), names[i].first, names[i].second);
     const auto set = [this](Cell cell, const QString& text, const QString& tip) {
         setFieldTexts(m_cells[cell].title, m_cells[cell].field, text, tip);
     };

@@ -22,7 +22,7 @@ class QSpinBox;
 class QVBoxLayout;
 
 namespace ui {
-class SegmentButton;
+class SegmentedControl;
 class SweepEndConditions;
 class SweepGoalList;
 
@@ -105,7 +105,7 @@ private:
 
     session::Settings& m_settings;
     results::SweepShape m_shape = results::SweepShape::Sweep;
-    std::array<SegmentButton*, 6> m_shapes{};
+    SegmentedControl* m_shapes = nullptr;
     std::array<FieldCell, CellCount> m_cells{};
     QGridLayout* m_grid = nullptr;
     QGridLayout* m_extraGrid = nullptr; ///< below the servos

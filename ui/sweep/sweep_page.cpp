@@ -4,6 +4,7 @@
 #include "report/sweep_text.h"
 #include "results/sweep_verdict.h"
 #include "text/language.h"
+#include "ui/common/widget_style.h"
 #include "ui/sweep/limits_dialog.h"
 #include "ui/sweep/runs_dialog.h"
 #include "ui/sweep/sweep_form.h"
@@ -59,16 +60,16 @@ SweepPage::~SweepPage() = default;
 void SweepPage::build()
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("sweepBanner"));
     m_banner->hideMessage();
     auto* row = new QHBoxLayout;
-    row->setSpacing(10);
-    auto* left = new QVBoxLayout;
+    row->setSpacing(cardMargin);
+    auto* card = new QWidget(this);
+    auto* left = new QVBoxLayout(card);
     left->setSpacing(6);
-    m_scroll = new QScrollArea(this);
-    m_scroll->setFrameShape(QFrame::NoFrame);
+    makeCard(card);
+    m_scroll = new QScrollArea(card);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* body = new QWidget(m_scroll);
@@ -80,10 +81,11 @@ void SweepPage::build()
     m_form->insertServoList(m_servos);
     setup->addStretch();
     m_scroll->setWidget(body);
+    makeTransparent(m_scroll);
     left->addWidget(m_scroll, 1);
     left->addWidget(buildRun());
     m_results = new SweepResults(m_workbench, m_test, m_settings, this);
-    row->addLayout(left);
+    row->addWidget(card);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
     m_leftovers = new SweepLeftoversBanner(m_workbench, *m_banner, this);

@@ -285,6 +285,7 @@ void SweepResults::showVerdict()
     const results::SweepServo* tested = servo();
     const bool none = tested == nullptr;
     m_emptyLabel->setVisible(none && !m_test.isRunning());
+    m_chart->setVisible(!m_emptyLabel->isVisibleTo(this));
     m_verdict->setVisible(!none);
     if (none)
         return;

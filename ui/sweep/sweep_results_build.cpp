@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Builds the widgets that show the results of a sweep test.
 #include "ui/charts/trend_chart.h"
+#include "ui/common/widget_style.h"
 #include "ui/sweep/sweep_results.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/flow_layout.h"
@@ -21,7 +22,6 @@
 
 namespace ui {
 namespace {
-constexpr int rowPadding = 6;
 constexpr int chartStretch = 5;
 constexpr int findingsStretch = 5;
 constexpr int tableStretch = 5;
@@ -34,13 +34,9 @@ QTableView* table(const char* name, QAbstractItemModel& model, QWidget* parent)
     view->setObjectName(QString::fromLatin1(name));
     view->setModel(&model);
     view->setItemDelegate(new ToneDelegate(view));
-    view->setSelectionBehavior(QAbstractItemView::SelectRows);
     view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    view->setTabKeyNavigation(false);
-    view->setWordWrap(false);
-    view->verticalHeader()->hide();
-    view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + rowPadding);
-    view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view->setFrameShape(QFrame::NoFrame);
+    styleTable(view);
     return view;
 }
 } // namespace
@@ -50,9 +46,13 @@ void SweepResults::build()
     setObjectName(QStringLiteral("sweepResults"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
-    column->setSpacing(6);
+    auto* card = new QWidget(this);
+    auto* chartColumn = new QVBoxLayout(card);
+    chartColumn->setSpacing(6);
+    makeCard(card);
     auto* head = new QHBoxLayout;
     m_title = new QLabel(this);
+    makeHeading(m_title);
     m_servos = new QComboBox(this);
     m_servos->setObjectName(QStringLiteral("sweepShownServo"));
     m_servos->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -65,26 +65,31 @@ void SweepResults::build()
     head->addWidget(m_verdict);
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("sweepNothing"));
-    m_emptyLabel->setWordWrap(true);
-    m_emptyLabel->setForegroundRole(QPalette::PlaceholderText);
+    makeEmptyState(m_emptyLabel);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("sweepChart"));
     auto* split = new QSplitter(Qt::Vertical, this);
     split->setChildrenCollapsible(false);
-    split->addWidget(m_chart);
+    split->setHandleWidth(cardMargin);
+    chartColumn->addLayout(head);
+    chartColumn->addWidget(m_emptyLabel, 1);
+    chartColumn->addWidget(m_chart, 1);
+    split->addWidget(card);
     split->addWidget(buildFindings());
     split->setStretchFactor(0, chartStretch);
     split->setStretchFactor(1, findingsStretch);
-    column->addLayout(head);
-    column->addWidget(m_emptyLabel);
-    column->addWidget(split, 1);
+    column->addWidget(split);
 }
 
 QWidget* SweepResults::buildFindings()
 {
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->setChildrenCollapsible(false);
-    m_tabs = new QTabWidget(split);
+    split->setHandleWidth(cardMargin);
+    auto* card = new QWidget(split);
+    m_tabs = new QTabWidget(card);
+    (new QVBoxLayout(card))->addWidget(m_tabs);
+    makeCard(card);
     m_tabs->setObjectName(QStringLiteral("sweepTabs"));
     m_tabs->setDocumentMode(true);
     m_verdictView = table("sweepVerdictTable", m_verdictModel, m_tabs);
@@ -106,7 +111,7 @@ QWidget* SweepResults::buildFindings()
     legsColumn->addWidget(m_legsNotice);
     m_tabs->addTab(m_verdictView, QString());
     m_tabs->addTab(legs, QString());
-    split->addWidget(m_tabs);
+    split->addWidget(card);
     split->addWidget(buildReport());
     split->setStretchFactor(0, tableStretch);
     split->setStretchFactor(1, reportStretch);
@@ -118,8 +123,8 @@ QWidget* SweepResults::buildReport()
     auto* side = new QWidget(this);
     side->setMinimumWidth(minReportWidth);
     auto* column = new QVBoxLayout(side);
-    column->setContentsMargins(6, 0, 0, 0);
     column->setSpacing(4);
+    makeCard(side);
     const auto text = [side](const char* name) {
         auto* label = new QLabel(side);
         label->setObjectName(QString::fromLatin1(name));
@@ -129,10 +134,12 @@ QWidget* SweepResults::buildReport()
     m_histogramTitle = text("sweepHistogramTitle");
     m_histogram = new ErrorHistogram(side);
     m_histogram->setObjectName(QStringLiteral("sweepHistogram"));
+    makeHeading(m_histogramTitle);
     m_end = text("sweepEnd");
     m_comparison = text("sweepComparison");
     m_comparison->hide();
     m_reportTitle = text("sweepReportTitle");
+    makeHeading(m_reportTitle);
     auto* buttons = new QWidget(side);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);

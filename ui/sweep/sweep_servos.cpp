@@ -2,6 +2,7 @@
 #include "ui/sweep/sweep_servos.h"
 
 #include "report/sweep_text.h"
+#include "ui/common/widget_style.h"
 #include "ui/widgets/test_text.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -19,7 +20,6 @@ namespace ui {
 namespace {
 enum Column { Servo, Start, End, Verdicts, ColumnCount };
 constexpr int visibleRows = 4;
-constexpr int servoRowPadding = 8;
 
 QString limitsKey(const QString& model)
 {
@@ -53,13 +53,12 @@ SweepServos::SweepServos(session::ServoRegistry& registry, Selection& selection,
     , m_editTriggers(m_table->editTriggers())
 {
     m_table->setObjectName(QStringLiteral("sweepServos"));
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + servoRowPadding);
-    m_table->setMinimumHeight((fontMetrics().height() + servoRowPadding) * (visibleRows + 1));
+    styleTable(m_table);
+    m_table->setMinimumHeight(m_table->verticalHeader()->defaultSectionSize() * (visibleRows + 1));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    for (const int column : {Servo, Verdicts})
+        m_table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setTabKeyNavigation(false);
     m_table->setItemDelegateForColumn(Verdicts, new ToneDelegate(m_table));
     m_table->setColumnHidden(Verdicts, true);
     m_limits->setObjectName(QStringLiteral("sweepLimits"));
@@ -182,9 +181,6 @@ void SweepServos::showVerdicts()
     const bool narrow = !m_verdicts.empty();
     m_table->horizontalHeaderItem(Start)->setText(narrow ? tr("Start") : tr("own start"));
     m_table->horizontalHeaderItem(End)->setText(narrow ? tr("End") : tr("own end"));
-    for (const int column : {Servo, Verdicts})
-        m_table->horizontalHeader()->setSectionResizeMode(
-            column, narrow ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
 }
 
 void SweepServos::markRow(session::ServoRef ref)

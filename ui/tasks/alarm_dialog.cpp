@@ -4,6 +4,7 @@
 #include "text/alarm_text.h"
 #include "text/error_text.h"
 #include "text/translate.h"
+#include "ui/common/widget_style.h"
 #include "ui/widgets/question_dialog.h"
 
 #include <QHeaderView>
@@ -36,7 +37,7 @@ AlarmDialog::AlarmDialog(session::Workbench& workbench, session::ServoRef servo,
 {
     m_table->setObjectName(QStringLiteral("alarms"));
     m_table->setFixedWidth(textWidth);
-    m_table->verticalHeader()->hide();
+    styleTable(m_table);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "text/translate.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/fit_columns.h"
 #include "ui/widgets/question_dialog.h"
@@ -127,12 +128,9 @@ void IntentsDialog::build()
     m_explanation->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("intents"));
     m_table->setModel(m_model);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
+    styleTable(m_table);
     m_columns = new FitColumns(m_table);
-    m_table->setTabKeyNavigation(false);
     m_otherPortText->setObjectName(QStringLiteral("intentsElsewhere"));
     m_otherPortText->setWordWrap(true);
     m_otherPortText->setTextFormat(Qt::PlainText);

@@ -5,6 +5,7 @@
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_preset.h"
 #include "ui/common/palette.h"
+#include "ui/common/widget_style.h"
 #include "ui/trends/channels_dialog.h"
 #include "ui/trends/export_control.h"
 #include "ui/trends/recording_control.h"
@@ -85,6 +86,7 @@ void TrendPanel::build()
     column->addWidget(m_chart, 1);
     column->addWidget(m_replayBar);
     column->addWidget(m_cursors);
+    makeCard(this);
     m_chart->setStore(&m_liveData.store());
     m_chart->setMarks(&m_liveData.marks());
     m_chart->setMarkTextFunction(

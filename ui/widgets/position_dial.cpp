@@ -17,6 +17,7 @@
 namespace ui {
 namespace {
 constexpr double fullCircle = 360;
+constexpr double textRadius = 0.66; ///< of the face: texts inside, the needle outside
 constexpr double pi = 3.14159265358979323846;
 constexpr int tickStep = 10; ///< degrees
 constexpr int longTickInterval = 30;
@@ -221,8 +222,8 @@ void PositionDial::paintNeedle(QPainter& painter) const
                                   ? tone(Tone::Quiet, palette())
                                   : trendColor(positionColor, palette().color(QPalette::Window));
         painter.setPen(QPen(needle, 4, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(pointAt(*m_view.position, radius * 0.28),
-                         pointAt(*m_view.position, radius * 0.92));
+        painter.drawLine(pointAt(*m_view.position, radius * textRadius),
+                         pointAt(*m_view.position, radius * 0.94));
     }
     const auto goal = m_drag ? m_drag : m_view.goal;
     if (!goal)
@@ -244,7 +245,9 @@ void PositionDial::paintTexts(QPainter& painter) const
     big.setPointSizeF(font().pointSizeF() * 1.9);
     big.setBold(true);
     const int bigLine = QFontMetrics(big).height();
-    const double middle = round.center().y() + round.height() * 0.12;
+    const double middle = round.center().y() - bigLine * 0.25;
+    const double rim = round.width() / 2 * (1 - textRadius);
+    const QRectF inner = round.adjusted(rim, rim, -rim, -rim);
     painter.setPen(m_view.isStale ? tone(Tone::Quiet, palette())
                                   : palette().color(QPalette::WindowText));
     painter.setFont(big);
@@ -255,7 +258,7 @@ void PositionDial::paintTexts(QPainter& painter) const
     for (const QString& words : {m_view.subtitle, m_view.turnsText}) {
         if (words.isEmpty())
             continue;
-        const CircleText fitted = fitIntoCircle(words, font(), round, top);
+        const CircleText fitted = fitIntoCircle(words, font(), inner, top);
         painter.setFont(fitted.font);
         painter.drawText(fitted.rect, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, words);
         top = fitted.rect.bottom();

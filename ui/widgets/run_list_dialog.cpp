@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/run_list_dialog.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/widgets/question_dialog.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -59,12 +60,9 @@ void RunListDialog::build()
     m_table->setObjectName(QStringLiteral("runs"));
     m_table->setModel(m_model);
     m_table->setItemDelegate(new ToneDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
+    styleTable(m_table);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setTabKeyNavigation(false);
     m_buttons->insertStretch(m_buttons->count() - 1);
     auto* column = new QVBoxLayout(this);
     column->setSizeConstraint(QLayout::SetNoConstraint);

@@ -8,9 +8,11 @@ void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
 {
     QStyledItemDelegate::initStyleOption(option, index);
     const QVariant toneValue = index.data(toneRole);
-    if (toneValue.isValid())
-        option->palette.setColor(QPalette::Text,
-                                 tone(static_cast<Tone>(toneValue.toInt()), option->palette));
+    if (toneValue.isValid()) {
+        const QColor color = tone(static_cast<Tone>(toneValue.toInt()), option->palette);
+        for (const auto role : {QPalette::Text, QPalette::HighlightedText}) // the selection is pale
+            option->palette.setColor(role, color);
+    }
     // Space between the text and the number at its left.
     if (index.column() > 0 && (option->displayAlignment & Qt::AlignLeft) && !option->text.isEmpty())
         option->text.prepend(QChar(0x2002));

@@ -32,7 +32,7 @@ struct Fixture : gui::MainWindowFixture {
         settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
         page = QStringLiteral("operate");
     }
-    /// Constant speed, torque on, 800.
+    /// Speed mode, torque on, 800.
     bool startSpinning()
     {
         if (!ready(1, cable->port()))

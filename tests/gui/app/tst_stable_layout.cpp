@@ -191,10 +191,10 @@ QString coveredControls(MainWindowFixture& fixture, const char* floating, const 
 /// As a message, a hint or a longer line did before the controls were kept still.
 void shiftLayout(MainWindowFixture& fixture, int by)
 {
-    QWidget* body = fixture.find<QScrollArea>("controlScroll")->widget();
-    auto* block = new QWidget(body);
+    auto* panel = fixture.find<QWidget>("controlPanel");
+    auto* block = new QWidget(panel);
     block->setFixedHeight(by);
-    qobject_cast<QBoxLayout*>(body->layout())->insertWidget(0, block);
+    qobject_cast<QBoxLayout*>(panel->layout())->insertWidget(0, block);
     QCoreApplication::processEvents();
 }
 } // namespace
@@ -544,8 +544,8 @@ private Q_SLOTS:
         MainWindowFixture fixture;
         fixture.page = QStringLiteral("operate");
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
-        QToolButton* wheel = nullptr;
-        QTRY_VERIFY((wheel = fixture.find<QToolButton>("mode_speed")) != nullptr);
+        QAbstractButton* wheel = nullptr;
+        QTRY_VERIFY((wheel = fixture.find<QAbstractButton>("mode_speed")) != nullptr);
         QTRY_VERIFY(wheel->isEnabled());
         const LayoutObserver layoutAfter(fixture, {QStringLiteral("mode_speed")});
         gui::ManualPressClock clock;

@@ -304,7 +304,7 @@ void TestMemoryPage::physicalValuesAreTyped()
     QTRY_COMPARE(fixture.shown(QStringLiteral("max_voltage"), MemoryColumn::Physical),
                  QStringLiteral("8.5 V"));
     // The toggle brings the unit to the front, for reading and for typing.
-    QTest::mouseClick(fixture.child<QToolButton>("physicalFirst"), Qt::LeftButton);
+    QTest::mouseClick(fixture.child<QAbstractButton>("physicalFirst"), Qt::LeftButton);
     fixture.type(QStringLiteral("max_voltage"), QStringLiteral("8.4"), MemoryColumn::Name);
     QVERIFY(fixture.idle());
     QCOMPARE(fixture.raw("max_voltage"), 84);
@@ -445,7 +445,7 @@ void TestMemoryPage::aModeChangeIsAnnouncedFirst()
     QTest::keyClick(list, Qt::Key_Return);
     QVERIFY(fixture.question());
     const QString words = allText(fixture.question());
-    QVERIFY2(words.contains(QStringLiteral("constant speed")), qPrintable(words));
+    QVERIFY2(words.contains(QStringLiteral("“position” to “speed”")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("torque off")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("is set to 0")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("Torque stays off")), qPrintable(words));
@@ -534,9 +534,9 @@ void TestMemoryPage::filtersWhileTyping()
     QVERIFY(fixture.child<QLabel>("memoryNothing")->isVisible());
     find->clear();
     QCOMPARE(fixture.view().model()->rowCount(), all);
-    QTest::mouseClick(fixture.child<QToolButton>("rowsChanged"), Qt::LeftButton);
+    QTest::mouseClick(fixture.child<QAbstractButton>("rowsChanged"), Qt::LeftButton);
     QVERIFY(fixture.view().model()->rowCount() < all / 2);
-    QTest::mouseClick(fixture.child<QToolButton>("rowsAll"), Qt::LeftButton);
+    QTest::mouseClick(fixture.child<QAbstractButton>("rowsAll"), Qt::LeftButton);
     fixture.child<QComboBox>("groupFilter")->setCurrentIndex(3);
     for (int row = 0; row < fixture.view().model()->rowCount(); ++row)
         QCOMPARE(fixture.view().model()->index(row, 0).data(MemoryModel::AreaRole).toInt(),
@@ -548,8 +548,8 @@ void TestMemoryPage::pollingFollowsTheVisibleRows()
 {
     Fixture fixture;
     QVERIFY(fixture.choose());
-    auto* rate = fixture.child<QComboBox>("liveRate");
-    rate->setCurrentIndex(rate->findData(0));
+    const auto chooseRate = [&](const char* action) { fixture.child<QAction>(action)->trigger(); };
+    chooseRate("liveRate0");
     fixture.goTo(QStringLiteral("firmware_major"));
     fixture.child<QComboBox>("groupFilter")->setCurrentIndex(3); // feedback
     const catalog::Register* voltage =
@@ -561,7 +561,7 @@ void TestMemoryPage::pollingFollowsTheVisibleRows()
     };
     const auto voltageBefore = readAt(voltage);
     const auto modeBefore = readAt(mode);
-    rate->setCurrentIndex(rate->findData(20));
+    chooseRate("liveRate20");
     QTRY_VERIFY_WITH_TIMEOUT(readAt(voltage) > voltageBefore, timeout);
     QCOMPARE(readAt(mode), modeBefore);                          // not in sight, so not asked
     fixture.child<QComboBox>("groupFilter")->setCurrentIndex(1); // EPROM
@@ -599,7 +599,8 @@ void TestMemoryPage::padlockShowsWhoOpenedIt()
     QVERIFY(fixture.choose(open));
     auto* badge = fixture.page.findChild<ui::LockBadge*>();
     QTRY_COMPARE(badge->lock(), ui::LockBadge::Lock::OpenByOthers);
-    QVERIFY(allText(badge).contains(QStringLiteral("not by ServoDesk")));
+    QVERIFY(allText(badge).contains(QStringLiteral("EPROM left unlocked")));
+    QVERIFY(badge->toolTip().contains(QStringLiteral("Another program")));
     auto* close = fixture.child<QToolButton>("closeLock");
     QTRY_VERIFY(close->isVisible() && close->isEnabled());
     QTest::mouseClick(close, Qt::LeftButton);

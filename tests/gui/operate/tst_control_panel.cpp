@@ -462,7 +462,7 @@ void TestControlPanel::severalServosMoveTogether()
     QVERIFY(fixture.ready(text("sim:sts3215@1,sts3215@2,sts3215@3"), {1, 2, 3}));
     QVERIFY2(fixture.text("controlTitle").contains(text("+ 2 more")),
              qPrintable(fixture.text("controlTitle")));
-    QVERIFY(fixture.find<QToolButton>("howSync")->isChecked());
+    QVERIFY(fixture.find<QAbstractButton>("howSync")->isChecked());
     QVERIFY(fixture.go(text("1500")));
     for (const int id : {1, 2, 3}) {
         QVERIFY(fixture.isAtRest(id));
@@ -516,6 +516,7 @@ void TestControlPanel::torqueLimit()
     QFETCH(QByteArray, key);
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(port, {1}));
+    fixture.click("torqueLimitMore");
     fixture.enter("stallTorque", text("30"));
     fixture.enter("torqueLimitPercent", text("40"));
     QVERIFY(fixture.waitUntilIdle());
@@ -555,6 +556,7 @@ void TestControlPanel::torqueLimitByArrowsAndNotches()
     fixture.box("goal")->setFocus(); // leaving the box sends nothing more
     QVERIFY(fixture.waitUntilIdle() && fixture.shown());
     QCOMPARE(writes(), std::ptrdiff_t(1));
+    fixture.click("torqueLimitMore");
     auto* slider = fixture.find<ui::ControlSlider>("torqueLimitSlider");
     for (int notch = 0; notch < 5; ++notch) {
         QTest::keyClick(slider, Qt::Key_PageDown);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/common/widget_style.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLayout>
+#include <QScrollArea>
+#include <QTableView>
+
+namespace ui {
+namespace {
+constexpr int tableRowPadding = 10;
+}
+
+void makeCard(QWidget* panel)
+{
+    panel->setProperty("card", true);
+    panel->setAttribute(Qt::WA_StyledBackground); // a plain QWidget paints no style rule by itself
+    if (panel->layout() != nullptr)
+        panel->layout()->setContentsMargins(cardMargin, cardMargin, cardMargin, cardMargin);
+}
+
+void makeTransparent(QScrollArea* area)
+{
+    area->setFrameShape(QFrame::NoFrame);
+    area->viewport()->setAutoFillBackground(false);
+    area->widget()->setAutoFillBackground(false); // setWidget() turns it on
+}
+
+void makeHeading(QLabel* label)
+{
+    label->setProperty("heading", true);
+}
+
+void makeEmptyState(QLabel* label)
+{
+    label->setWordWrap(true);
+    label->setAlignment(Qt::AlignCenter);
+    label->setForegroundRole(QPalette::PlaceholderText);
+}
+
+void styleTable(QTableView* table)
+{
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setTabKeyNavigation(false);
+    table->setShowGrid(false);
+    table->setAlternatingRowColors(true);
+    table->setWordWrap(false);
+    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table->horizontalHeader()->setHighlightSections(false);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + tableRowPadding);
+}
+} // namespace ui

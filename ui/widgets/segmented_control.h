@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two to six choices side by side of which one is selected, in one frame; in a second row only if
+// there is no room. Owned by its parent; main thread.
+#pragma once
+
+#include <QAbstractButton>
+#include <QWidget>
+
+class QButtonGroup;
+
+namespace ui {
+class SegmentedControl : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SegmentedControl(QWidget* parent);
+
+    /// The first gets number 0. Text, tooltip and accessible name are the caller's, by
+    /// setButtonText().
+    QAbstractButton* addSegment(const QString& objectName);
+    QAbstractButton* segment(int index) const;
+    /// Removes all segments.
+    void clear();
+
+    /// -1: none is selected.
+    int selected() const;
+    /// Sends no signal. -1 deselects all.
+    void select(int index);
+
+Q_SIGNALS:
+    void chosen(int index); ///< by the user, also the selected one again
+
+private:
+    QButtonGroup* m_group;
+};
+} // namespace ui
