@@ -13,6 +13,37 @@
     </message>
 </context>
 <context>
+    <name>BusText</name>
+    <message>
+        <source>six servos, one with an alarm</source>
+        <translation>六个舵机，其中一个报警</translation>
+    </message>
+    <message>
+        <source>mixed baud rates, two servos with one ID, faults</source>
+        <translation>多种波特率、两个舵机同 ID、故障</translation>
+    </message>
+    <message>
+        <source>one SMS servo on Modbus-RTU</source>
+        <translation>一个 Modbus-RTU 的 SMS 舵机</translation>
+    </message>
+    <message>
+        <source>five Hiwonder LX servos</source>
+        <translation>五个幻尔 LX 舵机</translation>
+    </message>
+    <message>
+        <source>a good and two worn servos to test</source>
+        <translation>用于测试：一个良好、两个磨损的舵机</translation>
+    </message>
+    <message>
+        <source>six new servos to commission</source>
+        <translation>六个待设置的新舵机</translation>
+    </message>
+    <message>
+        <source>six servos to commission, some with faults</source>
+        <translation>六个待设置的舵机，部分有故障</translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>&amp;Connect</source>
@@ -1002,10 +1033,6 @@
         <source>limit %1</source>
         <comment>torque limit in %</comment>
         <translation>限制 %1</translation>
-    </message>
-    <message>
-        <source>not measured by %1</source>
-        <translation>%1 不测量此项</translation>
     </message>
     <message>
         <source>not read</source>
@@ -10551,8 +10578,12 @@ Retries: %9</source>
         <translation>更多</translation>
     </message>
     <message>
-        <source>Copy, export or print the table, and live reading</source>
-        <translation>复制、导出或打印表格，以及实时读取</translation>
+        <source>&amp;Columns</source>
+        <translation>列(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy, export or print the table, its columns, and live reading</source>
+        <translation>复制、导出或打印表格，选择列，以及实时读取</translation>
     </message>
 </context>
 <context>
@@ -10796,6 +10827,14 @@ Retries: %9</source>
     <message>
         <source>Age of the newest value, and number of readings in the last second</source>
         <translation>最新数据的读取时间，以及最近一秒的读取次数</translation>
+    </message>
+    <message>
+        <source>Gauges</source>
+        <translation>仪表</translation>
+    </message>
+    <message>
+        <source>Shows or hides the gauges</source>
+        <translation>显示或隐藏仪表</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,13 @@ MessageLog::MessageLog(const session::Workbench& workbench, QWidget* parent)
     retranslate();
 }
 
+/// A few lines: the chart above needs the room.
+QSize MessageLog::sizeHint() const
+{
+    constexpr int lines = 5;
+    return {QPlainTextEdit::sizeHint().width(), lines * fontMetrics().lineSpacing() + 12};
+}
+
 void MessageLog::add(const session::Event& event)
 {
     m_events.push_back(event);

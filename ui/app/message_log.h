@@ -17,6 +17,7 @@ public:
     explicit MessageLog(const session::Workbench& workbench, QWidget* parent = nullptr);
 
     void add(const session::Event& event);
+    QSize sizeHint() const override;
 
 protected:
     void changeEvent(QEvent* event) override;

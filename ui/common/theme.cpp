@@ -4,6 +4,7 @@
 #include "ui/common/system_theme.h"
 
 #include <QApplication>
+#include <QDialogButtonBox>
 #include <QIcon>
 #include <QPainter>
 #include <QProxyStyle>
@@ -122,11 +123,19 @@ QHeaderView::section {
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
 )";
 /// Fusion outlines a checkbox a little darker than the window, which is invisible on a dark one.
-class CheckBoxStyle final : public QProxyStyle {
+class ProgramStyle final : public QProxyStyle {
 public:
-    CheckBoxStyle()
+    ProgramStyle()
         : QProxyStyle(QStringLiteral("Fusion"))
     {}
+
+    /// The buttons of every dialog end with the one that does it, whatever the desktop.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* result) const override
+    {
+        return hint == SH_DialogButtonLayout ? int(QDialogButtonBox::GnomeLayout)
+                                             : QProxyStyle::styleHint(hint, option, widget, result);
+    }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override
@@ -202,7 +211,7 @@ void ThemeSwitch::show()
 void ThemeSwitch::paint()
 {
     if (!m_shownDark)
-        QApplication::setStyle(new CheckBoxStyle);
+        QApplication::setStyle(new ProgramStyle);
     m_shownDark = usesDarkTheme();
     QIcon::setThemeName(usesDarkTheme() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
     const Colors& colors = usesDarkTheme() ? darkColors : lightColors;

@@ -26,6 +26,7 @@ PortDialog::PortDialog(QWidget* parent)
     m_label->setBuddy(m_edit);
     m_label->setWordWrap(true);
     m_buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("portDialogOk"));
+    m_buttons->button(QDialogButtonBox::Ok)->setProperty("mainAction", true);
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("portDialogCancel"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_label);

@@ -2,11 +2,14 @@
 #include "ui/connect/port_picker.h"
 
 #include "session/session.h"
+#include "text/bus_text.h"
 
+#include <QAbstractItemView>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
+#include <QStylePainter>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -15,6 +18,7 @@ namespace ui {
 namespace {
 const QString otherKey = QStringLiteral("*");
 constexpr int keyRole = Qt::UserRole;
+constexpr int shortTextRole = Qt::UserRole + 1;
 constexpr int minChars = 22; ///< characters
 
 bool isDevice(const QString& port)
@@ -144,7 +148,8 @@ std::vector<PortPicker::Entry> PortPicker::entries() const
     line();
     for (const QString& name : session::simulatedPorts())
         entries.push_back({name, tr("Simulated bus: %1").arg(name.section(QLatin1Char(':'), 1)),
-                           tr("Simulated servos, no hardware needed")});
+                           tr("Simulated servos, no hardware needed"), false,
+                           text::simulatedBusText(name)});
     line();
     entries.push_back({otherKey, tr("Other port or TCP address…"),
                        tr("Enter a path such as /dev/ttyUSB0 or an address such as "
@@ -183,13 +188,36 @@ void PortPicker::sync(const std::vector<Entry>& entries)
             items->insertRow(row, item);
         }
         item->setData(entry.key, keyRole);
-        item->setText(entry.text);
+        item->setText(entry.about.isEmpty() ? entry.text
+                                            : entry.text + QStringLiteral(" — ") + entry.about);
+        item->setData(entry.text, shortTextRole);
         item->setToolTip(entry.tip);
         if (entry.separator) {
             item->setData(QStringLiteral("separator"), Qt::AccessibleDescriptionRole);
             item->setFlags(Qt::NoItemFlags);
         }
     }
+}
+
+/// The open list describes the simulated buses; the closed one has no room for that.
+void PortPicker::paintEvent(QPaintEvent* event)
+{
+    if (currentIndex() < 0)
+        return QComboBox::paintEvent(event);
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    option.currentText = itemData(currentIndex(), shortTextRole).toString();
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+}
+
+/// As wide as its entries, so that none is cut.
+void PortPicker::showPopup()
+{
+    view()->setMinimumWidth(view()->sizeHintForColumn(0) +
+                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    QComboBox::showPopup();
 }
 
 void PortPicker::activatedAt(int index)

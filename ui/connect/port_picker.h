@@ -29,6 +29,7 @@ public:
 
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void showPopup() override;
 
 Q_SIGNALS:
     void portSelected(const QString& port); ///< by the user, or the adapter is elsewhere now
@@ -36,6 +37,7 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     struct Entry {
@@ -43,6 +45,7 @@ private:
         QString text;
         QString tip;
         bool separator = false;
+        QString about{}; ///< shown in the open list only
     };
     std::vector<Entry> entries() const;
     Entry entryFor(const session::PortInfo& info) const;

@@ -42,6 +42,7 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     m_addressName->setBuddy(m_address);
     m_benchName->setBuddy(m_bench);
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("serverSave"));
+    m_buttons->button(QDialogButtonBox::Save)->setProperty("mainAction", true);
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("serverCancel"));
     auto* column = new QVBoxLayout(this);
     m_errorLabel->setObjectName(QStringLiteral("serverRefusal"));

@@ -12,6 +12,7 @@
 #include "ui/widgets/floating_overlay.h"
 
 #include <QLabel>
+#include <QMenu>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -22,6 +23,7 @@ using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms; // forty looks a second are more than an eye follows
 constexpr auto ageStep = 1s;
 constexpr auto liveDelay = 150ms;
+const QString columnsKey = QStringLiteral("memory/hidden_columns");
 } // namespace
 
 MemoryPage::MemoryPage(session::Workbench& workbench, Commands& commands, Selection& selection,
@@ -87,6 +89,12 @@ void MemoryPage::build(session::Settings& settings)
     m_output = new MemoryOutput(m_workbench.registry(), m_model, *m_view);
     m_model.setPhysicalFirst(m_toolbar->physicalFirst());
     m_view->setPhysicalFirst(m_toolbar->physicalFirst());
+    m_view->setHiddenColumns(settings.pageValue(columnsKey, QString()).toString().split(u','));
+    connect(m_view, &MemoryView::hiddenColumnsChanged, this, [this, &settings] {
+        settings.setPageValue(columnsKey, m_view->hiddenColumns().join(u','));
+    });
+    connect(m_toolbar->columnMenu(), &QMenu::aboutToShow, m_view,
+            [this] { m_view->fillColumnMenu(*m_toolbar->columnMenu()); });
 }
 
 void MemoryPage::connectTable()

@@ -110,6 +110,7 @@ void MemoryToolbar::addMenu()
     for (const Command command : {Command::CopyRows, Command::ExportTable, Command::PrintTable})
         m_menu->addAction(m_commands.action(command));
     m_menu->addSeparator();
+    m_columns = m_menu->addMenu(QString());
     addLive();
     m_help = m_menu->addAction(QString());
     m_help->setObjectName(QStringLiteral("rowHelp"));
@@ -202,11 +203,13 @@ void MemoryToolbar::retranslate()
     setButtonText(m_order->segment(1), tr("Physical"),
                   tr("Shows values with units first and uses them "
                      "for input"));
+    m_columns->setTitle(tr("&Columns"));
     m_live->setTitle(tr("&Live reading"));
     m_live->menuAction()->setToolTip(tr("Read rate of the visible rows; nothing is written"));
     m_help->setText(tr("Explain this &row"));
     m_help->setToolTip(tr("Shows everything that is known about the selected row"));
-    setAccessText(m_more, tr("More"), tr("Copy, export or print the table, and live reading"));
+    setAccessText(m_more, tr("More"),
+                  tr("Copy, export or print the table, its columns, and live reading"));
     m_readAll->setAccessibleName(m_readAll->defaultAction()->iconText());
 }
 

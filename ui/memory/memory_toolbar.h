@@ -32,6 +32,8 @@ public:
     /// Nullopt: off; 0: as fast as the wire allows.
     std::optional<base::Duration> livePeriod() const;
     void focusSearch();
+    /// Empty until it is opened; the page fills it.
+    QMenu* columnMenu() const { return m_columns; }
 
 Q_SIGNALS:
     void textChanged(const QString& text);
@@ -66,6 +68,7 @@ private:
     QToolButton* m_more = nullptr;
     QMenu* m_menu = nullptr;
     QMenu* m_live = nullptr;
+    QMenu* m_columns = nullptr;
     QAction* m_help = nullptr;
     int m_liveRate = 0; ///< as stored
 };

@@ -6,6 +6,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QScrollBar>
 
 #include <numeric>
@@ -16,6 +17,13 @@ namespace {
 // Hidden in this order where the table is narrow. The panel beside it shows the same.
 constexpr std::array hideOrder{MemoryColumn::Area, MemoryColumn::Range, MemoryColumn::Default,
                                MemoryColumn::Access};
+
+// What the table can do without, by its key in the settings.
+constexpr std::array optionalColumns{
+    std::pair{MemoryColumn::Address, "address"}, std::pair{MemoryColumn::Physical, "physical"},
+    std::pair{MemoryColumn::Area, "area"},       std::pair{MemoryColumn::Access, "access"},
+    std::pair{MemoryColumn::Default, "default"}, std::pair{MemoryColumn::Range, "range"},
+    std::pair{MemoryColumn::State, "state"}};
 
 // In characters: "temporary · 12 s" with its sign. Longer states must not hide columns.
 constexpr int defaultStateChars = 17;
@@ -36,6 +44,14 @@ MemoryView::MemoryView(QWidget* parent)
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(8);
+    horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(horizontalHeader(), &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& at) {
+                auto* menu = new QMenu(this);
+                menu->setAttribute(Qt::WA_DeleteOnClose);
+                fillColumnMenu(*menu);
+                menu->popup(horizontalHeader()->mapToGlobal(at));
+            });
 }
 
 void MemoryView::setPhysicalFirst(bool on)
@@ -46,6 +62,45 @@ void MemoryView::setPhysicalFirst(bool on)
     const int physical = header->visualIndex(section(MemoryColumn::Physical));
     if ((physical < value) != on)
         header->moveSection(std::max(value, physical), std::min(value, physical));
+}
+
+void MemoryView::setHiddenColumns(const QStringList& keys)
+{
+    m_hiddenColumns.clear();
+    for (const auto& [column, key] : optionalColumns) {
+        if (keys.contains(QLatin1StringView(key)))
+            m_hiddenColumns.insert(column);
+    }
+    fitColumns();
+}
+
+QStringList MemoryView::hiddenColumns() const
+{
+    QStringList keys;
+    for (const auto& [column, key] : optionalColumns) {
+        if (m_hiddenColumns.count(column) > 0)
+            keys << QLatin1StringView(key);
+    }
+    return keys;
+}
+
+void MemoryView::fillColumnMenu(QMenu& menu)
+{
+    menu.clear();
+    for (const auto& [column, key] : optionalColumns) {
+        QAction* one = menu.addAction(memoryHeader(column));
+        one->setObjectName(QStringLiteral("column_") + QLatin1StringView(key));
+        one->setCheckable(true);
+        one->setChecked(m_hiddenColumns.count(column) == 0);
+        connect(one, &QAction::toggled, this, [this, column = column](bool shown) {
+            if (shown)
+                m_hiddenColumns.erase(column);
+            else
+                m_hiddenColumns.insert(column);
+            fitColumns();
+            Q_EMIT hiddenColumnsChanged();
+        });
+    }
 }
 
 QStringList MemoryView::visibleKeys() const
@@ -161,6 +216,8 @@ void MemoryView::fitColumns()
     const auto physical = static_cast<std::size_t>(MemoryColumn::Physical);
     const auto state = static_cast<std::size_t>(MemoryColumn::State);
     auto widths = m_columnWidths;
+    for (const MemoryColumn column : m_hiddenColumns)
+        widths[static_cast<std::size_t>(column)] = 0;
     const auto atLeast = [&](MemoryColumn column, int minWidth) {
         const auto index = static_cast<std::size_t>(column);
         const int header = horizontalHeader()->sectionSizeHint(section(column));
@@ -186,7 +243,9 @@ void MemoryView::fitColumns()
         needed -= less;
     }
     int left = std::max(0, room - needed);
-    for (const auto index : {physical, name, state}) {
+    for (const auto index : {name, physical, state}) {
+        if (m_hiddenColumns.count(static_cast<MemoryColumn>(index)) > 0)
+            continue;
         const int more = std::min(left, m_columnWidths[index] - widths[index]);
         widths[index] += more;
         left -= more;

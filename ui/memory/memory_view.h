@@ -9,6 +9,7 @@
 #include <QTableView>
 
 #include <array>
+#include <set>
 
 namespace ui {
 class MemoryView final : public QTableView {
@@ -23,11 +24,17 @@ public:
     QStringList visibleKeys() const;
     /// After another servo, language or font: columns as wide as what is in them.
     void resizeColumns();
+    /// Columns the user does without; the others go by themselves where there is no room.
+    void setHiddenColumns(const QStringList& keys);
+    QStringList hiddenColumns() const;
+    /// Checkable, one a column that can be hidden; refilled by each call.
+    void fillColumnMenu(QMenu& menu);
     /// Columns grow where a value has become longer; they never jump back while one is watching.
     void growColumns();
 
 Q_SIGNALS:
-    void scrolled(); ///< other rows may be in sight
+    void scrolled();             ///< other rows may be in sight
+    void hiddenColumnsChanged(); ///< by the user
     void readOnlyActivated(const QModelIndex& index);
 
 protected:
@@ -45,6 +52,7 @@ private:
     void fitColumns();
 
     bool m_physicalFirst = false;
+    std::set<MemoryColumn> m_hiddenColumns; ///< by the user
     std::array<int, memoryColumns> m_columnWidths{};
 };
 } // namespace ui

@@ -21,7 +21,7 @@ QString notAcceptedText()
 }
 } // namespace
 
-ControlField::ControlField(const QString& name, QWidget* parent)
+ControlField::ControlField(const QString& name, QWidget* parent, bool wide)
     : QWidget(parent)
     , m_name(name)
     , m_title(new QLabel(this))
@@ -34,9 +34,14 @@ ControlField::ControlField(const QString& name, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(2);
-    column->addWidget(m_title);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    column->addLayout(head);
     column->addLayout(m_editorLayout);
-    column->addWidget(m_physical);
+    if (wide)
+        head->addWidget(m_physical);
+    else
+        column->addWidget(m_physical);
     hide();
 }
 

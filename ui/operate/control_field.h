@@ -21,7 +21,8 @@ class ControlField final : public QWidget {
 
 public:
     /// `name`: object name of the box; the labels are called after it.
-    ControlField(const QString& name, QWidget* parent);
+    /// `wide`: the value with its unit is beside the title, not below the number.
+    ControlField(const QString& name, QWidget* parent, bool wide = false);
 
     void setTitle(const QString& title);
     /// Null: the field is hidden. The profile keeps the register alive.

@@ -133,6 +133,14 @@ void ControlLimit::build()
     showDetails(shown);
 }
 
+int ControlLimit::detailsHeight() const
+{
+    if (m_details->isHidden())
+        return 0;
+    const QLayout* details = m_details->layout();
+    return details->totalHeightForWidth(width()) + layout()->spacing();
+}
+
 void ControlLimit::showDetails(bool shown)
 {
     m_more->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);

@@ -23,6 +23,8 @@ public:
     ControlLimit(session::Settings& settings, QWidget* parent);
 
     void showServo(const session::ServoEntry* entry, bool usable);
+    /// What the details add while they are shown.
+    int detailsHeight() const;
     /// What was typed or dragged and not sent is dropped.
     void discardEdit();
     void retranslate();

@@ -33,7 +33,6 @@ using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms;
 constexpr int minWidth = 340;
 constexpr int maxWidth = 420;
-constexpr int dialPercent = 30; ///< of the panel's height: at 1280×800 nothing has to scroll
 constexpr int dialMargin = 24;
 
 /// Always takes its space, so that the controls keep their width; empty while all of them fit.
@@ -89,18 +88,19 @@ ControlPanel::~ControlPanel()
 
 void ControlPanel::build(session::Settings& settings)
 {
-    QScrollArea* scroll = newScrollArea(this);
+    m_scroll = newScrollArea(this);
     m_messages = new ControlMessages(settings, this);
     auto* outer = new QVBoxLayout(this);
     outer->setSpacing(8);
     m_header = new ControlHeader(m_commands, this);
     outer->addWidget(m_header);
-    outer->addWidget(scroll, 1);
+    outer->addWidget(m_scroll, 1);
     outer->addWidget(m_messages);
     makeCard(this);
-    auto* body = new QWidget(scroll);
-    scroll->setWidget(body);
-    makeTransparent(scroll);
+    auto* body = new QWidget(m_scroll);
+    m_scroll->setWidget(body);
+    makeTransparent(m_scroll);
+    m_scroll->viewport()->installEventFilter(this);
     m_empty = new QLabel(body);
     m_empty->setObjectName(QStringLiteral("controlEmpty"));
     m_empty->setWordWrap(true);
@@ -269,6 +269,7 @@ void ControlPanel::showControls(const session::ServoEntry& known)
     if (m_dial != nullptr)
         m_dial->setVisible(device::goalRegister(known.servo) != nullptr);
     m_send->showServo(known, {several, canMove, m_motion.heldCount()});
+    fitDial();
 }
 
 std::optional<std::int64_t> ControlPanel::positionGoal() const
@@ -383,19 +384,32 @@ void ControlPanel::showEvent(QShowEvent* event)
         readUnreadTables();
 }
 
-void ControlPanel::resizeEvent(QResizeEvent* event)
+bool ControlPanel::eventFilter(QObject* watched, QEvent* event)
 {
-    QWidget::resizeEvent(event);
-    fitDial();
+    if (watched == m_scroll->viewport() && event->type() == QEvent::Resize)
+        fitDial();
+    return QWidget::eventFilter(watched, event);
 }
 
-/// Only with the height of the panel, which what comes and goes below the dial does not change.
+/// As large as the controls leave it room. What comes and goes below them does not count, because
+/// they would move.
 void ControlPanel::fitDial()
 {
-    if (m_dial == nullptr)
+    if (m_dial == nullptr || !isVisible())
         return;
-    const int side = std::clamp(height() * dialPercent / 100, m_dial->minimumSizeHint().height(),
-                                m_dial->sizeHint().height());
+    const int width = m_content->width();
+    const int spacing = m_content->layout()->spacing();
+    int others = 2 * spacing + m_result->fontMetrics().lineSpacing(); // a result of one line
+    for (const QWidget* control :
+         std::initializer_list<QWidget*>{m_goal, m_fields, m_send, m_limit}) {
+        const QLayout* inside = control->layout();
+        if (!control->isHidden())
+            others += spacing + (inside->hasHeightForWidth() ? inside->totalHeightForWidth(width)
+                                                             : inside->totalSizeHint().height());
+    }
+    others -= m_limit->isHidden() ? 0 : m_limit->detailsHeight();
+    const int side = std::clamp(m_scroll->viewport()->height() - others,
+                                m_dial->minimumSizeHint().height(), m_dial->sizeHint().height());
     m_dial->setFixedSize(side + dialMargin, side);
 }
 

@@ -15,6 +15,7 @@
 #include <memory>
 
 class QLabel;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace ui {
@@ -59,7 +60,7 @@ Q_SIGNALS:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void build(session::Settings& settings);
@@ -93,6 +94,7 @@ private:
     ControlHeader* m_header = nullptr;
     ControlMessages* m_messages = nullptr;
     QLabel* m_empty = nullptr;
+    QScrollArea* m_scroll = nullptr;
     QWidget* m_content = nullptr;
     QVBoxLayout* m_dialLayout = nullptr;
     QWidget* m_dial = nullptr;

@@ -24,7 +24,9 @@ constexpr auto refreshInterval = 50ms; ///< numbers that change faster cannot be
 constexpr int minControlWidth = 350;
 constexpr int maxControlWidth = 400;
 constexpr int controlPercent = 36;
+constexpr int minHeightForGauges = 460;
 const QString subscriptionName = QStringLiteral("operate");
+const QString gaugesKey = QStringLiteral("operate/gauges");
 
 QString turnCountText(const session::ServoEntry& entry)
 {
@@ -86,6 +88,13 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
         m_gauges[i]->setObjectName(QStringLiteral("gauge%1").arg(i));
         gauges->addWidget(m_gauges[i], 1);
     }
+    m_gaugesShown = settings.pageValue(gaugesKey, true).toBool();
+    m_status->setGaugesShown(m_gaugesShown);
+    connect(m_status, &OperateStatus::gaugesToggled, this, [this, &settings](bool shown) {
+        m_gaugesShown = shown;
+        settings.setPageValue(gaugesKey, shown);
+        showGauges(entry());
+    });
     m_trend = new TrendPanel(m_workbench, m_liveData, m_selection, settings, m_watch);
     m_strip = new ServoStrip(m_workbench, m_selection, m_watch);
     column->addWidget(m_status);
@@ -172,16 +181,15 @@ void OperatePage::showDial(const session::ServoEntry* known)
 void OperatePage::showGauges(const session::ServoEntry* known)
 {
     const bool old = known == nullptr || !isFresh(*known, m_workbench);
+    // The chart comes first where the messages below leave little room.
+    const bool room = m_gaugesShown && height() >= minHeightForGauges;
     for (std::size_t i = 0; i < m_gauges.size(); ++i) {
         const GaugeState view =
             known != nullptr ? gaugeState(*known, allQuantities[i]) : GaugeState{};
-        m_gauges[i]->setVisible(known != nullptr);
+        m_gauges[i]->setVisible(known != nullptr && view.isMeasured && room);
         m_gauges[i]->setTitle(view.title);
         m_gauges[i]->setScale(view.scale);
-        if (view.notMeasuredReason.isEmpty())
-            m_gauges[i]->setValue(view.value, view.caption, old);
-        else
-            m_gauges[i]->setNotMeasured(view.notMeasuredReason);
+        m_gauges[i]->setValue(view.value, view.caption, old);
     }
 }
 
@@ -200,6 +208,7 @@ void OperatePage::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     m_control->setFixedWidth(
         std::clamp(width() * controlPercent / 100, minControlWidth, maxControlWidth));
+    showGauges(entry());
 }
 
 void OperatePage::showEvent(QShowEvent* event)

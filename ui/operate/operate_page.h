@@ -58,6 +58,7 @@ private:
 
     ControlPanel* m_control = nullptr;
     PositionDial* m_dial = nullptr;
+    bool m_gaugesShown = true; ///< by the user
     OperateStatus* m_status = nullptr;
     std::array<Gauge*, 5> m_gauges{};
     QWidget* m_watch = nullptr;

@@ -12,6 +12,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace ui {
 using catalog::Role;
@@ -69,10 +70,27 @@ OperateStatus::OperateStatus(QWidget* parent)
     m_age->setObjectName(QStringLiteral("statusAge"));
     m_age->setForegroundRole(QPalette::PlaceholderText);
     m_age->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_gauges = new QToolButton(this);
+    m_gauges->setObjectName(QStringLiteral("showGauges"));
+    m_gauges->setProperty("disclosure", true);
+    m_gauges->setCheckable(true);
+    m_gauges->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(pills, 1);
     row->addWidget(m_age);
+    row->addWidget(m_gauges);
+    connect(m_gauges, &QToolButton::toggled, this, [this](bool shown) {
+        setGaugesShown(shown);
+        Q_EMIT gaugesToggled(shown);
+    });
     connect(m_acknowledge, &QPushButton::clicked, this, &OperateStatus::acknowledgeRequested);
     retranslate();
+}
+
+void OperateStatus::setGaugesShown(bool shown)
+{
+    const QSignalBlocker blocker(m_gauges);
+    m_gauges->setChecked(shown);
+    m_gauges->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
 }
 
 void OperateStatus::show(const session::ServoEntry* entry, const session::Workbench& workbench)
@@ -189,6 +207,7 @@ void OperateStatus::retranslate()
                   tr("Removes cleared faults from this list; active faults stay"));
     m_age->setToolTip(tr("Age of the newest value, and number of readings in the last second"));
     m_age->setAccessibleName(tr("Age and rate"));
+    setAccessText(m_gauges, tr("Gauges"), tr("Shows or hides the gauges"));
 }
 
 void OperateStatus::changeEvent(QEvent* event)

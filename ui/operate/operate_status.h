@@ -9,6 +9,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace ui {
 class FlowLayout;
@@ -21,10 +22,12 @@ public:
     explicit OperateStatus(QWidget* parent = nullptr);
 
     /// Null: no servo is selected.
+    void setGaugesShown(bool shown);
     void show(const session::ServoEntry* entry, const session::Workbench& workbench);
 
 Q_SIGNALS:
     void acknowledgeRequested();
+    void gaugesToggled(bool shown);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -42,6 +45,7 @@ private:
     Pill* m_noAlarm = nullptr;
     std::vector<Pill*> m_alarms;
     QPushButton* m_acknowledge = nullptr;
+    QToolButton* m_gauges = nullptr;
     QLabel* m_age = nullptr;
 };
 } // namespace ui

@@ -160,8 +160,7 @@ GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure)
     const device::Servo& servo = entry.servo;
     const catalog::Register* reg = servo.profile->byRole(what.role);
     if (reg == nullptr || !servo.measures(*reg)) {
-        view.notMeasuredReason =
-            translate("Feedback", "not measured by %1").arg(servo.profile->modelName);
+        view.isMeasured = false;
         return view;
     }
     view.value = shown(entry, *reg);

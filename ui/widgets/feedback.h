@@ -21,7 +21,7 @@ struct GaugeState {
     GaugeScale scale;
     std::optional<double> value; ///< none: not read
     QString caption;
-    QString notMeasuredReason; ///< why there is no such measurement; empty: there is
+    bool isMeasured = true; ///< false: this model has no such measurement
 };
 GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure);
 

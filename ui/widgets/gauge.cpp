@@ -82,23 +82,11 @@ void Gauge::setValue(std::optional<double> value, const QString& footer, bool st
 {
     if (value && !std::isfinite(*value))
         value.reset();
-    if (value == m_value && footer == m_footer && stale == m_stale && m_notMeasured.isEmpty())
+    if (value == m_value && footer == m_footer && stale == m_stale)
         return;
     m_value = value;
     m_footer = footer;
     m_stale = stale;
-    m_notMeasured.clear();
-    describe();
-    update();
-}
-
-void Gauge::setNotMeasured(const QString& why)
-{
-    if (m_notMeasured == why)
-        return;
-    m_value.reset();
-    m_footer.clear();
-    m_notMeasured = why;
     describe();
     update();
 }
@@ -106,10 +94,7 @@ void Gauge::setNotMeasured(const QString& why)
 void Gauge::describe()
 {
     setAccessibleName(m_title);
-    const QString words =
-        m_notMeasured.isEmpty()
-            ? QStringList{valueText(), m_scale.unit, m_footer}.join(QLatin1Char(' '))
-            : m_notMeasured;
+    const QString words = QStringList{valueText(), m_scale.unit, m_footer}.join(QLatin1Char(' '));
     setAccessibleDescription(words);
     setToolTip(m_title + QLatin1Char('\n') + words);
 }
@@ -186,12 +171,6 @@ void Gauge::paintTexts(QPainter& painter) const
     painter.setPen(tone(Tone::Quiet, palette()));
     const QRect top(2, 4, width() - 4, line);
     paintFitted(painter, top, m_title);
-    if (!m_notMeasured.isEmpty()) {
-        const QRect room(6, height() - 3 * line - 2, width() - 12, 3 * line);
-        painter.drawText(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap,
-                         m_notMeasured);
-        return;
-    }
     const LimitState now = limitState();
     QString sign;
     if (now == LimitState::Near)
@@ -227,7 +206,7 @@ void Gauge::paintEvent(QPaintEvent*)
     const double top = line + 8;
     const double room = height() - top - line - 6;
     const double radius = std::min(room, width() / 2.0 - 10);
-    if (radius > 10 && m_notMeasured.isEmpty())
+    if (radius > 10)
         paintArcs(painter, {width() / 2.0 - radius, top, 2 * radius, 2 * radius});
     paintTexts(painter);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A half-round gauge: title, value, unit, and the servo's own limits. Shows when nothing is
-// measured. Color comes with a sign: "!" near a limit, "✗" beyond it. Values are physical. Owned by
-// its parent; main thread.
+// A half-round gauge: title, value, unit, and the servo's own limits. Color comes with a sign: "!"
+// near a limit, "✗" beyond it. Values are physical. Owned by its parent; main thread.
 #pragma once
 
 #include <QWidget>
@@ -30,8 +29,6 @@ public:
     void setScale(const GaugeScale& scale);
     /// `foot`: the line below, the limits in words. `old`: grayed, nothing new has come.
     void setValue(std::optional<double> value, const QString& footer, bool stale);
-    /// This family or model measures no such thing; `why` is shown instead of a value.
-    void setNotMeasured(const QString& why);
 
     enum class LimitState : std::uint8_t { Unknown, Ok, Near, Exceeded };
     LimitState limitState() const;
@@ -53,7 +50,6 @@ private:
     GaugeScale m_scale;
     std::optional<double> m_value;
     QString m_footer;
-    QString m_notMeasured;
     bool m_stale = false;
 };
 } // namespace ui

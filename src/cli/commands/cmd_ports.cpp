@@ -4,6 +4,7 @@
 #include "cli/output/table.h"
 #include "cli/run.h"
 #include "cli/translate.h"
+#include "text/bus_text.h"
 
 namespace cli {
 namespace {
@@ -35,7 +36,7 @@ base::Result<Exit> runPorts(Run& run, const Values&)
     }
     for (const QString& name : session::simulatedPorts()) {
         ports.push_back(Json::object().add("path", name).add("simulated", true));
-        table.add({name, translate("cli", "simulated bus")});
+        table.add({name, translate("cli", "simulated bus"), text::simulatedBusText(name)});
     }
     run.finish(Json::object().add("ports", std::move(ports)), table.text());
     return Exit::Success;

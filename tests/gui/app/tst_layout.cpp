@@ -5,6 +5,7 @@
 #include "gui/main_window_fixture.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
+#include "ui/app/pages.h"
 #include "ui/memory/memory_text.h"
 
 #include <QAbstractButton>
@@ -14,6 +15,9 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTableView>
 #include <QTreeView>
@@ -252,6 +256,35 @@ private Q_SLOTS:
                      qPrintable(value));
         }
         QVERIFY(whole > 10);
+    }
+
+    void theDefaultWindowNeedsNoScrolling_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("port");
+        for (const char* language : {"en", "zh_CN"}) {
+            for (const char* port : {"sim:demo", "sim:scs15@1", "sim:hls3625@1", "sim:lx"})
+                QTest::addRow("%s, %s", language, port) << language << port;
+        }
+    }
+    void theDefaultWindowNeedsNoScrolling()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, port);
+        gui::MainWindowFixture fixture(language);
+        fixture.page = QStringLiteral("operate");
+        fixture.window->resize(1280, 800);
+        QVERIFY(fixture.ready(1, port));
+        const QScrollBar* bar = fixture.find<QScrollArea>("controlScroll")->verticalScrollBar();
+        QTRY_VERIFY(fixture.find<QPushButton>("setGoal")->isVisible());
+        QVERIFY(fixture.waitUntilIdle()); // the fields are there when the table has been read
+        QTRY_COMPARE(bar->maximum(), 0);
+        const QWidget* find = fixture.find<QWidget>("registerFind");
+        fixture.window->findChild<ui::Pages*>()->open(QStringLiteral("memory"));
+        QTRY_VERIFY(find->isVisible());
+        const QWidget* last = fixture.find<QWidget>("memoryMore");
+        QVERIFY2(std::abs(last->geometry().center().y() - find->geometry().center().y()) <= 2,
+                 "the toolbar of the memory page has a second row");
     }
 
     void interactiveWidgetsHaveNames()

@@ -2,11 +2,14 @@
 // The list of ports follows the connected adapters; the choice of the user stays.
 #include "gui/workbench_fixture.h"
 #include "support/test_main.h"
+#include "text/language.h"
 #include "ui/connect/port_dialog.h"
 #include "ui/connect/port_picker.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>
+#include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSignalSpy>
 
 using ui::PortPicker;
@@ -39,6 +42,7 @@ private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
     void adaptersAreDescribed();
+    void simulatedBusesAreOffered_data();
     void simulatedBusesAreOffered();
     void pluggingKeepsTheSelection();
     void aMissingSelectedAdapterStays();
@@ -64,11 +68,29 @@ void TestPortPicker::adaptersAreDescribed()
         QVERIFY2(tip.contains(QLatin1String(part)), qPrintable(tip));
 }
 
+void TestPortPicker::simulatedBusesAreOffered_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << "en";
+    QTest::newRow("Chinese") << "zh_CN";
+}
+
 void TestPortPicker::simulatedBusesAreOffered()
 {
+    QFETCH(QString, language);
+    text::installTranslator(language);
+    const auto english = qScopeGuard([] { text::installTranslator(QStringLiteral("en")); });
     Fixture fixture;
-    for (const QString& name : session::simulatedPorts())
+    QStringList descriptions;
+    for (const QString& name : session::simulatedPorts()) {
         QVERIFY2(fixture.rowOf(name) >= 0, qPrintable(name));
+        const QString text = fixture.picker.itemText(fixture.rowOf(name));
+        const QString about = text.section(QStringLiteral(" — "), 1);
+        QVERIFY2(about.size() > 5 && !descriptions.contains(about), qPrintable(text));
+        static const QRegularExpression han(QStringLiteral("\\p{Han}"));
+        QCOMPARE(about.contains(han), language != QLatin1String("en"));
+        descriptions << about;
+    }
     QCOMPARE(fixture.picker.port(), QString());
     QCOMPARE(fixture.picker.currentIndex(), -1);
 }

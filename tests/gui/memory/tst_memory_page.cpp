@@ -9,6 +9,7 @@
 #include "text/language.h"
 #include "ui/memory/lock_badge.h"
 #include "ui/memory/memory_page.h"
+#include "ui/memory/memory_toolbar.h"
 #include "ui/memory/memory_view.h"
 #include "ui/memory/register_delegate.h"
 #include "ui/memory/register_panel.h"
@@ -25,6 +26,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -61,6 +63,7 @@ private Q_SLOTS:
     void pollingFollowsTheVisibleRows();
     void historyShowsWrites();
     void padlockShowsWhoOpenedIt();
+    void columnsCanBeHidden();
     void copiesRowsAsText();
     void exportsTheTable();
     void aWriteToAMissingServoEnds();
@@ -606,6 +609,29 @@ void TestMemoryPage::padlockShowsWhoOpenedIt()
     QTest::mouseClick(close, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(badge->lock(), ui::LockBadge::Lock::Closed, timeout);
     QVERIFY(!close->isVisible());
+}
+
+void TestMemoryPage::columnsCanBeHidden()
+{
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.page.resize(1400, 600);
+    const int range = static_cast<int>(MemoryColumn::Range);
+    QTRY_VERIFY(!fixture.view().isColumnHidden(range));
+    auto* menu = fixture.page.findChild<ui::MemoryToolbar*>()->columnMenu();
+    Q_EMIT menu->aboutToShow();
+    menu->findChild<QAction*>(QStringLiteral("column_range"))->trigger();
+    QVERIFY(fixture.view().isColumnHidden(range));
+    fixture.page.resize(1500, 600); // fits its columns again
+    QVERIFY(fixture.view().isColumnHidden(range));
+    QCOMPARE(
+        fixture.settings.pageValue(QStringLiteral("memory/hidden_columns"), QString()).toString(),
+        QStringLiteral("range"));
+    Q_EMIT menu->aboutToShow();
+    auto* again = menu->findChild<QAction*>(QStringLiteral("column_range"));
+    QVERIFY(!again->isChecked());
+    again->trigger();
+    QVERIFY(!fixture.view().isColumnHidden(range));
 }
 
 void TestMemoryPage::copiesRowsAsText()

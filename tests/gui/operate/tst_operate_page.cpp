@@ -175,13 +175,33 @@ private Q_SLOTS:
         QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("no alarm"));
     }
 
-    void unsupportedMeasurementsAreMarked()
+    void unsupportedMeasurementsAreHidden()
     {
         OperatePageFixture fixture;
         QVERIFY(fixture.ready(1, QStringLiteral("sim:scs15@1")));
-        QTRY_VERIFY(fixture.gauge(3)->accessibleDescription().contains(QLatin1String("SCS15")));
+        QTRY_VERIFY(fixture.gauge(0)->isVisible());
+        QVERIFY(fixture.gauge(3)->isHidden()); // an SCS15 measures no current
         QVERIFY(fixture.curve(QStringLiteral("*/@current")) == nullptr);
         QVERIFY(fixture.curve(QStringLiteral("*/@load")) != nullptr);
+    }
+
+    void gaugesGiveWayToTheChart()
+    {
+        OperatePageFixture fixture;
+        fixture.window->resize(1280, 800);
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.gauge(0)->isVisible());
+        fixture.click("showGauges");
+        QVERIFY(fixture.gauge(0)->isHidden());
+        QVERIFY(!fixture.settings.pageValue(QStringLiteral("operate/gauges"), true).toBool());
+        fixture.click("showGauges");
+        QVERIFY(fixture.gauge(0)->isVisible());
+        // The messages take their place, not the chart's.
+        fixture.window->resize(1024, 700);
+        fixture.context.commands.action(ui::Command::MessageLog)->trigger();
+        const auto* chart = fixture.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(fixture.gauge(0)->isHidden());
+        QTRY_VERIFY(chart->QWidget::height() > 120);
     }
 
     void theStatusStripSelects()

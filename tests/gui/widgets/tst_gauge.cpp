@@ -75,15 +75,12 @@ private Q_SLOTS:
         QCOMPARE(gauge.limitState(), Gauge::LimitState::Ok);
     }
 
-    void unmeasuredValueIsMarked()
+    void aValueThatIsNoNumberIsMarked()
     {
         Gauge gauge;
         gauge.setTitle(QStringLiteral("Current"));
         gauge.setValue(12, QStringLiteral("≤ 3"), false);
         QVERIFY(gauge.accessibleDescription().contains(QLatin1String("12")));
-        gauge.setNotMeasured(QStringLiteral("not measured by SCS15"));
-        QCOMPARE(gauge.valueText(), QStringLiteral("—"));
-        QVERIFY(gauge.accessibleDescription().contains(QLatin1String("SCS15")));
         gauge.setValue(std::nan(""), {}, false);
         QCOMPARE(gauge.valueText(), QStringLiteral("—"));
         gauge.setValue(3, {}, false);
