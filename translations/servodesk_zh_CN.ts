@@ -2604,10 +2604,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>变差</translation>
     </message>
     <message>
-        <source>within the variation</source>
-        <translation>在离散范围内</translation>
-    </message>
-    <message>
         <source>not measured</source>
         <translation>未测量</translation>
     </message>
@@ -2706,6 +2702,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>无明显变化</translation>
     </message>
 </context>
 <context>
@@ -3436,10 +3436,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>不合格</translation>
     </message>
     <message>
-        <source>Out of limits</source>
-        <translation>超限</translation>
-    </message>
-    <message>
         <source>No verdict</source>
         <translation>无结论</translation>
     </message>
@@ -3550,6 +3546,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>bit %1</source>
         <translation>位 %1</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>不合格</translation>
     </message>
 </context>
 <context>
@@ -10566,10 +10566,6 @@ Retries: %9</source>
         <translation>总线允许的最快速度</translation>
     </message>
     <message>
-        <source>&amp;Live reading</source>
-        <translation>实时读取(&amp;L)</translation>
-    </message>
-    <message>
         <source>Explain this &amp;row</source>
         <translation>解释此行(&amp;R)</translation>
     </message>
@@ -10584,6 +10580,10 @@ Retries: %9</source>
     <message>
         <source>Copy, export or print the table, its columns, and live reading</source>
         <translation>复制、导出或打印表格，选择列，以及实时读取</translation>
+    </message>
+    <message>
+        <source>&amp;Live reading: %1</source>
+        <translation>实时读取(&amp;L)：%1</translation>
     </message>
 </context>
 <context>
@@ -12023,6 +12023,14 @@ Retries: %9</source>
     <message>
         <source>No snapshots yet. Take one here; one is also saved before the first change to a servo.</source>
         <translation>还没有快照。可在此保存一个；首次更改舵机之前也会自动保存。</translation>
+    </message>
+    <message>
+        <source>No snapshot matches.</source>
+        <translation>没有匹配的快照。</translation>
+    </message>
+    <message>
+        <source>No snapshots of this servo yet. Take one here; one is also saved before the first change.</source>
+        <translation>此舵机还没有快照。可在此保存一个；首次更改之前也会自动保存。</translation>
     </message>
 </context>
 <context>

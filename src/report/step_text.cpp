@@ -63,7 +63,7 @@ Text stepChangeText(StepChange change)
     case StepChange::Worse:
         return translate("StepText", "worse");
     case StepChange::Same:
-        return translate("StepText", "within the variation");
+        return translate("StepText", "unchanged");
     case StepChange::Neither:
         return inBoth(QStringLiteral("–"));
     case StepChange::NotMeasured:

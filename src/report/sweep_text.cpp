@@ -214,7 +214,7 @@ constexpr std::array gradeEntries{
     GradeEntry{results::Grade::Warn, QT_TRANSLATE_NOOP("SweepText", "Passed with a warning"),
                QT_TRANSLATE_NOOP("SweepText", "Warning"), "⚠", "#8a5a00"},
     GradeEntry{results::Grade::Fail, QT_TRANSLATE_NOOP("SweepText", "Failed"),
-               QT_TRANSLATE_NOOP("SweepText", "Out of limits"), "✘", "#b3261e"},
+               QT_TRANSLATE_NOOP("SweepText", "Fail"), "✘", "#b3261e"},
     GradeEntry{results::Grade::NotMeasured, QT_TRANSLATE_NOOP("SweepText", "No verdict"),
                QT_TRANSLATE_NOOP("SweepText", "not measured"), "–", "#57606a"},
 };

@@ -52,6 +52,7 @@ Pages::Pages(AppContext& appContext, session::Settings& settings, QWidget* paren
 {
     setObjectName(QStringLiteral("pages"));
     setDocumentMode(true);
+    tabBar()->setDrawBase(false);
     auto* memory = new MemoryPage(appContext.workbench, appContext.commands, appContext.selection,
                                   settings, this);
     auto* sweep = new SweepPage(appContext, settings, this);

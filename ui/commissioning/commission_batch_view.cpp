@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/commissioning/commission_batch_view.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/tone_delegate.h"
 
@@ -30,14 +31,13 @@ void CommissionBatchView::build()
     m_table->setObjectName(QStringLiteral("commissionTable"));
     m_table->setModel(&m_model);
     m_table->setItemDelegate(new ToneDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setWordWrap(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     // The remarks on a servo are beside its verdict, visible at every width.
     m_table->horizontalHeader()->moveSection(CommissionModel::Remarks, 1);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_summary = new QLabel(this);
     m_summary->setObjectName(QStringLiteral("commissionSum"));
     m_summary->setWordWrap(true);

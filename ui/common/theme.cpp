@@ -95,9 +95,11 @@ QTabBar::tab {
 QTabBar::tab:hover { color: palette(window-text); }
 QTabBar::tab:selected { color: palette(window-text); border-bottom-color: palette(highlight); }
 QTabBar::tab:selected:focus { color: palette(link); }
-QTableView { selection-background-color: @tint; selection-color: palette(text); }
+QTableView, QTreeView { selection-background-color: @tint; selection-color: palette(text); }
 QPushButton, QToolButton { padding: 4px 10px; }
-QToolButton[disclosure="true"] { padding: 0; border: none; }
+QToolButton[disclosure="true"] { padding: 0; border: 1px solid transparent; border-radius: 3px; }
+QToolButton[disclosure="true"]:focus { border-color: palette(highlight); }
+QTabBar QToolButton { padding: 0; }
 QToolButton[menuOnly="true"]::menu-indicator { image: none; }
 QPushButton[link="true"] { color: palette(link); padding: 4px 0; text-align: left; }
 QTabWidget > QToolButton { padding: 0 6px; }

@@ -216,8 +216,9 @@ void HistoryPage::showState()
     m_label->setEnabled(one);
     m_export->setEnabled(m_table.rowCount() > 0);
     m_count->setText(countText());
-    m_emptyLabel->setVisible(m_table.rowCount() == 0);
-    m_view->setVisible(m_table.rowCount() > 0);
+    const bool empty = m_table.rowCount() == 0 && !m_table.isLoading();
+    m_emptyLabel->setVisible(empty);
+    m_view->setVisible(!empty);
 }
 
 void HistoryPage::openSelected()

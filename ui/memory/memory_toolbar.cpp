@@ -133,9 +133,22 @@ void MemoryToolbar::addLive()
         connect(one, &QAction::triggered, this, [this, rate] {
             m_liveRate = rate;
             m_settings.setPageValue(liveRateKey, rate);
+            showLiveRate();
             Q_EMIT livePeriodChanged();
         });
     }
+}
+
+QString MemoryToolbar::liveRateText(int rate)
+{
+    return rate == liveOff   ? tr("Off")
+           : rate == liveMax ? tr("As fast as the bus allows")
+                             : tr("%1 Hz").arg(rate);
+}
+
+void MemoryToolbar::showLiveRate()
+{
+    m_live->setTitle(tr("&Live reading: %1").arg(liveRateText(m_liveRate)));
 }
 
 void MemoryToolbar::addReadAll()
@@ -176,12 +189,9 @@ void MemoryToolbar::retranslateLists()
     for (const Area area : groups)
         m_groups->addItem(text::areaLabel(area));
     m_groups->setCurrentIndex(group);
-    for (std::size_t i = 0; i < liveRates.size(); ++i) {
-        const int rate = liveRates[i];
-        m_live->actions()[qsizetype(i)]->setText(rate == liveOff   ? tr("Off")
-                                                 : rate == liveMax ? tr("As fast as the bus allows")
-                                                                   : tr("%1 Hz").arg(rate));
-    }
+    for (std::size_t i = 0; i < liveRates.size(); ++i)
+        m_live->actions()[qsizetype(i)]->setText(liveRateText(liveRates[i]));
+    showLiveRate();
 }
 
 void MemoryToolbar::retranslate()
@@ -204,7 +214,6 @@ void MemoryToolbar::retranslate()
                   tr("Shows values with units first and uses them "
                      "for input"));
     m_columns->setTitle(tr("&Columns"));
-    m_live->setTitle(tr("&Live reading"));
     m_live->menuAction()->setToolTip(tr("Read rate of the visible rows; nothing is written"));
     m_help->setText(tr("Explain this &row"));
     m_help->setToolTip(tr("Shows everything that is known about the selected row"));

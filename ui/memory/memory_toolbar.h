@@ -55,6 +55,8 @@ private:
     void addLive();
     void retranslate();
     void retranslateLists();
+    static QString liveRateText(int rate);
+    void showLiveRate();
 
     Commands& m_commands;
     session::Settings& m_settings;

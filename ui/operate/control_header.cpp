@@ -54,10 +54,10 @@ void ControlHeader::showServo(const session::ServoEntry* entry, std::size_t othe
     QString title = tr("Motion");
     if (entry != nullptr) {
         title = tr("Motion — ID %1").arg(entry->servo.id);
-        if (entry->servo.profile)
-            title += QStringLiteral(" · ") + entry->servo.profile->modelName;
-        if (others > 0)
+        if (others > 0) // one line in any case
             title += QLatin1Char(' ') + tr("+ %1 more").arg(others);
+        else if (entry->servo.profile)
+            title += QStringLiteral(" · ") + entry->servo.profile->modelName;
     }
     if (m_title->text() != title)
         m_title->setText(title);

@@ -49,12 +49,15 @@ bool ControlSend::canSend() const
 
 void ControlSend::showServo(const session::ServoEntry& entry, const State& state)
 {
+    int offers = 0;
     for (const MoveMethod one : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async}) {
         const bool offered = device::supports(entry.servo, one);
+        offers += offered ? 1 : 0;
         m_method->segment(static_cast<int>(one))->setVisible(offered);
         if (!offered && method() == one)
             m_method->select(0);
     }
+    m_method->setVisible(offers > 1);
     chooseMethod(entry.servo, state.severalServos);
     const bool waiting = state.waitingGoals > 0;
     m_execute->setVisible(waiting || device::supports(entry.servo, MoveMethod::Async));

@@ -4,6 +4,7 @@
 #include "text/language.h"
 #include "text/restore_text.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_style.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -61,12 +62,9 @@ void DryRunDialog::build()
     m_table = new QTableWidget(0, 4, this);
     m_table->setObjectName(QStringLiteral("dryRunTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setTabKeyNavigation(false);
-    m_table->setWordWrap(false);
+    styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_copy = new QPushButton(this);
     m_copy->setObjectName(QStringLiteral("dryRunCopy"));
     m_copy->setAutoDefault(false);

@@ -88,6 +88,15 @@ void SnapshotBrowser::build()
     column->addWidget(m_tree, 1);
 }
 
+QString SnapshotBrowser::noneText() const
+{
+    return m_servoFilter->currentIndex() == ThisServo
+               ? tr("No snapshots of this servo yet. Take one here; one is also saved before the "
+                    "first change.")
+               : tr("No snapshots yet. Take one here; one is also saved before the first change to "
+                    "a servo.");
+}
+
 void SnapshotBrowser::retranslate()
 {
     m_title->setText(tr("Snapshots"));
@@ -103,8 +112,7 @@ void SnapshotBrowser::retranslate()
     m_tree->setAccessibleName(tr("Snapshots"));
     m_tree->setToolTip(tr("The current snapshot is used for comparing and restoring; hold Ctrl to "
                           "compare more snapshots"));
-    m_emptyLabel->setText(tr(
-        "No snapshots yet. Take one here; one is also saved before the first change to a servo."));
+    m_emptyLabel->setText(m_search->text().isEmpty() ? noneText() : tr("No snapshot matches."));
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i)
         static_cast<SnapshotRow*>(m_tree->topLevelItem(i))->updateText();
 }
@@ -181,6 +189,7 @@ void SnapshotBrowser::fill(const std::vector<history::HistorySnapshot>& all)
     m_filling = true;
     insertHistoryRows(rows);
     m_pendingNumber = 0;
+    m_emptyLabel->setText(m_search->text().isEmpty() ? noneText() : tr("No snapshot matches."));
     m_emptyLabel->setVisible(m_tree->topLevelItemCount() == 0);
     m_tree->setHidden(m_emptyLabel->isVisibleTo(this));
     m_filling = false;

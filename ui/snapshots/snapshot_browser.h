@@ -67,6 +67,7 @@ protected:
 private:
     void build();
     void retranslate();
+    QString noneText() const;
     void ask();
     void fill(const std::vector<history::HistorySnapshot>& all);
     std::map<std::int64_t, session::SharedSnapshot> takeHistoryRows();

@@ -72,6 +72,7 @@ void SnapshotPane::build()
     m_table->setObjectName(QStringLiteral("compareTable"));
     m_table->setItemDelegate(new ToneDelegate(m_table));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setFrameShape(QFrame::NoFrame);
     styleTable(m_table);
     // A long list of flags must not push other columns out of view; its tooltip shows all of it.
     m_table->horizontalHeader()->setMaximumSectionSize(maxColumnWidth *

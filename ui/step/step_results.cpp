@@ -183,8 +183,8 @@ void StepResults::showCurves()
         addCurve(run.responses, nameOf(run.spec, place++));
     if (!live.empty())
         addCurve(live, nameOf(m_test.liveSpec(), place));
-    m_emptyLabel->setVisible(m_channels.empty());
-    m_chart->setVisible(!m_channels.empty());
+    m_emptyLabel->setVisible(m_channels.empty() && !m_test.isRunning());
+    m_chart->setVisible(!m_emptyLabel->isVisibleTo(this));
     m_chart->setChannels(m_channels);
     m_chart->zoomToFit();
 }

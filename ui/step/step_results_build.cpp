@@ -25,7 +25,7 @@ namespace ui {
 namespace {
 constexpr int columns = 5;
 constexpr int minAdviceHeight = 220;
-constexpr int minChartHeight = 210;
+constexpr int minChartHeight = 260; ///< of its card, also before there is a chart
 
 QTableWidget* metricsTableWidget(QWidget* parent)
 {
@@ -74,7 +74,7 @@ void StepResults::build()
     makeEmptyState(m_emptyLabel);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("stepChart"));
-    m_chart->setMinimumHeight(minChartHeight);
+    card->setMinimumHeight(minChartHeight);
     auto* findings = new QSplitter(Qt::Horizontal, this);
     findings->setChildrenCollapsible(false);
     findings->setHandleWidth(cardMargin);
@@ -135,6 +135,7 @@ void StepResults::build()
     split->addWidget(findings);
     split->setStretchFactor(0, 3);
     split->setStretchFactor(1, 2);
+    split->setSizes({400, 360});
     column->addWidget(split);
 }
 

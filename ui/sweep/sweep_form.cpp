@@ -5,7 +5,6 @@
 #include "ui/common/widget_text.h"
 #include "ui/sweep/sweep_end_conditions.h"
 #include "ui/sweep/sweep_goal_list.h"
-#include "ui/widgets/flow_layout.h"
 #include "ui/widgets/segmented_control.h"
 
 #include <QComboBox>

@@ -14,6 +14,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
@@ -26,7 +27,8 @@ constexpr int chartStretch = 5;
 constexpr int findingsStretch = 5;
 constexpr int tableStretch = 5;
 constexpr int reportStretch = 2;
-constexpr int minReportWidth = 210;
+constexpr int minReportWidth = 180; // the table needs the rest for its last column
+constexpr int minChartHeight = 250; // of its card, also before there is a chart
 
 QTableView* table(const char* name, QAbstractItemModel& model, QWidget* parent)
 {
@@ -50,6 +52,7 @@ void SweepResults::build()
     auto* chartColumn = new QVBoxLayout(card);
     chartColumn->setSpacing(6);
     makeCard(card);
+    card->setMinimumHeight(minChartHeight);
     auto* head = new QHBoxLayout;
     m_title = new QLabel(this);
     makeHeading(m_title);
@@ -78,6 +81,7 @@ void SweepResults::build()
     split->addWidget(buildFindings());
     split->setStretchFactor(0, chartStretch);
     split->setStretchFactor(1, findingsStretch);
+    split->setSizes({400, 400}); // the same height for both, whatever is shown first
     column->addWidget(split);
 }
 
@@ -120,11 +124,19 @@ QWidget* SweepResults::buildFindings()
 
 QWidget* SweepResults::buildReport()
 {
-    auto* side = new QWidget(this);
-    side->setMinimumWidth(minReportWidth);
+    auto* card = new QWidget(this);
+    card->setMinimumWidth(minReportWidth);
+    auto* outer = new QVBoxLayout(card);
+    outer->setSpacing(4);
+    makeCard(card);
+    auto* area =
+        new QScrollArea(card); // what comes and goes in it must not move the table beside it
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* side = new QWidget(area);
     auto* column = new QVBoxLayout(side);
+    column->setContentsMargins({});
     column->setSpacing(4);
-    makeCard(side);
     const auto text = [side](const char* name) {
         auto* label = new QLabel(side);
         label->setObjectName(QString::fromLatin1(name));
@@ -165,13 +177,16 @@ QWidget* SweepResults::buildReport()
     m_saved->hide();
     // The buttons stand first: what comes and goes below them must not move them, and messages
     // float at the bottom.
-    column->addWidget(m_reportTitle);
-    column->addWidget(buttons);
+    outer->addWidget(m_reportTitle);
+    outer->addWidget(buttons);
+    outer->addWidget(area, 1);
     column->addWidget(m_saved);
     column->addWidget(m_end);
     column->addWidget(m_comparison);
     column->addWidget(m_histogramTitle);
     column->addWidget(m_histogram, 1);
-    return side;
+    area->setWidget(side);
+    makeTransparent(area);
+    return card;
 }
 } // namespace ui

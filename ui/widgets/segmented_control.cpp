@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/segmented_control.h"
 
-#include "ui/common/theme.h"
 #include "ui/widgets/flow_layout.h"
 
 #include <QButtonGroup>
@@ -30,6 +29,8 @@ public:
                 fontMetrics().height() + 2 * aboveText};
     }
 
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
 protected:
     void paintEvent(QPaintEvent*) override
     {
@@ -39,7 +40,7 @@ protected:
         const bool on = isChecked() && isEnabled();
         const QColor ground = on ? colors.color(QPalette::Active, QPalette::Highlight)
                               : isDown() || (underMouse() && isEnabled())
-                                  ? colors.color(QPalette::AlternateBase)
+                                  ? colors.color(QPalette::Window)
                                   : colors.color(QPalette::Button);
         painter.setBrush(ground);
         painter.setPen(on ? ground : colors.color(QPalette::Mid));
@@ -125,5 +126,7 @@ void SegmentedControl::select(int index)
     for (QAbstractButton* button : m_group->buttons())
         button->setChecked(m_group->id(button) == index);
     m_group->setExclusive(index >= 0);
+    for (QAbstractButton* button : m_group->buttons()) // Tab goes to the selected one
+        button->setFocusPolicy(index < 0 || button->isChecked() ? Qt::StrongFocus : Qt::ClickFocus);
 }
 } // namespace ui

@@ -203,7 +203,7 @@ void TestSweepModels::anUnmeasuredLimitIsKept()
     QCOMPARE(model.rowCount(), 1);
     QCOMPARE(cell(model, 0, VerdictColumn::Metric), q("of_tomorrow"));
     QCOMPARE(cell(model, 0, VerdictColumn::Value), q("4 N"));
-    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Out of limits"));
+    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Fail"));
 }
 
 void TestSweepModels::onlyChangesAreSignaled()
@@ -222,7 +222,7 @@ void TestSweepModels::onlyChangesAreSignaled()
     QCOMPARE(changed.size(), 1);
     const auto row = changed.front().front().toModelIndex().row();
     QCOMPARE(row, rowOf(model, q("voltage_min")));
-    QCOMPARE(cell(model, row, VerdictColumn::Grade), q("✘ Out of limits"));
+    QCOMPARE(cell(model, row, VerdictColumn::Grade), q("✘ Fail"));
     QCOMPARE(reset.size(), 0);
 }
 

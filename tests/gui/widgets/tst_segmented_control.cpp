@@ -46,6 +46,15 @@ private Q_SLOTS:
         QCOMPARE(chosen.count(), 1);
     }
 
+    void tabGoesToTheSelectedOne()
+    {
+        m_control->select(1);
+        for (int i = 0; i < 3; ++i)
+            QCOMPARE((m_control->segment(i)->focusPolicy() & Qt::TabFocus) != 0, i == 1);
+        m_control->select(-1);
+        QVERIFY((m_control->segment(0)->focusPolicy() & Qt::TabFocus) != 0);
+    }
+
     void theProgramMayShowNone()
     {
         QSignalSpy chosen(m_control.get(), &SegmentedControl::chosen);
