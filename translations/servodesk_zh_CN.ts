@@ -31,16 +31,16 @@
         <translation>五个幻尔 LX 舵机</translation>
     </message>
     <message>
-        <source>a good and two worn servos to test</source>
-        <translation>用于测试：一个良好、两个磨损的舵机</translation>
-    </message>
-    <message>
         <source>six new servos to commission</source>
         <translation>六个待设置的新舵机</translation>
     </message>
     <message>
         <source>six servos to commission, some with faults</source>
         <translation>六个待设置的舵机，部分有故障</translation>
+    </message>
+    <message>
+        <source>a good, a worn and a badly damped servo to test</source>
+        <translation>用于测试：良好、磨损、阻尼不良的舵机各一个</translation>
     </message>
 </context>
 <context>
@@ -3900,10 +3900,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>USB</translation>
     </message>
     <message>
-        <source>simulated bus</source>
-        <translation>模拟总线</translation>
-    </message>
-    <message>
         <source>list the ports of this computer</source>
         <translation>列出本机的端口</translation>
     </message>
@@ -5990,6 +5986,10 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>no step response %1 in the history; &quot;step-runs&quot; lists all step responses</source>
         <translation>历史记录中没有阶跃响应 %1；“step-runs”可列出全部</translation>
+    </message>
+    <message>
+        <source>simulated bus: %1</source>
+        <translation>模拟总线：%1</translation>
     </message>
 </context>
 <context>

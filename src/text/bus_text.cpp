@@ -15,7 +15,8 @@ QString simulatedBusText(const QString& port)
                   QT_TRANSLATE_NOOP("BusText", "mixed baud rates, two servos with one ID, faults")},
         std::pair{"sim:modbus", QT_TRANSLATE_NOOP("BusText", "one SMS servo on Modbus-RTU")},
         std::pair{"sim:lx", QT_TRANSLATE_NOOP("BusText", "five Hiwonder LX servos")},
-        std::pair{"sim:sweep", QT_TRANSLATE_NOOP("BusText", "a good and two worn servos to test")},
+        std::pair{"sim:sweep",
+                  QT_TRANSLATE_NOOP("BusText", "a good, a worn and a badly damped servo to test")},
         std::pair{"sim:line", QT_TRANSLATE_NOOP("BusText", "six new servos to commission")},
         std::pair{"sim:line-trouble",
                   QT_TRANSLATE_NOOP("BusText", "six servos to commission, some with faults")}};

@@ -93,11 +93,14 @@ void MemoryView::fillColumnMenu(QMenu& menu)
         one->setCheckable(true);
         one->setChecked(m_hiddenColumns.count(column) == 0);
         connect(one, &QAction::toggled, this, [this, column = column](bool shown) {
-            if (shown)
+            if (shown) {
                 m_hiddenColumns.erase(column);
-            else
+                setColumnHidden(section(column), false); // a hidden header has no width to measure
+                resizeColumns();
+            } else {
                 m_hiddenColumns.insert(column);
-            fitColumns();
+                fitColumns();
+            }
             Q_EMIT hiddenColumnsChanged();
         });
     }
@@ -121,8 +124,8 @@ QModelIndex MemoryView::editableCell(const QModelIndex& index) const
 {
     const auto first = m_physicalFirst ? MemoryColumn::Physical : MemoryColumn::Value;
     const auto second = m_physicalFirst ? MemoryColumn::Value : MemoryColumn::Physical;
-    const auto can = [](const QModelIndex& cell) {
-        return (cell.flags() & Qt::ItemIsEditable) != 0;
+    const auto can = [this](const QModelIndex& cell) {
+        return (cell.flags() & Qt::ItemIsEditable) != 0 && !isColumnHidden(cell.column());
     };
     if (can(index))
         return index;

@@ -380,6 +380,7 @@ void ControlPanel::retranslate()
 void ControlPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    fitDial();
     if (!event->spontaneous())
         readUnreadTables();
 }
@@ -397,7 +398,7 @@ void ControlPanel::fitDial()
 {
     if (m_dial == nullptr || !isVisible())
         return;
-    const int width = m_content->width();
+    const int width = m_scroll->viewport()->width(); // the content follows after this
     const int spacing = m_content->layout()->spacing();
     int others = 2 * spacing + m_result->fontMetrics().lineSpacing(); // a result of one line
     for (const QWidget* control :

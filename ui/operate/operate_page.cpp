@@ -89,7 +89,7 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
         gauges->addWidget(m_gauges[i], 1);
     }
     m_gaugesShown = settings.pageValue(gaugesKey, true).toBool();
-    m_status->setGaugesShown(m_gaugesShown);
+    m_status->setGauges(m_gaugesShown, true);
     connect(m_status, &OperateStatus::gaugesToggled, this, [this, &settings](bool shown) {
         m_gaugesShown = shown;
         settings.setPageValue(gaugesKey, shown);
@@ -182,11 +182,12 @@ void OperatePage::showGauges(const session::ServoEntry* known)
 {
     const bool old = known == nullptr || !isFresh(*known, m_workbench);
     // The chart comes first where the messages below leave little room.
-    const bool room = m_gaugesShown && height() >= minHeightForGauges;
+    const bool hasRoom = height() >= minHeightForGauges;
+    m_status->setGauges(m_gaugesShown, hasRoom);
     for (std::size_t i = 0; i < m_gauges.size(); ++i) {
         const GaugeState view =
             known != nullptr ? gaugeState(*known, allQuantities[i]) : GaugeState{};
-        m_gauges[i]->setVisible(known != nullptr && view.isMeasured && room);
+        m_gauges[i]->setVisible(known != nullptr && view.isMeasured && m_gaugesShown && hasRoom);
         m_gauges[i]->setTitle(view.title);
         m_gauges[i]->setScale(view.scale);
         m_gauges[i]->setValue(view.value, view.caption, old);

@@ -79,18 +79,19 @@ OperateStatus::OperateStatus(QWidget* parent)
     row->addWidget(m_age);
     row->addWidget(m_gauges);
     connect(m_gauges, &QToolButton::toggled, this, [this](bool shown) {
-        setGaugesShown(shown);
+        setGauges(shown, true);
         Q_EMIT gaugesToggled(shown);
     });
     connect(m_acknowledge, &QPushButton::clicked, this, &OperateStatus::acknowledgeRequested);
     retranslate();
 }
 
-void OperateStatus::setGaugesShown(bool shown)
+void OperateStatus::setGauges(bool shown, bool hasRoom)
 {
+    m_gauges->setEnabled(hasRoom);
     const QSignalBlocker blocker(m_gauges);
     m_gauges->setChecked(shown);
-    m_gauges->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+    m_gauges->setArrowType(shown && hasRoom ? Qt::DownArrow : Qt::RightArrow);
 }
 
 void OperateStatus::show(const session::ServoEntry* entry, const session::Workbench& workbench)

@@ -21,8 +21,9 @@ class OperateStatus final : public QWidget {
 public:
     explicit OperateStatus(QWidget* parent = nullptr);
 
+    /// Of the button; without room for them it is off.
+    void setGauges(bool shown, bool hasRoom);
     /// Null: no servo is selected.
-    void setGaugesShown(bool shown);
     void show(const session::ServoEntry* entry, const session::Workbench& workbench);
 
 Q_SIGNALS:

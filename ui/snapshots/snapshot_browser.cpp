@@ -90,7 +90,8 @@ void SnapshotBrowser::build()
 
 QString SnapshotBrowser::noneText() const
 {
-    return m_servoFilter->currentIndex() == ThisServo
+    const session::ServoEntry* servo = m_workbench.registry().servo(m_selection.current());
+    return m_servoFilter->currentIndex() == ThisServo && servo != nullptr && servo->servo.profile
                ? tr("No snapshots of this servo yet. Take one here; one is also saved before the "
                     "first change.")
                : tr("No snapshots yet. Take one here; one is also saved before the first change to "
@@ -182,6 +183,7 @@ void SnapshotBrowser::fill(const std::vector<history::HistorySnapshot>& all)
     std::vector<history::HistorySnapshot> rows;
     std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
                  [&](const history::HistorySnapshot& row) { return matchesSearch(row, words); });
+    m_emptyLabel->setText(m_search->text().isEmpty() ? noneText() : tr("No snapshot matches."));
     if (m_pendingNumber == 0 && hasRows(rows)) {
         selectionChanged();
         return;
@@ -189,7 +191,6 @@ void SnapshotBrowser::fill(const std::vector<history::HistorySnapshot>& all)
     m_filling = true;
     insertHistoryRows(rows);
     m_pendingNumber = 0;
-    m_emptyLabel->setText(m_search->text().isEmpty() ? noneText() : tr("No snapshot matches."));
     m_emptyLabel->setVisible(m_tree->topLevelItemCount() == 0);
     m_tree->setHidden(m_emptyLabel->isVisibleTo(this));
     m_filling = false;

@@ -36,7 +36,7 @@ base::Result<Exit> runPorts(Run& run, const Values&)
     }
     for (const QString& name : session::simulatedPorts()) {
         ports.push_back(Json::object().add("path", name).add("simulated", true));
-        table.add({name, translate("cli", "simulated bus"), text::simulatedBusText(name)});
+        table.add({name, translate("cli", "simulated bus: %1").arg(text::simulatedBusText(name))});
     }
     run.finish(Json::object().add("ports", std::move(ports)), table.text());
     return Exit::Success;

@@ -278,6 +278,8 @@ private Q_SLOTS:
         const QScrollBar* bar = fixture.find<QScrollArea>("controlScroll")->verticalScrollBar();
         QTRY_VERIFY(fixture.find<QPushButton>("setGoal")->isVisible());
         QVERIFY(fixture.waitUntilIdle()); // the fields are there when the table has been read
+        if (port != QLatin1String("sim:lx"))
+            QTRY_VERIFY(fixture.find<QWidget>("speed")->isVisible());
         QTRY_COMPARE(bar->maximum(), 0);
         const QWidget* find = fixture.find<QWidget>("registerFind");
         fixture.window->findChild<ui::Pages*>()->open(QStringLiteral("memory"));

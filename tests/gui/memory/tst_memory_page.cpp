@@ -632,6 +632,17 @@ void TestMemoryPage::columnsCanBeHidden()
     QVERIFY(!again->isChecked());
     again->trigger();
     QVERIFY(!fixture.view().isColumnHidden(range));
+
+    // Nothing is typed into a column that is not seen.
+    QTest::mouseClick(fixture.child<QAbstractButton>("physicalFirst"), Qt::LeftButton);
+    fixture.goTo(QStringLiteral("max_voltage"));
+    Q_EMIT menu->aboutToShow();
+    menu->findChild<QAction*>(QStringLiteral("column_physical"))->trigger();
+    QVERIFY(fixture.view().isColumnHidden(static_cast<int>(MemoryColumn::Physical)));
+    QTest::keyClick(&fixture.view(), Qt::Key_Return);
+    QVERIFY(fixture.editor());
+    QVERIFY(fixture.editor()->height() > 10);
+    QTest::keyClick(fixture.editor(), Qt::Key_Escape);
 }
 
 void TestMemoryPage::copiesRowsAsText()

@@ -201,6 +201,7 @@ private Q_SLOTS:
         fixture.context.commands.action(ui::Command::MessageLog)->trigger();
         const auto* chart = fixture.find<ui::TrendChart>("trendChart");
         QTRY_VERIFY(fixture.gauge(0)->isHidden());
+        QVERIFY(!fixture.find<QToolButton>("showGauges")->isEnabled());
         QTRY_VERIFY(chart->QWidget::height() > 120);
     }
 
