@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The head of the control panel, which never scrolls away: which servos are controlled, torque,
-// mode, and one line for what an emergency stop leaves until torque is turned on again. Its height
-// never changes, because controls below it would move. Owned by the control panel; main thread.
+// mode, and one line for what an emergency stop leaves until torque is turned on again. For one
+// servo its height never changes, because controls below it would move. Owned by the control panel;
+// main thread.
 #pragma once
 
 #include "ui/common/commands.h"
