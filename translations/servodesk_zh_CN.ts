@@ -3416,7 +3416,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>过载</translation>
     </message>
     <message>
-        <source>Passed</source>
+        <source>Pass</source>
         <translation>合格</translation>
     </message>
     <message>
@@ -3424,52 +3424,44 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>正常</translation>
     </message>
     <message>
-        <source>Passed with a warning</source>
-        <translation>合格，有警告</translation>
-    </message>
-    <message>
-        <source>Warning</source>
+        <source>Warn</source>
         <translation>警告</translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation>不合格</translation>
     </message>
     <message>
         <source>No verdict</source>
         <translation>无结论</translation>
     </message>
     <message>
-        <source>No verdict: the test ended too early.</source>
-        <translation>无结论：测试结束过早。</translation>
+        <source>The test ended too early.</source>
+        <translation>测试结束过早。</translation>
     </message>
     <message>
-        <source>No verdict: too short to judge. Run at least one whole cycle.</source>
-        <translation>无结论：测试太短，无法判定。请至少运行一个完整循环。</translation>
+        <source>Too short to judge. Run at least one whole cycle.</source>
+        <translation>测试太短，无法判定。请至少运行一个完整循环。</translation>
     </message>
     <message>
-        <source>No verdict: fewer than 20 readings per period. Use a longer period, fewer servos or a higher baud rate.</source>
-        <translation>无结论：每周期采样数少于 20。请加长周期、减少舵机或提高波特率。</translation>
+        <source>Fewer than 20 readings per period. Use a longer period, fewer servos or a higher baud rate.</source>
+        <translation>每周期采样数少于 20。请加长周期、减少舵机或提高波特率。</translation>
     </message>
     <message>
-        <source>No verdict: the sine is faster than the speed set for the servo. Use a longer period, a smaller range or a higher speed.</source>
-        <translation>无结论：正弦快于舵机设定的速度。请加长周期、缩小范围或提高速度。</translation>
+        <source>The sine is faster than the speed set for the servo. Use a longer period, a smaller range or a higher speed.</source>
+        <translation>正弦快于舵机设定的速度。请加长周期、缩小范围或提高速度。</translation>
     </message>
     <message>
-        <source>No verdict: there are no limits for following. Add limits for the relative following error and the phase lag.</source>
-        <translation>无结论：限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。</translation>
+        <source>There are no limits for following. Add limits for the relative following error and the phase lag.</source>
+        <translation>限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。</translation>
     </message>
     <message>
-        <source>No verdict: the moves are too short for the tolerance, so even a servo that does not move would pass. Move at least three times the tolerance.</source>
-        <translation>无结论：相对于到位允差，行程太短，静止不动的舵机也会合格。行程至少应为允差的三倍。</translation>
+        <source>The moves are too short for the tolerance, so even a servo that does not move would pass. Move at least three times the tolerance.</source>
+        <translation>相对于到位允差，行程太短，静止不动的舵机也会合格。行程至少应为允差的三倍。</translation>
     </message>
     <message>
-        <source>No verdict: the servo lags too far behind, but the communication delay may be the cause. At least 40 readings per period are needed: use a longer period, fewer servos or a faster adapter.</source>
-        <translation>无结论：滞后超出限值，但可能是通信延迟所致。每周期至少需采样 40 次：请加长周期、减少舵机或换用更快的适配器。</translation>
+        <source>The servo lags too far behind, but the communication delay may be the cause. At least 40 readings per period are needed: use a longer period, fewer servos or a faster adapter.</source>
+        <translation>滞后超出限值，但可能是通信延迟所致。每周期至少需采样 40 次：请加长周期、减少舵机或换用更快的适配器。</translation>
     </message>
     <message>
-        <source>No verdict: the metrics needed for a verdict were not measured in most moves. Allow more time for each move, or read faster: use fewer servos or a faster adapter.</source>
-        <translation>无结论：大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取：减少舵机，更换更快的适配器。</translation>
+        <source>The metrics needed for a verdict were not measured in most moves. Allow more time for each move, or read faster: use fewer servos or a faster adapter.</source>
+        <translation>大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取：减少舵机，更换更快的适配器。</translation>
     </message>
     <message>
         <source>Completed.</source>
@@ -12195,10 +12187,6 @@ Retries: %9</source>
 <context>
     <name>ui::StepGains</name>
     <message>
-        <source>Try</source>
-        <translation>试用</translation>
-    </message>
-    <message>
         <source>This family has no gains to set.</source>
         <translation>该系列没有可设置的增益。</translation>
     </message>
@@ -12215,8 +12203,12 @@ Retries: %9</source>
         <translation>请选择舵机以查看增益。</translation>
     </message>
     <message>
-        <source>%1 … %2; the value is used only in trial runs until you accept it</source>
-        <translation>%1 … %2；仅在试运行期间生效，采用后才永久写入</translation>
+        <source>Trial</source>
+        <translation>试用</translation>
+    </message>
+    <message>
+        <source>%1 … %2; used only for trials until you click Keep gains</source>
+        <translation>%1 … %2；点击“保留增益”之前仅用于试用</translation>
     </message>
 </context>
 <context>
@@ -12224,10 +12216,6 @@ Retries: %9</source>
     <message>
         <source>Connect first.</source>
         <translation>请先连接。</translation>
-    </message>
-    <message>
-        <source>First change a value under Try.</source>
-        <translation>请先更改“试用”中的值。</translation>
     </message>
     <message>
         <source>Start the run?</source>
@@ -12246,24 +12234,8 @@ Retries: %9</source>
         <translation>增益</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>运行</translation>
-    </message>
-    <message>
-        <source>Try</source>
-        <translation>试用</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>停止</translation>
-    </message>
-    <message>
-        <source>Accept</source>
-        <translation>采用</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>还原</translation>
     </message>
     <message>
         <source>Switch to position mode for the run</source>
@@ -12298,10 +12270,6 @@ Retries: %9</source>
         <translation>另一项测试正在运行。</translation>
     </message>
     <message>
-        <source>Stopped by the emergency stop: turn torque on first.</source>
-        <translation>已急停：请先打开扭矩。</translation>
-    </message>
-    <message>
         <source>The servo is in a mode that does not use positions. Select the option to switch modes automatically, or change the mode yourself.</source>
         <translation>该舵机的当前模式没有位置目标。请勾选切换，或更改模式。</translation>
     </message>
@@ -12312,22 +12280,6 @@ Retries: %9</source>
     <message>
         <source>The servo is moving. Esc turns torque off on all servos.</source>
         <translation>舵机正在运动。按 Esc 关闭所有舵机的扭矩。</translation>
-    </message>
-    <message>
-        <source>The servo moves when you click Run or Try.</source>
-        <translation>按“运行”或“试用”后舵机会转动。</translation>
-    </message>
-    <message>
-        <source>Runs the same step with the values under Try and restores the old values afterwards: %1</source>
-        <translation>用试用值做同样的阶跃，结束后恢复原值：%1</translation>
-    </message>
-    <message>
-        <source>Resets the values under Try to the present values</source>
-        <translation>将试用值恢复为当前值</translation>
-    </message>
-    <message>
-        <source>Writes the values from before the accepted change: %1</source>
-        <translation>写回采用之前的值：%1</translation>
     </message>
     <message>
         <source>Torque is turned on for ID %1 · %2, and the servo moves by itself at maximum speed until the run has ended.</source>
@@ -12350,20 +12302,72 @@ Retries: %9</source>
         <translation>为运行更改的设置未能恢复。</translation>
     </message>
     <message>
-        <source>Runs the step with the servo&apos;s present values: the servo will move</source>
-        <translation>用舵机的当前值做阶跃：舵机会转动</translation>
-    </message>
-    <message>
         <source>Ends the run; the servo holds its position</source>
         <translation>结束运行；舵机保持在当前位置</translation>
     </message>
     <message>
-        <source>Writes the values under Try permanently</source>
-        <translation>将试用值永久写入</translation>
-    </message>
-    <message>
         <source>Switches back after the run; nothing is stored permanently in the servo</source>
         <translation>运行结束后切换回原模式；不会永久保存到舵机</translation>
+    </message>
+    <message>
+        <source>Held by the emergency stop. Click Allow movement to turn torque on; the servo holds its position until you click Measure or Try gains.</source>
+        <translation>舵机被急停锁定。点击“允许运动”打开扭矩；点击“测量”或“试用增益”之前，舵机保持当前位置。</translation>
+    </message>
+    <message>
+        <source>First change a value under Trial.</source>
+        <translation>请先修改“试用”列中的值。</translation>
+    </message>
+    <message>
+        <source>Measure and Try gains move the servo.</source>
+        <translation>“测量”和“试用增益”会使舵机运动。</translation>
+    </message>
+    <message>
+        <source>Measures the same step with these values and restores the old values afterwards: %1</source>
+        <translation>用以下数值测量同样的阶跃，之后恢复原值：%1</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Restore old</source>
+        <translation>恢复旧值</translation>
+    </message>
+    <message>
+        <source>Resets the values under Trial to the present values</source>
+        <translation>将“试用”列恢复为当前值</translation>
+    </message>
+    <message>
+        <source>Writes the gains from before the last change: %1</source>
+        <translation>写回上次更改之前的增益：%1</translation>
+    </message>
+    <message>
+        <source>Allow movement</source>
+        <translation>允许运动</translation>
+    </message>
+    <message>
+        <source>Turns torque on after the emergency stop; nothing moves yet</source>
+        <translation>急停后重新打开扭矩；此时不会运动</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Makes the step with the servo&apos;s present gains: the servo will move</source>
+        <translation>用舵机当前的增益执行阶跃：舵机会运动</translation>
+    </message>
+    <message>
+        <source>Try gains</source>
+        <translation>试用增益</translation>
+    </message>
+    <message>
+        <source>Keep gains</source>
+        <translation>保留增益</translation>
+    </message>
+    <message>
+        <source>Writes the values under Trial permanently</source>
+        <translation>将“试用”列的值永久写入</translation>
     </message>
 </context>
 <context>
@@ -12405,16 +12409,8 @@ Retries: %9</source>
         <translation>之前</translation>
     </message>
     <message>
-        <source>After</source>
-        <translation>之后</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>数值</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>差值</translation>
     </message>
     <message>
         <source>Change</source>
@@ -12437,20 +12433,8 @@ Retries: %9</source>
         <translation>填入“试用”</translation>
     </message>
     <message>
-        <source>Copies this value to Try; nothing is written</source>
-        <translation>将该值放入“试用”；不写入舵机</translation>
-    </message>
-    <message>
-        <source>Responses, in steps toward the goal</source>
-        <translation>响应曲线（朝目标方向的步数）</translation>
-    </message>
-    <message>
         <source>Step to show for each run</source>
         <translation>显示每次运行的哪一次阶跃</translation>
-    </message>
-    <message>
-        <source>Click Run to measure the servo&apos;s step response. Click Try to repeat it with other gains, overlay both responses, and restore the gains.</source>
-        <translation>“运行”测量舵机的阶跃响应；“试用”用其他增益重复测量，叠加显示，然后恢复原增益。</translation>
     </message>
     <message>
         <source>Overlaid step responses</source>
@@ -12495,6 +12479,34 @@ Retries: %9</source>
     <message>
         <source>Removes these runs from the page; the servo and the history do not change</source>
         <translation>从本页移除这些运行；舵机和历史记录不变</translation>
+    </message>
+    <message>
+        <source>Copies this value to Trial; nothing is written</source>
+        <translation>将此值填入“试用”列；不写入舵机</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>响应</translation>
+    </message>
+    <message>
+        <source>Response — %1</source>
+        <translation>响应 — %1</translation>
+    </message>
+    <message>
+        <source>In steps from the start toward the goal, out and back alike</source>
+        <translation>从起始位置朝目标方向的步数，去程和回程相同</translation>
+    </message>
+    <message>
+        <source>Click Measure to record the servo&apos;s step response. Then change a gain under Trial and click Try gains to compare.</source>
+        <translation>点击“测量”记录舵机的阶跃响应；然后修改“试用”列中的增益，点击“试用增益”进行比较。</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>试用</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
     </message>
 </context>
 <context>
@@ -12954,10 +12966,6 @@ Retries: %9</source>
         <translation>请在列表中选择舵机，或在此勾选。</translation>
     </message>
     <message>
-        <source>Blocked by the emergency stop: %1. Turn torque on first; you can do this for all selected servos on the Operate page.</source>
-        <translation>被急停锁定：%1。请先打开扭矩；在操作页可一次打开所有所选舵机的扭矩。</translation>
-    </message>
-    <message>
         <source>Starts the test: the servos will move</source>
         <translation>开始测试：舵机将会运动</translation>
     </message>
@@ -13033,6 +13041,18 @@ Retries: %9</source>
         <source>Warming up; not measuring yet</source>
         <translation>预热中，尚未开始测量</translation>
     </message>
+    <message>
+        <source>Held by the emergency stop: %1. Click Allow movement to turn torque on; the servos hold their position until you click Run.</source>
+        <translation>被急停锁定：%1。点击“允许运动”打开扭矩；点击“运行”之前，舵机保持当前位置。</translation>
+    </message>
+    <message>
+        <source>Allow movement</source>
+        <translation>允许运动</translation>
+    </message>
+    <message>
+        <source>Turns torque on after the emergency stop; nothing moves yet</source>
+        <translation>急停后重新打开扭矩；此时不会运动</translation>
+    </message>
 </context>
 <context>
     <name>ui::SweepResults</name>
@@ -13045,16 +13065,8 @@ Retries: %9</source>
         <translation>位置与目标 — %1</translation>
     </message>
     <message>
-        <source>running</source>
-        <translation>运行中</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>保存报告</translation>
-    </message>
-    <message>
-        <source>Servo shown</source>
-        <translation>显示的舵机</translation>
     </message>
     <message>
         <source>Metrics and their grades</source>
@@ -13089,10 +13101,6 @@ Retries: %9</source>
         <translation>尚未运行测试。在左侧选择测试，确认起始与结束，然后按“运行”：舵机将会运动。</translation>
     </message>
     <message>
-        <source>Servo to show</source>
-        <translation>要显示的舵机</translation>
-    </message>
-    <message>
         <source>The tooltip of each row shows more</source>
         <translation>鼠标停在某一行上可看到更多内容</translation>
     </message>
@@ -13122,6 +13130,10 @@ Retries: %9</source>
             <numerusform>测试曾等待 %n 次通信中断恢复。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>RUNNING</source>
+        <translation>运行中</translation>
+    </message>
 </context>
 <context>
     <name>ui::SweepServos</name>
@@ -13148,10 +13160,6 @@ Retries: %9</source>
     <message>
         <source>Limits…</source>
         <translation>限值…</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>警告</translation>
     </message>
     <message>
         <source>Verdict</source>

@@ -51,7 +51,10 @@ QString stepValue(std::optional<double> value)
 {
     if (!value || !std::isfinite(*value))
         return QStringLiteral("–");
-    const double rounded = std::round(*value * 100) / 100;
+    // Three digits that count: readings and responses scatter by more than the rest.
+    const double size = std::abs(*value);
+    const double parts = size >= 100 ? 1 : size >= 10 ? 10 : 100;
+    const double rounded = std::round(*value * parts) / parts;
     return QString::number(rounded == 0 ? 0 : rounded, 'g', QLocale::FloatingPointShortest);
 }
 

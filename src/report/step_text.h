@@ -9,7 +9,7 @@
 namespace report {
 catalog::Text stepFigureText(const QString& key); ///< an unknown key: the key itself
 QString stepUnit(const results::StepFigure& figure, bool chinese);
-/// "5.2", "12.25"; a dash where nothing was measured.
+/// "5.25", "12.3", "3455"; a dash where nothing was measured.
 QString stepValue(std::optional<double> value);
 catalog::Text stepChangeText(results::StepChange change);    ///< "better"; Neither: "–"
 catalog::Text stepSymptomText(results::StepSymptom symptom); ///< "It overshoots: D is too low."

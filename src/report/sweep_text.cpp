@@ -209,11 +209,11 @@ struct GradeEntry {
 };
 
 constexpr std::array gradeEntries{
-    GradeEntry{results::Grade::Pass, QT_TRANSLATE_NOOP("SweepText", "Passed"),
+    GradeEntry{results::Grade::Pass, QT_TRANSLATE_NOOP("SweepText", "Pass"),
                QT_TRANSLATE_NOOP("SweepText", "OK"), "✔", "#1a7f37"},
-    GradeEntry{results::Grade::Warn, QT_TRANSLATE_NOOP("SweepText", "Passed with a warning"),
-               QT_TRANSLATE_NOOP("SweepText", "Warning"), "⚠", "#8a5a00"},
-    GradeEntry{results::Grade::Fail, QT_TRANSLATE_NOOP("SweepText", "Failed"),
+    GradeEntry{results::Grade::Warn, QT_TRANSLATE_NOOP("SweepText", "Warn"),
+               QT_TRANSLATE_NOOP("SweepText", "Warn"), "⚠", "#8a5a00"},
+    GradeEntry{results::Grade::Fail, QT_TRANSLATE_NOOP("SweepText", "Fail"),
                QT_TRANSLATE_NOOP("SweepText", "Fail"), "✘", "#b3261e"},
     GradeEntry{results::Grade::NotMeasured, QT_TRANSLATE_NOOP("SweepText", "No verdict"),
                QT_TRANSLATE_NOOP("SweepText", "not measured"), "–", "#57606a"},
@@ -273,36 +273,33 @@ Text noVerdictReasonText(results::NoVerdictReason reason)
     case results::NoVerdictReason::None:
         return {};
     case results::NoVerdictReason::Ended:
-        return translate("SweepText", "No verdict: the test ended too early.");
+        return translate("SweepText", "The test ended too early.");
     case results::NoVerdictReason::TooShort:
-        return translate("SweepText",
-                         "No verdict: too short to judge. Run at least one whole cycle.");
+        return translate("SweepText", "Too short to judge. Run at least one whole cycle.");
     case results::NoVerdictReason::TooFewReadings:
-        return translate("SweepText", "No verdict: fewer than 20 readings per period. Use a longer "
+        return translate("SweepText", "Fewer than 20 readings per period. Use a longer "
                                       "period, fewer servos or a higher baud rate.");
     case results::NoVerdictReason::TooFast:
-        return translate("SweepText",
-                         "No verdict: the sine is faster than the speed set for the servo. Use a "
-                         "longer period, a smaller range or a higher speed.");
+        return translate("SweepText", "The sine is faster than the speed set for the servo. Use a "
+                                      "longer period, a smaller range or a higher speed.");
     case results::NoVerdictReason::NoLimit:
-        return translate("SweepText", "No verdict: there are no limits for following. Add limits "
+        return translate("SweepText", "There are no limits for following. Add limits "
                                       "for the relative following error and the phase lag.");
     case results::NoVerdictReason::ShortMoves:
         return translate("SweepText",
-                         "No verdict: the moves are too short for the tolerance, so even a servo "
+                         "The moves are too short for the tolerance, so even a servo "
                          "that does not move would pass. Move at least three times the tolerance.");
     case results::NoVerdictReason::SlowLink:
         return translate("SweepText",
-                         "No verdict: the servo lags too far behind, but the communication delay "
+                         "The servo lags too far behind, but the communication delay "
                          "may be the cause. At least 40 readings per period are needed: use a "
                          "longer period, fewer servos or a faster adapter.");
     case results::NoVerdictReason::NotMeasured:
         break;
     }
-    return translate(
-        "SweepText",
-        "No verdict: the metrics needed for a verdict were not measured in most moves. Allow more "
-        "time for each move, or read faster: use fewer servos or a faster adapter.");
+    return translate("SweepText",
+                     "The metrics needed for a verdict were not measured in most moves. Allow more "
+                     "time for each move, or read faster: use fewer servos or a faster adapter.");
 }
 
 Text endText(results::SweepEnd end)

@@ -33,14 +33,14 @@ struct SweepTexts {
 };
 const SweepTexts& sweepTexts();
 
-Text gradeLabel(results::Grade grade);     ///< of a servo or a run: "Passed"
+Text gradeLabel(results::Grade grade);     ///< of a servo or a run: "Pass"
 Text lineGradeLabel(results::Grade grade); ///< of one figure, not a verdict: "OK"
 QString gradeSign(results::Grade grade);   ///< "✔"
 /// Dark enough for white paper: "#1a7f37".
 QString gradeColor(results::Grade grade);
 Text endText(results::SweepEnd end); ///< a sentence
 Text noVerdictReasonText(
-    results::NoVerdictReason reason); ///< sentences: why, and what to do; None: empty
+    results::NoVerdictReason reason); ///< sentences: why there is none, and what to do; None: empty
 Text shapeText(results::SweepShape shape);
 Text paceText(results::SweepPace pace);
 Text metricLabel(const QString& key);    ///< an unknown key: the key itself

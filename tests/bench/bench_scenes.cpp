@@ -407,7 +407,7 @@ void showAll(const List& list, const QDir& folder, const QRegularExpression& fil
     for (const auto& scene : list) {
         for (const char* language : {"en", "zh_CN"}) {
             for (const auto look : {session::Theme::Light, session::Theme::Dark}) {
-                for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+                for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
                     const QString name =
                         QStringLiteral("%1-%2-%3-%4.png")
                             .arg(QLatin1String(scene.name), QLatin1String(language),

@@ -52,18 +52,25 @@ StepForm::StepForm(session::Settings& settings, QWidget* parent)
     m_sizeEdited = !size.isEmpty();
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins({});
-    const std::array<std::pair<QLabel*, QWidget*>, 6> rows{{{m_sizeLabel, m_size},
-                                                            {m_fromLabel, m_from},
-                                                            {m_repeatsLabel, m_repeats},
-                                                            {m_holdLabel, m_hold},
-                                                            {m_speedLabel, m_speed},
-                                                            {m_accelerationLabel, m_acceleration}}};
-    int row = 0;
-    for (const auto& [label, field] : rows) {
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(2);
+    const std::array<std::pair<QLabel*, QWidget*>, 6> cells{
+        {{m_sizeLabel, m_size},
+         {m_fromLabel, m_from},
+         {m_repeatsLabel, m_repeats},
+         {m_holdLabel, m_hold},
+         {m_speedLabel, m_speed},
+         {m_accelerationLabel, m_acceleration}}};
+    int place = 0; // title above field, two columns
+    for (const auto& [label, field] : cells) {
         label->setBuddy(field);
-        grid->addWidget(label, row, 0);
-        grid->addWidget(field, row++, 1);
+        label->setForegroundRole(QPalette::PlaceholderText);
+        field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // as wide as the panel
+        const int row = place / 2 * 2;
+        grid->addWidget(label, row, place % 2);
+        grid->addWidget(field, row + 1, place++ % 2);
     }
+    grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
     connect(m_size, &QLineEdit::textEdited, this,
             [this](const QString& text) { m_sizeEdited = !text.isEmpty(); });

@@ -40,6 +40,8 @@ StepGains::StepGains(QWidget* parent)
     m_grid->setColumnStretch(nameColumn, 1);
     m_none->setWordWrap(true);
     m_nowTitle->setAlignment(Qt::AlignRight);
+    for (QLabel* title : {m_nowTitle, m_trialTitle})
+        title->setForegroundRole(QPalette::PlaceholderText);
     m_grid->addWidget(m_none, 0, nameColumn, 1, 3);
     m_grid->addWidget(m_nowTitle, 1, nowColumn);
     m_grid->addWidget(m_trialTitle, 1, trialColumn);
@@ -151,7 +153,7 @@ void StepGains::reset()
 void StepGains::retranslate()
 {
     m_nowTitle->setText(tr("Now"));
-    m_trialTitle->setText(tr("Try"));
+    m_trialTitle->setText(tr("Trial"));
     m_none->setText(m_profile ? tr("This family has no gains to set.")
                               : tr("Select a servo to see its gains."));
     m_none->setVisible(m_rows.empty());
@@ -162,10 +164,9 @@ void StepGains::retranslate()
         row.name->setText(name);
         row.name->setToolTip(row.reg->key + QStringLiteral("\n") + text::localized(row.reg->help));
         row.trial->setAccessibleName(tr("%1: value to try").arg(name));
-        row.trial->setToolTip(
-            tr("%1 … %2; the value is used only in trial runs until you accept it")
-                .arg(row.trial->minimum())
-                .arg(row.trial->maximum()));
+        row.trial->setToolTip(tr("%1 … %2; used only for trials until you click Keep gains")
+                                  .arg(row.trial->minimum())
+                                  .arg(row.trial->maximum()));
     }
 }
 

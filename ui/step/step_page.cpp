@@ -51,6 +51,10 @@ void StepPage::connectAll()
     connect(m_switchMode, &QCheckBox::toggled, this, &StepPage::showState);
     connect(m_run, &QPushButton::clicked, this, [this] { run(false); });
     connect(m_try, &QPushButton::clicked, this, [this] { run(true); });
+    connect(m_allow, &QPushButton::clicked, this, [this] {
+        m_confirmed = false; // the next run asks again
+        m_workbench.emergencyStop().allowMovement(m_selection.current());
+    });
     connect(m_stop, &QPushButton::clicked, &m_test, &session::StepTest::stop);
     connect(m_accept, &QPushButton::clicked, this, &StepPage::accept);
     connect(m_back, &QPushButton::clicked, this, [this] {
@@ -98,7 +102,7 @@ void StepPage::showPreviousRuns()
 {
     auto* runs = findChild<StepRunsDialog*>(); // one is enough
     if (runs == nullptr) {
-        runs = new StepRunsDialog(m_historyService, this);
+        runs = new StepRunsDialog(m_historyService, m_workbench.catalog(), this);
         connect(runs, &StepRunsDialog::openRequested, this, &StepPage::openStored);
     }
     runs->show();
@@ -147,7 +151,8 @@ QString StepPage::blockedReason() const
     if (m_workbench.tasks().isTesting())
         return tr("Another test is running.");
     if (entry->stopped)
-        return tr("Stopped by the emergency stop: turn torque on first.");
+        return tr("Held by the emergency stop. Click Allow movement to turn torque on; the servo "
+                  "holds its position until you click Measure or Try gains.");
     if (otherMode() && !m_switchMode->isChecked())
         return tr("The servo is in a mode that does not use positions. Select the option to switch "
                   "modes automatically, or change the mode yourself.");
@@ -161,7 +166,7 @@ QString StepPage::trialBlockedReason() const
     const QString why = blockedReason();
     if (!why.isEmpty())
         return why;
-    return m_gains->trial().empty() ? tr("First change a value under Try.") : QString();
+    return m_gains->trial().empty() ? tr("First change a value under Trial.") : QString();
 }
 
 void StepPage::showState()
@@ -171,6 +176,8 @@ void StepPage::showState()
     const bool running = m_test.isRunning();
     const session::ServoRef ref = m_selection.current();
     m_switchMode->setVisible(otherMode() && !running);
+    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+    const catalog::Profile* profile = entry != nullptr ? entry->servo.profile.get() : nullptr;
     const QString why = blockedReason();
     const QString noTrial = trialBlockedReason();
     m_setup->setEnabled(!running);
@@ -179,25 +186,27 @@ void StepPage::showState()
     m_stop->setEnabled(running);
     const bool open =
         m_workbench.link().state() == session::LinkState::Open && !m_workbench.tasks().isTesting();
+    m_allow->setVisible(!running && open && entry != nullptr && entry->stopped);
     m_accept->setEnabled(!running && open && !m_gains->trial().empty());
     m_back->setEnabled(!running && open &&
                        (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));
     m_progress->setVisible(running);
     m_reasonLabel->setText(running ? tr("The servo is moving. Esc turns torque off on all servos.")
                            : !why.isEmpty() ? why
-                                            : tr("The servo moves when you click Run or Try."));
+                                            : tr("Measure and Try gains move the servo."));
     m_try->setToolTip(noTrial.isEmpty()
-                          ? tr("Runs the same step with the values under Try and restores the "
-                               "old values afterwards: %1")
-                                .arg(stepGainsText(m_gains->trial()))
+                          ? tr("Measures the same step with these values and restores the old "
+                               "values afterwards: %1")
+                                .arg(stepGainsText(m_gains->trial(), profile))
                           : noTrial);
-    QStringList earlier;
+    std::vector<results::StepGain> earlier;
     for (const device::WriteItem& item : m_test.previousValues(ref))
-        earlier << QStringLiteral("%1 %2").arg(item.key).arg(item.raw);
-    m_back->setToolTip(earlier.isEmpty()
-                           ? tr("Resets the values under Try to the present values")
-                           : tr("Writes the values from before the accepted change: %1")
-                                 .arg(earlier.join(QStringLiteral(", "))));
+        earlier.push_back({item.key, item.raw});
+    m_back->setText(earlier.empty() ? tr("Discard") : tr("Restore old"));
+    m_back->setAccessibleName(m_back->text());
+    m_back->setToolTip(earlier.empty() ? tr("Resets the values under Trial to the present values")
+                                       : tr("Writes the gains from before the last change: %1")
+                                             .arg(stepGainsText(earlier, profile)));
     showProgress();
 }
 

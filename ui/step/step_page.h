@@ -78,6 +78,7 @@ private:
     StepGains* m_gains = nullptr;
     QCheckBox* m_switchMode = nullptr;
     QLabel* m_reasonLabel = nullptr;
+    QPushButton* m_allow = nullptr; ///< only while an emergency stop holds the servo
     QPushButton* m_run = nullptr;
     QPushButton* m_try = nullptr;
     QPushButton* m_stop = nullptr;

@@ -45,7 +45,8 @@ void StepPage::build(session::Settings& settings)
     makeTransparent(m_scroll);
     left->addWidget(m_scroll, 1);
     left->addWidget(buildRun());
-    m_results = new StepResults(m_test, settings, this);
+    m_results =
+        new StepResults(m_test, m_workbench.registry(), m_workbench.catalog(), settings, this);
     auto* row = new QHBoxLayout;
     row->setSpacing(cardMargin);
     row->addWidget(card);
@@ -90,6 +91,8 @@ QWidget* StepPage::buildRun()
     m_switchMode = new QCheckBox(box);
     m_switchMode->setObjectName(QStringLiteral("stepSwitchMode"));
     m_switchMode->hide();
+    m_allow = button("stepAllow", box);
+    m_allow->hide();
     m_run = button("stepRun", box);
     m_run->setProperty("mainAction", true);
     m_try = button("stepTry", box);
@@ -103,12 +106,13 @@ QWidget* StepPage::buildRun()
     grid->addWidget(m_progress, 0, 0, 1, 3);
     grid->addWidget(m_reasonLabel, 1, 0, 1, 3);
     grid->addWidget(m_switchMode, 2, 0, 1, 3);
-    grid->addWidget(m_run, 3, 0);
-    grid->addWidget(m_try, 3, 1);
-    grid->addWidget(m_stop, 3, 2);
-    grid->addWidget(m_accept, 4, 0, 1, 2);
-    grid->addWidget(m_back, 4, 2);
-    for (QWidget* mover : {m_run, m_try})
+    grid->addWidget(m_allow, 3, 0, 1, 3);
+    grid->addWidget(m_run, 4, 0);
+    grid->addWidget(m_try, 4, 1);
+    grid->addWidget(m_stop, 4, 2);
+    grid->addWidget(m_accept, 5, 0, 1, 2);
+    grid->addWidget(m_back, 5, 2);
+    for (QWidget* mover : {m_allow, m_run, m_try})
         new PressGuard(mover);
     return box;
 }
@@ -117,20 +121,21 @@ void StepPage::retranslate()
 {
     setAccessibleName(tr("Step response"));
     m_gainsTitle->setText(tr("Gains"));
-    m_run->setText(tr("Run"));
-    m_run->setToolTip(tr("Runs the step with the servo's present values: the servo will move"));
-    m_try->setText(tr("Try"));
+    m_allow->setText(tr("Allow movement"));
+    m_allow->setToolTip(tr("Turns torque on after the emergency stop; nothing moves yet"));
+    m_run->setText(tr("Measure"));
+    m_run->setToolTip(tr("Makes the step with the servo's present gains: the servo will move"));
+    m_try->setText(tr("Try gains"));
     m_stop->setText(tr("Stop"));
     m_stop->setToolTip(tr("Ends the run; the servo holds its position"));
-    m_accept->setText(tr("Accept"));
-    m_accept->setToolTip(tr("Writes the values under Try permanently"));
-    m_back->setText(tr("Back"));
+    m_accept->setText(tr("Keep gains"));
+    m_accept->setToolTip(tr("Writes the values under Trial permanently"));
     m_switchMode->setText(tr("Switch to position mode for the run"));
     m_switchMode->setAccessibleName(m_switchMode->text());
     m_switchMode->setToolTip(tr("Switches back after the run; nothing is stored permanently in "
                                 "the servo"));
     m_progress->setAccessibleName(tr("Progress of the run"));
-    for (QPushButton* one : {m_run, m_try, m_stop, m_accept, m_back})
+    for (QPushButton* one : {m_allow, m_run, m_try, m_stop, m_accept})
         one->setAccessibleName(one->text());
 }
 } // namespace ui

@@ -16,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSplitter>
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <QUrl>
@@ -28,9 +29,10 @@ namespace ui {
 using results::StepChange;
 
 namespace {
+constexpr int minWidthForAdvice = 560; // its card beside the table
 constexpr std::size_t storeBudget = std::size_t(16) << 20;
 
-enum Column : int { Figure, Before, After, Difference, Change, Columns };
+enum Column : int { Figure, Before, After, Change, Columns };
 
 Tone toneOf(StepChange change)
 {
@@ -43,11 +45,25 @@ Tone toneOf(StepChange change)
         return Tone::Quiet;
     }
 }
+/// "−18.1 better", "unchanged", "+520".
+QString changeText(const results::StepDifference& one)
+{
+    const QString word = text::localized(report::stepChangeText(one.change));
+    if (!one.difference || one.change == StepChange::Same || one.change == StepChange::NotMeasured)
+        return word;
+    const QString amount = (*one.difference < 0 ? QStringLiteral("−") : QStringLiteral("+")) +
+                           report::stepValue(std::abs(*one.difference));
+    return one.change == StepChange::Neither ? amount : amount + QLatin1Char(' ') + word;
+}
 } // namespace
 
-StepResults::StepResults(session::StepTest& test, session::Settings& settings, QWidget* parent)
+StepResults::StepResults(session::StepTest& test, const session::ServoRegistry& registry,
+                         const catalog::Catalog& catalog, session::Settings& settings,
+                         QWidget* parent)
     : QWidget(parent)
     , m_test(test)
+    , m_registry(registry)
+    , m_catalog(catalog)
     , m_settings(settings)
     , m_store(storeBudget)
 {
@@ -105,13 +121,21 @@ int StepResults::shownResponse() const
     return std::max(0, m_choice->currentIndex()) + 1;
 }
 
-/// "Test 12 · own values" of the history, "1 · own values", "2 · position_p 40".
-QString StepResults::nameOf(const results::StepSpec& spec, std::size_t place) const
+/// Null: nothing has been measured, or the servo has left the list.
+const catalog::Profile* StepResults::testedProfile() const
+{
+    const session::ServoEntry* entry = m_registry.servo(m_test.servo());
+    return entry != nullptr ? entry->servo.profile.get() : nullptr;
+}
+
+/// "Test 12 · baseline" of the history, "1 · baseline", "2 · Position loop P 40".
+QString StepResults::nameOf(const results::StepSpec& spec, const catalog::Profile* profile,
+                            std::size_t place) const
 {
     const auto& opened = m_test.openedNumbers();
     const QString number = place < opened.size() ? tr("Test %1").arg(qint64(opened[place]))
                                                  : QString::number(place - opened.size() + 1);
-    return QStringLiteral("%1 · %2").arg(number, stepTrialText(spec));
+    return QStringLiteral("%1 · %2").arg(number, stepTrialText(spec, profile));
 }
 
 /// One line for each, and why the figures of another step stand alone.
@@ -124,7 +148,7 @@ QString StepResults::storedRunsText() const
         lines << tr("Test %1 of %2: %3")
                      .arg(qint64(opened[i]))
                      .arg(runs[i].at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")),
-                          stepDetailsText(runs[i]));
+                          stepDetailsText(runs[i], m_catalog));
     const results::StepRun* before = m_test.previousRun();
     const bool isCompared = before != nullptr && before < runs.data() + opened.size();
     if (runs.size() > 1 && !isCompared)
@@ -180,11 +204,12 @@ void StepResults::showCurves()
     showTarget(!runs.empty() ? runs.back().responses : live);
     std::size_t place = 0;
     for (const results::StepRun& run : runs)
-        addCurve(run.responses, nameOf(run.spec, place++));
+        addCurve(run.responses, nameOf(run.spec, jobs::profileOf(run, m_catalog).get(), place++));
     if (!live.empty())
-        addCurve(live, nameOf(m_test.liveSpec(), place));
+        addCurve(live, nameOf(m_test.liveSpec(), testedProfile(), place));
     m_emptyLabel->setVisible(m_channels.empty() && !m_test.isRunning());
     m_chart->setVisible(!m_emptyLabel->isVisibleTo(this));
+    m_findings->setVisible(!m_emptyLabel->isVisibleTo(this));
     m_chart->setChannels(m_channels);
     m_chart->zoomToFit();
 }
@@ -206,7 +231,7 @@ void StepResults::showMetrics()
         m_figures->insertRow(row);
         fillRow(row, figure);
     }
-    for (const int column : {Before, Difference, Change})
+    for (const int column : {Before, Change})
         m_figures->setColumnHidden(column, before == nullptr);
     // An interrupted run is neither better nor worse.
     if (wasAborted(before) || wasAborted(&after))
@@ -220,7 +245,7 @@ void StepResults::fillRow(int row, const results::StepFigure& figure)
     const results::StepRun* before = m_test.previousRun();
     const auto setCell = [this, row](int column, const QString& words, Tone tone = Tone::Quiet) {
         auto* item = new QTableWidgetItem(words);
-        const bool number = column != Figure && column != Change;
+        const bool number = column != Figure;
         item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         if (tone != Tone::Quiet)
             item->setData(toneRole, int(tone));
@@ -236,8 +261,7 @@ void StepResults::fillRow(int row, const results::StepFigure& figure)
     for (const results::StepDifference& one : results::compareSteps(*before, after)) {
         if (QLatin1StringView(one.figure.key) != QLatin1StringView(figure.key))
             continue;
-        setCell(Difference, report::stepValue(one.difference));
-        setCell(Change, text::localized(report::stepChangeText(one.change)), toneOf(one.change));
+        setCell(Change, changeText(one), toneOf(one.change));
     }
 }
 
@@ -247,7 +271,14 @@ QWidget* StepResults::adviceRow(const results::StepAdvice& advice)
     auto* row = new QWidget(m_adviceBox);
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(8, 0, 0, 0);
-    auto* words = new QLabel(text::localized(report::stepAdviceLine(advice)), row);
+    const catalog::ProfilePtr profile = jobs::profileOf(m_test.runs().back(), m_catalog);
+    QString sentence = text::localized(report::stepRemedyText(advice.remedy));
+    if (!advice.key.isEmpty())
+        sentence += QStringLiteral(": %1 %2 → %3")
+                        .arg(text::registerName(profile.get(), advice.key))
+                        .arg(advice.now)
+                        .arg(advice.proposed);
+    auto* words = new QLabel(sentence, row);
     words->setWordWrap(true);
     line->addWidget(words, 1);
     if (advice.key.isEmpty())
@@ -255,7 +286,7 @@ QWidget* StepResults::adviceRow(const results::StepAdvice& advice)
     auto* button = new QPushButton(tr("Use"), row);
     button->setObjectName(QStringLiteral("stepTake_") + advice.key);
     button->setAccessibleName(words->text());
-    button->setToolTip(tr("Copies this value to Try; nothing is written"));
+    button->setToolTip(tr("Copies this value to Trial; nothing is written"));
     connect(button, &QPushButton::clicked, this,
             [this, advice] { Q_EMIT adviceRequested(advice); });
     line->addWidget(button);
@@ -294,6 +325,13 @@ void StepResults::askForSavePath(const QString& ending)
                         &m_settings,
                         reportFolderKey()},
                        [this](const QString& path) { m_test.save(path, text::isUiChinese()); });
+}
+
+/// The advice stands below the table where there is no room beside it.
+void StepResults::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_findings->setOrientation(width() < minWidthForAdvice ? Qt::Vertical : Qt::Horizontal);
 }
 
 void StepResults::changeEvent(QEvent* event)

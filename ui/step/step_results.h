@@ -14,6 +14,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QTableWidget;
 class QVBoxLayout;
 
@@ -24,18 +25,20 @@ class StepResults final : public QWidget {
     Q_OBJECT
 
 public:
-    StepResults(session::StepTest& test, session::Settings& settings, QWidget* parent);
+    StepResults(session::StepTest& test, const session::ServoRegistry& registry,
+                const catalog::Catalog& catalog, session::Settings& settings, QWidget* parent);
 
     /// After other runs, or another language or theme.
     void refresh();
 
 Q_SIGNALS:
-    /// The button of an advice: its value is to be copied to Try.
+    /// The button of an advice: its value is to be copied to Trial.
     void adviceRequested(const results::StepAdvice& advice);
     void previousRunsRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void build();
@@ -49,11 +52,18 @@ private:
     void fillChoice();
     void askForSavePath(const QString& ending);
     void retranslate();
-    QString nameOf(const results::StepSpec& spec, std::size_t place) const;
+    QString nameOf(const results::StepSpec& spec, const catalog::Profile* profile,
+                   std::size_t place) const;
+    const catalog::Profile* testedProfile() const;
+    QWidget* buildChart();
+    QWidget* buildMetrics();
+    QWidget* buildAdvice();
     QString storedRunsText() const;
     int shownResponse() const; ///< from 1
 
     session::StepTest& m_test;
+    const session::ServoRegistry& m_registry;
+    const catalog::Catalog& m_catalog;
     session::Settings& m_settings;
     recording::SampleStore m_store;
     std::vector<recording::ChannelId> m_opened;
@@ -65,6 +75,7 @@ private:
     QLabel* m_storedRuns; ///< those opened from the history
     TrendChart* m_chart;
     QTableWidget* m_figures;
+    QSplitter* m_findings; ///< metrics and advice; hidden until there is a run
     QWidget* m_adviceBox;
     QLabel* m_adviceTitle;
     QVBoxLayout* m_advice;

@@ -23,9 +23,9 @@
 
 namespace ui {
 namespace {
-constexpr int columns = 5;
-constexpr int minAdviceHeight = 220;
-constexpr int minChartHeight = 260; ///< of its card, also before there is a chart
+constexpr int columns = 4;
+constexpr int minAdviceWidth = 200;
+constexpr int minChartHeight = 260;
 
 QTableWidget* metricsTableWidget(QWidget* parent)
 {
@@ -44,61 +44,98 @@ void StepResults::build()
     setObjectName(QStringLiteral("stepResults"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
+    auto* split = new QSplitter(Qt::Vertical, this);
+    split->setChildrenCollapsible(false);
+    split->setHandleWidth(cardMargin);
+    split->addWidget(buildChart());
+    m_findings = new QSplitter(Qt::Horizontal, this);
+    m_findings->setObjectName(QStringLiteral("stepFindings"));
+    m_findings->setChildrenCollapsible(false);
+    m_findings->setHandleWidth(cardMargin);
+    m_findings->addWidget(buildMetrics());
+    m_findings->addWidget(buildAdvice());
+    m_findings->setStretchFactor(0, 3);
+    m_findings->setStretchFactor(1, 2);
+    split->addWidget(m_findings);
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 2);
+    column->addWidget(split);
+}
+
+QWidget* StepResults::buildChart()
+{
     auto* card = new QWidget(this);
-    auto* chartColumn = new QVBoxLayout(card);
+    auto* column = new QVBoxLayout(card);
     makeCard(card);
-    auto* head = new QHBoxLayout;
-    m_title = new QLabel(this);
+    card->setMinimumHeight(minChartHeight);
+    m_title = new QLabel(card);
     makeHeading(m_title);
-    m_choiceLabel = new QLabel(this);
-    m_choice = new QComboBox(this);
+    m_choiceLabel = new QLabel(card);
+    m_choice = new QComboBox(card);
     m_choice->setObjectName(QStringLiteral("stepChoice"));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_choiceLabel->setBuddy(m_choice);
-    m_previousRuns = new QPushButton(this);
+    m_previousRuns = new QPushButton(card);
     m_previousRuns->setObjectName(QStringLiteral("stepEarlier"));
     connect(m_previousRuns, &QPushButton::clicked, this, &StepResults::previousRunsRequested);
-    m_forget = new QPushButton(this);
+    m_forget = new QPushButton(card);
     m_forget->setObjectName(QStringLiteral("stepForget"));
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
     head->addWidget(m_choiceLabel);
     head->addWidget(m_choice);
-    head->addStretch();
     head->addWidget(m_previousRuns);
     head->addWidget(m_forget);
-    m_storedRuns = new QLabel(this);
+    m_storedRuns = new QLabel(card);
     m_storedRuns->setObjectName(QStringLiteral("stepStored"));
     m_storedRuns->setTextFormat(Qt::PlainText);
     m_storedRuns->setWordWrap(true);
-    m_emptyLabel = new QLabel(this);
+    m_emptyLabel = new QLabel(card);
     m_emptyLabel->setObjectName(QStringLiteral("stepNothing"));
     makeEmptyState(m_emptyLabel);
-    m_chart = new TrendChart(this);
+    m_chart = new TrendChart(card);
     m_chart->setObjectName(QStringLiteral("stepChart"));
-    card->setMinimumHeight(minChartHeight);
-    auto* findings = new QSplitter(Qt::Horizontal, this);
-    findings->setChildrenCollapsible(false);
-    findings->setHandleWidth(cardMargin);
-    auto* figures = new QWidget(findings);
-    m_figures = metricsTableWidget(figures);
+    column->addLayout(head);
+    column->addWidget(m_storedRuns);
+    column->addWidget(m_emptyLabel, 1);
+    column->addWidget(m_chart, 1);
+    return card;
+}
+
+QWidget* StepResults::buildMetrics()
+{
+    auto* card = new QWidget(this);
+    m_figures = metricsTableWidget(card);
     m_figures->setFrameShape(QFrame::NoFrame);
-    (new QVBoxLayout(figures))->addWidget(m_figures);
-    makeCard(figures);
-    auto* adviceCard = new QWidget(findings);
-    auto* side = new QScrollArea(adviceCard);
-    (new QVBoxLayout(adviceCard))->addWidget(side);
-    makeCard(adviceCard);
+    (new QVBoxLayout(card))->addWidget(m_figures);
+    makeCard(card);
+    return card;
+}
+
+QWidget* StepResults::buildAdvice()
+{
+    auto* card = new QWidget(this);
+    auto* side = new QScrollArea(card);
     side->setWidgetResizable(true);
     side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    side->setMinimumWidth(minAdviceHeight);
+    side->setMinimumWidth(minAdviceWidth);
     m_adviceBox = new QWidget(side);
     auto* advice = new QVBoxLayout(m_adviceBox);
     advice->setContentsMargins({});
     m_adviceTitle = new QLabel(m_adviceBox);
     m_adviceTitle->setTextFormat(Qt::RichText);
-    advice->addWidget(m_adviceTitle);
     m_advice = new QVBoxLayout;
+    m_saved = new QLabel(m_adviceBox);
+    m_saved->setTextFormat(Qt::RichText);
+    m_saved->setObjectName(QStringLiteral("stepSaved"));
+    m_saved->setWordWrap(true);
+    m_saved->setOpenExternalLinks(true);
+    m_saved->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    advice->addWidget(m_adviceTitle);
     advice->addLayout(m_advice, 1);
-    auto* buttons = new QWidget(m_adviceBox);
+    side->setWidget(m_adviceBox);
+    makeTransparent(side);
+    auto* buttons = new QWidget(card);
     auto* flow = new FlowLayout(buttons);
     for (const char* ending : {"html", "csv", "json"}) {
         auto* button = new QPushButton(buttons);
@@ -109,41 +146,27 @@ void StepResults::build()
         flow->addWidget(button);
         m_reports.push_back(button);
     }
-    m_saved = new QLabel(m_adviceBox);
-    m_saved->setTextFormat(Qt::RichText);
-    m_saved->setObjectName(QStringLiteral("stepSaved"));
-    m_saved->setWordWrap(true);
-    m_saved->setOpenExternalLinks(true);
-    m_saved->setTextInteractionFlags(Qt::TextBrowserInteraction);
-    advice->addWidget(buttons);
-    advice->addWidget(m_saved);
-    side->setWidget(m_adviceBox);
-    makeTransparent(side);
-    findings->addWidget(figures);
-    findings->addWidget(adviceCard);
-    findings->setStretchFactor(0, 3);
-    findings->setStretchFactor(1, 2);
-    auto* split = new QSplitter(Qt::Vertical, this);
-    split->setChildrenCollapsible(false);
-    split->setHandleWidth(cardMargin);
-    chartColumn->addWidget(m_title);
-    chartColumn->addLayout(head);
-    chartColumn->addWidget(m_storedRuns);
-    chartColumn->addWidget(m_emptyLabel, 1);
-    chartColumn->addWidget(m_chart, 1);
-    split->addWidget(card);
-    split->addWidget(findings);
-    split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 2);
-    split->setSizes({400, 360});
-    column->addWidget(split);
+    auto* column = new QVBoxLayout(card);
+    column->addWidget(side, 1);
+    column->addWidget(m_saved);
+    column->addWidget(buttons);
+    makeCard(card);
+    return card;
 }
 
 void StepResults::retranslate()
 {
     const bool some = !m_test.runs().empty();
-    m_title->setText(tr("Responses, in steps toward the goal"));
+    const QString name = some ? QStringLiteral("ID %1 · %2")
+                                    .arg(m_test.runs().back().parameters.servo.id)
+                                    .arg(m_test.runs().back().parameters.servo.model)
+                              : QString();
+    m_title->setText(name.isEmpty() ? tr("Response") : tr("Response — %1").arg(name));
+    m_title->setToolTip(tr("In steps from the start toward the goal, out and back alike"));
     m_choiceLabel->setText(tr("Step"));
+    m_choiceLabel->setVisible(m_choice->count() > 1);
+    m_choice->setVisible(m_choice->count() > 1);
+    m_forget->setVisible(some);
     m_choice->setAccessibleName(tr("Step to show for each run"));
     m_choice->setToolTip(tr("Step to show for each run"));
     m_storedRuns->setText(storedRunsText());
@@ -158,17 +181,19 @@ void StepResults::retranslate()
     m_forget->setAccessibleName(m_forget->toolTip());
     m_forget->setEnabled(some && !m_test.isRunning());
     m_emptyLabel->setText(
-        tr("Click Run to measure the servo's step response. Click Try to repeat it with other "
-           "gains, overlay both responses, and restore the gains."));
+        tr("Click Measure to record the servo's step response. Then change a gain under Trial and "
+           "click Try gains to compare."));
     m_chart->setAccessibleName(tr("Overlaid step responses"));
     m_figures->setAccessibleName(tr("Metrics before and after"));
     m_figures->setToolTip(tr("Mean of all steps of a run, out and back"));
-    const QString value = m_test.previousRun() != nullptr ? tr("After") : tr("Value");
+    const QString value = m_test.previousRun() == nullptr           ? tr("Value")
+                          : m_test.runs().back().spec.trial.empty() ? tr("After")
+                                                                    : tr("Trial");
     m_figures->setHorizontalHeaderLabels(
         {tr("Metric"),
          wasAborted(m_test.previousRun()) ? tr("%1 (interrupted)").arg(tr("Before")) : tr("Before"),
          some && wasAborted(&m_test.runs().back()) ? tr("%1 (interrupted)").arg(value) : value,
-         tr("Difference"), tr("Change")});
+         tr("Change")});
     const bool advised = !m_test.advice().empty();
     m_adviceTitle->setText(advised ? tr("<b>What to try next</b>")
                            : some  ? tr("These results do not suggest any changes.")

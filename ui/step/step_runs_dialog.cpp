@@ -9,8 +9,10 @@
 #include <QTableView>
 
 namespace ui {
-StepRunsDialog::StepRunsDialog(session::HistoryService& historyService, QWidget* parent)
+StepRunsDialog::StepRunsDialog(session::HistoryService& historyService,
+                               const catalog::Catalog& catalog, QWidget* parent)
     : RunListDialog(historyService, QStringLiteral("step"), parent)
+    , m_catalog(catalog)
     , m_open(addButton("runsOpen"))
 {
     setObjectName(QStringLiteral("stepRunsDialog"));
@@ -55,7 +57,7 @@ void StepRunsDialog::showDetails(std::int64_t number)
                                   if (!run)
                                       showError(run.error());
                                   else if (number == m_detailsOf)
-                                      m_hint->setText(stepDetailsText(**run));
+                                      m_hint->setText(stepDetailsText(**run, m_catalog));
                               });
 }
 

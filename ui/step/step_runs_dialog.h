@@ -4,6 +4,7 @@
 // window and follows the history, which must outlive it. Main thread, never waits.
 #pragma once
 
+#include "catalog/catalog.h"
 #include "ui/widgets/run_list_dialog.h"
 
 namespace ui {
@@ -11,7 +12,8 @@ class StepRunsDialog final : public RunListDialog {
     Q_OBJECT
 
 public:
-    StepRunsDialog(session::HistoryService& historyService, QWidget* parent);
+    StepRunsDialog(session::HistoryService& historyService, const catalog::Catalog& catalog,
+                   QWidget* parent);
 
 Q_SIGNALS:
     void openRequested(const std::vector<std::int64_t>& numbers); ///< oldest first
@@ -25,6 +27,7 @@ private:
     void openSelected();
     void showDetails(std::int64_t number);
 
+    catalog::Catalog m_catalog; ///< its data is shared
     QPushButton* m_open;
     std::int64_t m_detailsOf = 0; ///< the run that the hint describes or will describe
 };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/journal.h"
-#include "catalog/profile.h"
+#include "jobs/step/step_advice.h"
 #include "report/step_text.h"
 #include "report/sweep_text.h"
 #include "results/step_run.h"
@@ -13,30 +13,33 @@
 #include <QStringList>
 
 namespace ui {
-/// "position_p 40, position_d 20"
-inline QString stepGainsText(const std::vector<results::StepGain>& gains)
+/// "Position loop P 40, Position loop D 20"; by key without a profile.
+inline QString stepGainsText(const std::vector<results::StepGain>& gains,
+                             const catalog::Profile* profile)
 {
     QStringList parts;
     for (const results::StepGain& gain : gains)
-        parts << QStringLiteral("%1 %2").arg(gain.key).arg(gain.raw);
+        parts << QStringLiteral("%1 %2").arg(text::registerName(profile, gain.key)).arg(gain.raw);
     return parts.join(QStringLiteral(", "));
 }
 
-/// "own values", or the values of the trial
-inline QString stepTrialText(const results::StepSpec& spec)
+/// "baseline", or the values of the trial.
+inline QString stepTrialText(const results::StepSpec& spec, const catalog::Profile* profile)
 {
     return spec.trial.empty() ? text::translate("ui::StepResults", "baseline")
-                              : stepGainsText(spec.trial);
+                              : stepGainsText(spec.trial, profile);
 }
 
-/// "ID 3 · STS3215 · 1800 → 2100 · own values", and how it ended if it was interrupted.
-inline QString stepDetailsText(const results::StepRun& run)
+/// "ID 3 · STS3215 · 1800 → 2100 · baseline", and how it ended if it was interrupted.
+inline QString stepDetailsText(const results::StepRun& run, const catalog::Catalog& catalog)
 {
+    const catalog::ProfilePtr profile = jobs::profileOf(run, catalog);
     const snapshot::SnapshotServo& servo = run.parameters.servo;
-    QString details = QStringLiteral("ID %1 · %2 · %3 → %4 · %5")
-                          .arg(servo.id)
-                          .arg(servo.model, report::stepValue(run.axis.from),
-                               report::stepValue(run.axis.to), stepTrialText(run.spec));
+    QString details =
+        QStringLiteral("ID %1 · %2 · %3 → %4 · %5")
+            .arg(servo.id)
+            .arg(servo.model, report::stepValue(run.axis.from), report::stepValue(run.axis.to),
+                 stepTrialText(run.spec, profile.get()));
     if (run.end != results::SweepEnd::Finished)
         details += QStringLiteral(" · ") + text::localized(report::endText(run.end));
     return details;

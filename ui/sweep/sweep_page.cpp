@@ -89,7 +89,7 @@ void SweepPage::build()
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
     m_leftovers = new SweepLeftoversBanner(m_workbench, *m_banner, this);
-    new FloatingOverlay(m_banner, m_results->chart(), FloatingOverlay::Corner::BottomRight);
+    new FloatingOverlay(m_banner, m_results->chartCard(), FloatingOverlay::Corner::BottomRight);
 }
 
 /// Always in sight, however long the fields above are.
@@ -109,10 +109,14 @@ QWidget* SweepPage::buildRun()
     m_run = new QPushButton(box);
     m_run->setObjectName(QStringLiteral("sweepRun"));
     m_run->setProperty("mainAction", true);
+    m_allow = new QPushButton(box);
+    m_allow->setObjectName(QStringLiteral("sweepAllow"));
+    m_allow->hide();
     m_stop = new QPushButton(box);
     m_stop->setObjectName(QStringLiteral("sweepStop"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_run, 1);
+    buttons->addWidget(m_allow);
     buttons->addWidget(m_stop);
     m_progress = new ThinProgress(box);
     m_progress->setObjectName(QStringLiteral("sweepProgress"));
@@ -127,6 +131,7 @@ QWidget* SweepPage::buildRun()
     column->addWidget(m_switchMode);
     column->addLayout(buttons);
     new PressGuard(m_run);
+    new PressGuard(m_allow);
     return box;
 }
 
@@ -155,6 +160,7 @@ void SweepPage::connectAll()
         schedulePreview();
     });
     connect(m_run, &QPushButton::clicked, this, &SweepPage::run);
+    connect(m_allow, &QPushButton::clicked, this, &SweepPage::allowMovement);
     connect(m_stop, &QPushButton::clicked, &m_test, &session::SweepTest::stop);
     connect(m_results, &SweepResults::previousTestsRequested, this,
             &SweepPage::previousTestsRequested);
@@ -228,14 +234,22 @@ void SweepPage::preview()
 }
 
 /// The selected servos that an emergency stop holds.
-QStringList SweepPage::servosHeldByStop() const
+std::vector<session::ServoRef> SweepPage::servosHeldByStop() const
 {
-    QStringList held;
+    std::vector<session::ServoRef> held;
     for (const session::ServoRef ref : m_servos->selected()) {
-        if (const session::ServoEntry* entry = m_workbench.registry().servo(ref); entry->stopped)
-            held.append(QStringLiteral("ID %1").arg(entry->servo.id));
+        if (m_workbench.registry().servo(ref)->stopped)
+            held.push_back(ref);
     }
     return held;
+}
+
+/// The next run asks again, as the first one did.
+void SweepPage::allowMovement()
+{
+    m_consent.reset();
+    for (const session::ServoRef ref : servosHeldByStop())
+        m_workbench.emergencyStop().allowMovement(ref);
 }
 
 /// The first selected servo that does not answer now, even if it was read before.
@@ -282,9 +296,12 @@ QString SweepPage::blockedReason() const
         return tr("A search is running; the test can start when it has ended.");
     if (m_servos->selected().empty())
         return tr("Select a servo in the list, or select one below.");
-    if (const QStringList held = servosHeldByStop(); !held.isEmpty())
-        return tr("Blocked by the emergency stop: %1. Turn torque on first; you can do this for "
-                  "all selected servos on the Operate page.")
+    QStringList held;
+    for (const session::ServoRef ref : servosHeldByStop())
+        held.append(QStringLiteral("ID %1").arg(m_workbench.registry().servo(ref)->servo.id));
+    if (!held.isEmpty())
+        return tr("Held by the emergency stop: %1. Click Allow movement to turn torque on; the "
+                  "servos hold their position until you click Run.")
             .arg(held.join(QStringLiteral(", ")));
     return m_form->inputError();
 }
@@ -305,6 +322,8 @@ void SweepPage::showState()
     m_run->setEnabled(!running && blockedReason().isEmpty() && !refused && !previews.empty() &&
                       !silentServo());
     m_stop->setEnabled(running);
+    m_allow->setVisible(!running && m_workbench.link().state() == session::LinkState::Open &&
+                        !servosHeldByStop().empty());
     m_progress->setVisible(running);
     m_progressLabel->setVisible(running);
     m_previewLabel->setVisible(!running);
@@ -436,6 +455,8 @@ void SweepPage::retranslate()
     setAccessibleName(tr("Sweep test"));
     m_run->setText(tr("Run"));
     m_run->setToolTip(tr("Starts the test: the servos will move"));
+    m_allow->setText(tr("Allow movement"));
+    m_allow->setToolTip(tr("Turns torque on after the emergency stop; nothing moves yet"));
     m_stop->setText(tr("Stop"));
     m_stop->setToolTip(
         tr("Ends the test; the servos hold their position or torque is turned off, as selected"));
@@ -444,7 +465,7 @@ void SweepPage::retranslate()
                                 "the servo"));
     m_progress->setAccessibleName(tr("Progress of the test"));
     for (QAbstractButton* button :
-         std::initializer_list<QAbstractButton*>{m_run, m_stop, m_switchMode})
+         std::initializer_list<QAbstractButton*>{m_run, m_allow, m_stop, m_switchMode})
         button->setAccessibleName(button->text());
 }
 

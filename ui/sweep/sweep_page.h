@@ -51,7 +51,8 @@ private:
     void preview();
     void onPreviewsReceived();
     void onServoSelected();
-    QStringList servosHeldByStop() const;
+    std::vector<session::ServoRef> servosHeldByStop() const;
+    void allowMovement();
     std::optional<session::SweepPreview> silentServo() const;
     void run();
     void start();
@@ -82,6 +83,7 @@ private:
     QLabel* m_previewLabel = nullptr;
     QCheckBox* m_switchMode = nullptr;
     QPushButton* m_run = nullptr;
+    QPushButton* m_allow = nullptr; ///< only while an emergency stop holds a servo
     QPushButton* m_stop = nullptr;
     ThinProgress* m_progress = nullptr;
     QLabel* m_progressLabel = nullptr;

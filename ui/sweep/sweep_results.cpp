@@ -9,13 +9,14 @@
 #include "ui/common/file_dialog.h"
 #include "ui/common/palette.h"
 #include "ui/widgets/error_histogram.h"
-#include "ui/widgets/pill.h"
+#include "ui/widgets/test_text.h"
+#include "ui/widgets/verdict_banner.h"
 
-#include <QComboBox>
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QStandardPaths>
@@ -31,24 +32,11 @@ using namespace std::chrono_literals;
 using results::Grade;
 
 namespace {
+constexpr int minWidthForReport = 560; // its card beside the table
 constexpr auto metricsInterval = 500ms;
 /// Figures are worked out from all legs: of a long test less often.
 constexpr std::size_t legsPerMillisecond = 20;
 constexpr auto defaultWidth = std::chrono::seconds(10);
-
-Tone toneOf(Grade grade)
-{
-    switch (grade) {
-    case Grade::Pass:
-        return Tone::Good;
-    case Grade::Warn:
-        return Tone::Warn;
-    case Grade::Fail:
-        return Tone::Bad;
-    default:
-        return Tone::Quiet;
-    }
-}
 
 QString servoName(const results::SweepServo& servo)
 {
@@ -57,39 +45,30 @@ QString servoName(const results::SweepServo& servo)
         .arg(servo.parameters.servo.model);
 }
 
-QString gradeSentence(Grade grade)
-{
-    return report::gradeSign(grade) + QLatin1Char(' ') + text::localized(report::gradeLabel(grade));
-}
-
-QString withReasons(const QString& grade, const QStringList& reasons)
-{
-    return reasons.isEmpty() ? grade
-                             : grade + QStringLiteral(": ") + reasons.join(QStringLiteral(", "));
-}
-
-/// "✘ Failed: hysteresis, overshoot"
-QString verdictWords(const results::SweepServo& servo)
+/// "Overshoot, Hysteresis": what decided the verdict.
+QString reasonText(const results::SweepServo& servo)
 {
     QStringList reasons;
     for (const results::VerdictLine& line : servo.lines) {
         if (line.grade == servo.verdict && (line.grade == Grade::Fail || line.grade == Grade::Warn))
-            reasons.append(text::localized(report::metricLabel(line.limit.metric)));
+            reasons.append(metricName(line.limit.metric));
     }
-    return withReasons(gradeSentence(servo.verdict), reasons);
+    return reasons.join(QStringLiteral(", "));
 }
 
-/// The worst one counts, and is named: "✘ Failed: ID 2, ID 5".
-QString verdictWords(const results::SweepRun& run)
+/// Of one servo why; of several the worst ones, which count: "ID 2 — Overshoot; ID 5 — Stall".
+QString reasonText(const results::SweepRun& run)
 {
     if (run.servos.size() == 1)
-        return verdictWords(run.servos.front());
+        return reasonText(run.servos.front());
     QStringList worst;
     for (const results::SweepServo& servo : run.servos) {
         if (servo.verdict == run.verdict() && servo.verdict != Grade::Pass)
-            worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id));
+            worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id) +
+                         (reasonText(servo).isEmpty() ? QString()
+                                                      : QStringLiteral(" — ") + reasonText(servo)));
     }
-    return withReasons(gradeSentence(run.verdict()), worst);
+    return worst.join(QStringLiteral("; "));
 }
 } // namespace
 
@@ -107,11 +86,6 @@ SweepResults::SweepResults(session::Workbench& workbench, session::SweepTest& te
     retranslate();
     showVerdict();
     enableReports();
-}
-
-QWidget* SweepResults::chart() const
-{
-    return m_chart;
 }
 
 void SweepResults::connectTest()
@@ -133,7 +107,9 @@ void SweepResults::connectTest()
     });
     m_figures.setSingleShot(true);
     connect(&m_figures, &QTimer::timeout, this, &SweepResults::showMetrics);
-    connect(m_servos, &QComboBox::activated, this, &SweepResults::showServo);
+    connect(m_verdict, &VerdictBanner::chipClicked, this, &SweepResults::showServo);
+    connect(m_emptyPreviousTests, &QPushButton::clicked, this,
+            &SweepResults::previousTestsRequested);
     connect(m_all, &QToolButton::toggled, &m_verdictModel, &SweepVerdictModel::setShowAll);
     connect(&m_legsModel, &SweepLegsModel::emptyColumnsChanged, this,
             &SweepResults::hideEmptyColumns);
@@ -163,28 +139,11 @@ void SweepResults::startRun()
     m_savedPath.clear();
     m_saveError.reset();
     setComparison({});
-    m_servos->clear();
-    for (const results::SweepServo& tested : m_test.run()->servos)
-        m_servos->addItem(servoName(tested));
-    updateServoNames();
-    m_servos->setVisible(m_servos->count() > 1);
     m_chart->setOrigin(m_test.startedAt());
     m_chart->setWidth(defaultWidth);
     m_chart->setFollowing(true);
     showServo(0);
     enableReports();
-}
-
-/// With its verdict, once there is one.
-void SweepResults::updateServoNames()
-{
-    const results::SweepRun* run = m_test.run();
-    for (int i = 0; run != nullptr && i < m_servos->count(); ++i) {
-        const results::SweepServo& tested = run->servos[std::size_t(i)];
-        m_servos->setItemText(i, m_test.isRunning() ? servoName(tested)
-                                                    : servoName(tested) + QStringLiteral(" · ") +
-                                                          gradeSentence(tested.verdict));
-    }
 }
 
 void SweepResults::finishRun()
@@ -200,7 +159,6 @@ void SweepResults::finishRun()
 void SweepResults::showServo(int index)
 {
     m_servo = std::size_t(std::max(0, index));
-    m_servos->setCurrentIndex(int(m_servo));
     m_legsModel.clear();
     m_histogram->clear();
     m_legsTaken = 0;
@@ -216,7 +174,6 @@ void SweepResults::showServo(int index)
     showCurves();
     appendLegs();
     showMetrics();
-    showEnd();
     Q_EMIT servoShown();
 }
 
@@ -283,21 +240,44 @@ QString SweepResults::verdictText() const
 void SweepResults::showVerdict()
 {
     const results::SweepServo* tested = servo();
-    const bool none = tested == nullptr;
-    m_emptyLabel->setVisible(none && !m_test.isRunning());
-    m_chart->setVisible(!m_emptyLabel->isVisibleTo(this));
-    m_verdict->setVisible(!none);
-    if (none)
+    const bool nothing = tested == nullptr && !m_test.isRunning();
+    m_empty->setVisible(nothing);
+    m_chart->setVisible(!nothing);
+    m_verdict->setVisible(tested != nullptr);
+    m_findings->setVisible(!nothing);
+    if (tested == nullptr)
         return;
-    m_title->setText(m_servos->count() > 1 ? tr("Position and goal")
-                                           : tr("Position and goal — %1").arg(servoName(*tested)));
+    m_title->setText(tr("Position and goal — %1").arg(servoName(*tested)));
+    const results::SweepRun& run = *m_test.run();
     if (m_test.isRunning() && !m_test.progress().silent.empty())
-        m_verdict->setState(Tone::Warn, tr("no reply"));
+        m_verdict->setVerdict(Tone::Warn, tr("RUNNING"), tr("no reply"));
     else if (m_test.isRunning())
-        m_verdict->setState(Tone::Accent, tr("running"));
+        m_verdict->setVerdict(Tone::Accent, tr("RUNNING"));
     else
-        m_verdict->setState(toneOf(m_test.run()->verdict()), verdictWords(*m_test.run()),
-                            text::localized(report::gradeLabel(m_test.run()->verdict())));
+        m_verdict->setVerdict(gradeTone(run.verdict()), gradeText(run.verdict()).toUpper(),
+                              verdictReason());
+    showChips();
+}
+
+/// One for each of several servos; with its grade, once there is one.
+void SweepResults::showChips()
+{
+    const results::SweepRun& run = *m_test.run();
+    std::vector<VerdictChip> chips;
+    for (const results::SweepServo& tested : run.servos) {
+        const QString id = QStringLiteral("ID %1").arg(tested.parameters.servo.id);
+        const QString name = servoName(tested);
+        if (m_test.isRunning())
+            chips.push_back({id, Tone::Accent, name});
+        else
+            chips.push_back({report::gradeSign(tested.verdict) + QLatin1Char(' ') + id,
+                             gradeTone(tested.verdict),
+                             QStringList{name, gradeText(tested.verdict), reasonText(tested)}
+                                 .join(QLatin1Char('\n'))
+                                 .trimmed()});
+    }
+    m_verdict->setChips(chips.size() > 1 ? chips : std::vector<VerdictChip>(),
+                        static_cast<int>(m_servo));
 }
 
 void SweepResults::setComparison(const QString& text)
@@ -342,10 +322,10 @@ void SweepResults::retranslate()
     m_emptyLabel->setText(
         tr("No test has been run yet. Select a test on the left, check start and end, then "
            "click Run: the servo will move."));
-    m_servos->setToolTip(tr("Servo to show"));
-    m_servos->setAccessibleName(tr("Servo shown"));
     m_tabs->setTabText(0, text::localized(words.verdict));
     m_tabs->setTabText(1, text::localized(words.legs));
+    if (m_tabs->count() > 2)
+        m_tabs->setTabText(2, tr("Report"));
     m_verdictView->setAccessibleName(tr("Metrics and their grades"));
     m_legsView->setAccessibleName(tr("Legs"));
     m_verdictView->setToolTip(tr("The tooltip of each row shows more"));
@@ -362,12 +342,12 @@ void SweepResults::retranslate()
                       .arg(button->text()));
         button->setAccessibleName(button->toolTip());
     }
-    m_previousTests->setText(tr("Earlier tests…"));
-    m_previousTests->setAccessibleName(m_previousTests->text());
+    for (QPushButton* button : {m_previousTests, m_emptyPreviousTests}) {
+        button->setText(tr("Earlier tests…"));
+        button->setAccessibleName(button->text());
+        button->setToolTip(tr("Shows saved tests, compares two, and selects a reference"));
+    }
     m_all->setAccessibleName(m_all->text());
-    m_previousTests->setToolTip(tr("Shows saved tests, compares two, and selects a reference"));
-    updateServoNames();
-    showEnd();
     if (m_saveError) {
         const text::Description trouble = text::describe(*m_saveError);
         m_saved->setText((trouble.message + QLatin1Char(' ') + trouble.remedy).toHtmlEscaped());
@@ -384,27 +364,41 @@ void SweepResults::retranslate()
     hideEmptyColumns();
 }
 
-/// How the run ended, and why the servo that is shown has no verdict.
-void SweepResults::showEnd()
+/// What decided the verdict, how the test ended if it was not by itself, and why there is none.
+QString SweepResults::verdictReason() const
 {
-    const results::SweepRun* run = m_test.run();
-    QStringList lines;
-    if (run != nullptr && !m_test.isRunning()) {
-        if (run->end != results::SweepEnd::Finished)
-            lines.append(
-                text::localized(report::endText(run->end)) +
-                (run->endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run->endedBy) : QString()));
-        const results::NoVerdictReason reason = servo() != nullptr
-                                                    ? results::sweepVerdict(*run, *servo()).reason
-                                                    : results::NoVerdictReason::None;
-        if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended)
-            lines.append(text::localized(report::noVerdictReasonText(reason)));
+    const results::SweepRun& run = *m_test.run();
+    QStringList sentences;
+    if (const QString reason = reasonText(run); !reason.isEmpty())
+        sentences << reason;
+    if (run.end != results::SweepEnd::Finished)
+        sentences << text::localized(report::endText(run.end)) +
+                         (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy)
+                                           : QString());
+    const results::NoVerdictReason reason = results::sweepVerdict(run, *servo()).reason;
+    if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended)
+        sentences << text::localized(report::noVerdictReasonText(reason));
+    if (!run.gaps.empty())
+        sentences << tr("The test waited for %n bus interruption(s) to end.", nullptr,
+                        static_cast<int>(run.gaps.size()));
+    return sentences.join(QStringLiteral(" · "));
+}
+
+/// Beside the table; where the table would lose its last column, behind a tab.
+void SweepResults::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    const bool narrow = width() < minWidthForReport;
+    if (narrow == m_reportCard->isHidden())
+        return;
+    m_reportCard->setVisible(!narrow);
+    if (narrow) {
+        m_tabs->addTab(m_report, QString());
+    } else { // takes it out of the tabs, which hide what is not in front
+        m_reportCard->layout()->addWidget(m_report);
+        m_report->show();
     }
-    if (run != nullptr && !run->gaps.empty())
-        lines.append(tr("The test waited for %n bus interruption(s) to end.", nullptr,
-                        int(run->gaps.size())));
-    m_end->setText(lines.join(QLatin1Char(' ')));
-    m_end->setVisible(!lines.isEmpty());
+    retranslate();
 }
 
 void SweepResults::showEvent(QShowEvent* event)

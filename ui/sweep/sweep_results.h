@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sweep test measures, while it does and afterwards, of one of its servos: position against
-// goal, verdict, legs, errors at the target, and the report to be saved. Reads the test, changes
-// nothing. Owned by the sweep page; main thread, never waits.
+// What a sweep test measures, while it does and afterwards: the verdict, and of one of its servos
+// position against goal, metrics, legs, errors at the target, and the report to be saved. One
+// sentence until there is a test. Reads the test, changes nothing. Owned by the sweep page; main
+// thread, never waits.
 #pragma once
 
 #include "session/settings.h"
@@ -12,23 +13,23 @@
 #include <QTimer>
 #include <QWidget>
 
-class QComboBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QTableView;
 class QTabWidget;
 class QToolButton;
 
 namespace ui {
 class ErrorHistogram;
-class Pill;
 class TrendChart;
+class VerdictBanner;
 
 class SweepResults final : public QWidget {
     Q_OBJECT
 
 public:
-    QWidget* chart() const; ///< messages may float over it
+    QWidget* chartCard() const { return m_chartCard; } ///< messages may float over it
     SweepResults(session::Workbench& workbench, session::SweepTest& test,
                  session::Settings& settings, QWidget* parent);
 
@@ -46,22 +47,24 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void build();
+    QWidget* buildChart();
     QWidget* buildFindings();
     QWidget* buildReport();
     void connectTest();
     void startRun();
     void finishRun();
-    void updateServoNames();
-    void showEnd();
+    QString verdictReason() const;
     void showCurves();
     void appendLegs();
     void showMetrics();
     void hideEmptyColumns();
     void showVerdict();
+    void showChips();
     void askForSavePath(const QString& ending);
     void enableReports();
     void retranslate();
@@ -76,17 +79,22 @@ private:
     std::size_t m_legsTaken = 0;
     QTimer m_figures; ///< not after every leg anew
 
+    VerdictBanner* m_verdict = nullptr;
+    QSplitter* m_split = nullptr;
+    QWidget* m_chartCard = nullptr;
+    QWidget* m_findings = nullptr;
     QLabel* m_title = nullptr;
-    QComboBox* m_servos = nullptr;
-    Pill* m_verdict = nullptr;
-    QLabel* m_emptyLabel = nullptr; ///< over the chart, until there is something
+    QWidget* m_empty = nullptr; ///< in place of the chart, until there is something
+    QLabel* m_emptyLabel = nullptr;
+    QPushButton* m_emptyPreviousTests = nullptr;
     TrendChart* m_chart = nullptr;
     QTabWidget* m_tabs = nullptr;
     QTableView* m_verdictView = nullptr;
     QTableView* m_legsView = nullptr;
     QToolButton* m_all = nullptr;
     QLabel* m_legsNotice = nullptr;
-    QLabel* m_end = nullptr;
+    QWidget* m_reportCard = nullptr;
+    QWidget* m_report = nullptr; ///< in the card, or in a tab
     QLabel* m_histogramTitle = nullptr;
     ErrorHistogram* m_histogram = nullptr;
     QLabel* m_reportTitle = nullptr;

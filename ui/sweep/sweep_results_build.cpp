@@ -5,11 +5,10 @@
 #include "ui/sweep/sweep_results.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/flow_layout.h"
-#include "ui/widgets/pill.h"
 #include "ui/widgets/stretch_first_column.h"
 #include "ui/widgets/tone_delegate.h"
+#include "ui/widgets/verdict_banner.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -48,46 +47,54 @@ void SweepResults::build()
     setObjectName(QStringLiteral("sweepResults"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
-    auto* card = new QWidget(this);
-    auto* chartColumn = new QVBoxLayout(card);
-    chartColumn->setSpacing(6);
-    makeCard(card);
-    card->setMinimumHeight(minChartHeight);
-    auto* head = new QHBoxLayout;
-    m_title = new QLabel(this);
-    makeHeading(m_title);
-    m_servos = new QComboBox(this);
-    m_servos->setObjectName(QStringLiteral("sweepShownServo"));
-    m_servos->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_servos->hide();
-    m_verdict = new Pill(this);
+    column->setSpacing(cardMargin);
+    m_verdict = new VerdictBanner(this);
     m_verdict->setObjectName(QStringLiteral("sweepVerdict"));
-    head->addWidget(m_title);
-    head->addWidget(m_servos);
-    head->addStretch();
-    head->addWidget(m_verdict);
-    m_emptyLabel = new QLabel(this);
+    m_split = new QSplitter(Qt::Vertical, this);
+    m_split->setChildrenCollapsible(false);
+    m_split->setHandleWidth(cardMargin);
+    m_split->addWidget(buildChart());
+    m_findings = buildFindings();
+    m_split->addWidget(m_findings);
+    m_split->setStretchFactor(0, chartStretch);
+    m_split->setStretchFactor(1, findingsStretch);
+    column->addWidget(m_verdict);
+    column->addWidget(m_split, 1);
+}
+
+QWidget* SweepResults::buildChart()
+{
+    m_chartCard = new QWidget(this);
+    auto* column = new QVBoxLayout(m_chartCard);
+    column->setSpacing(6);
+    makeCard(m_chartCard);
+    m_chartCard->setMinimumHeight(minChartHeight);
+    m_title = new QLabel(m_chartCard);
+    makeHeading(m_title);
+    m_empty = new QWidget(m_chartCard);
+    m_emptyLabel = new QLabel(m_empty);
     m_emptyLabel->setObjectName(QStringLiteral("sweepNothing"));
     makeEmptyState(m_emptyLabel);
-    m_chart = new TrendChart(this);
+    m_emptyPreviousTests = new QPushButton(m_empty);
+    m_emptyPreviousTests->setObjectName(QStringLiteral("sweepEmptyEarlier"));
+    auto* sentence = new QVBoxLayout(m_empty);
+    sentence->setSpacing(12);
+    sentence->addStretch();
+    sentence->addWidget(m_emptyLabel);
+    sentence->addWidget(m_emptyPreviousTests, 0, Qt::AlignCenter);
+    sentence->addStretch();
+    m_chart = new TrendChart(m_chartCard);
     m_chart->setObjectName(QStringLiteral("sweepChart"));
-    auto* split = new QSplitter(Qt::Vertical, this);
-    split->setChildrenCollapsible(false);
-    split->setHandleWidth(cardMargin);
-    chartColumn->addLayout(head);
-    chartColumn->addWidget(m_emptyLabel, 1);
-    chartColumn->addWidget(m_chart, 1);
-    split->addWidget(card);
-    split->addWidget(buildFindings());
-    split->setStretchFactor(0, chartStretch);
-    split->setStretchFactor(1, findingsStretch);
-    split->setSizes({400, 400}); // the same height for both, whatever is shown first
-    column->addWidget(split);
+    column->addWidget(m_title);
+    column->addWidget(m_empty, 1);
+    column->addWidget(m_chart, 1);
+    return m_chartCard;
 }
 
 QWidget* SweepResults::buildFindings()
 {
     auto* split = new QSplitter(Qt::Horizontal, this);
+    split->setObjectName(QStringLiteral("sweepFindings"));
     split->setChildrenCollapsible(false);
     split->setHandleWidth(cardMargin);
     auto* card = new QWidget(split);
@@ -116,7 +123,12 @@ QWidget* SweepResults::buildFindings()
     m_tabs->addTab(m_verdictView, QString());
     m_tabs->addTab(legs, QString());
     split->addWidget(card);
-    split->addWidget(buildReport());
+    m_report = buildReport();
+    m_reportCard = new QWidget(split);
+    m_reportCard->setMinimumWidth(minReportWidth);
+    (new QVBoxLayout(m_reportCard))->addWidget(m_report);
+    makeCard(m_reportCard);
+    split->addWidget(m_reportCard);
     split->setStretchFactor(0, tableStretch);
     split->setStretchFactor(1, reportStretch);
     return split;
@@ -124,13 +136,12 @@ QWidget* SweepResults::buildFindings()
 
 QWidget* SweepResults::buildReport()
 {
-    auto* card = new QWidget(this);
-    card->setMinimumWidth(minReportWidth);
-    auto* outer = new QVBoxLayout(card);
+    auto* report = new QWidget(this);
+    auto* outer = new QVBoxLayout(report);
+    outer->setContentsMargins({});
     outer->setSpacing(4);
-    makeCard(card);
     auto* area =
-        new QScrollArea(card); // what comes and goes in it must not move the table beside it
+        new QScrollArea(report); // what comes and goes in it must not move the table beside it
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* side = new QWidget(area);
@@ -147,7 +158,6 @@ QWidget* SweepResults::buildReport()
     m_histogram = new ErrorHistogram(side);
     m_histogram->setObjectName(QStringLiteral("sweepHistogram"));
     makeHeading(m_histogramTitle);
-    m_end = text("sweepEnd");
     m_comparison = text("sweepComparison");
     m_comparison->hide();
     m_reportTitle = text("sweepReportTitle");
@@ -181,12 +191,11 @@ QWidget* SweepResults::buildReport()
     outer->addWidget(buttons);
     outer->addWidget(area, 1);
     column->addWidget(m_saved);
-    column->addWidget(m_end);
     column->addWidget(m_comparison);
     column->addWidget(m_histogramTitle);
     column->addWidget(m_histogram, 1);
     area->setWidget(side);
     makeTransparent(area);
-    return card;
+    return report;
 }
 } // namespace ui

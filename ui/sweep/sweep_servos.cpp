@@ -26,14 +26,6 @@ QString limitsKey(const QString& model)
     return QStringLiteral("sweep/limits/") + model;
 }
 
-/// Short enough for a narrow column.
-QString shortGrade(results::Grade grade)
-{
-    return grade == results::Grade::Warn
-               ? report::gradeSign(grade) + QLatin1Char(' ') + SweepServos::tr("Warning")
-               : gradeText(grade);
-}
-
 bool isTestable(const session::ServoEntry* entry)
 {
     return entry != nullptr && entry->servo.profile && entry->servo.profile->writable;
@@ -172,7 +164,7 @@ void SweepServos::showVerdicts()
         if (item == nullptr)
             continue;
         const bool known = found != m_verdicts.end();
-        item->setText(known ? shortGrade(found->second.grade) : QString());
+        item->setText(known ? gradeText(found->second.grade) : QString());
         item->setToolTip(known ? found->second.text : QString());
         item->setData(toneRole, known ? QVariant(int(gradeTone(found->second.grade))) : QVariant());
     }

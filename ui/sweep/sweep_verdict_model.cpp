@@ -17,6 +17,14 @@ bool isNumber(VerdictColumn column)
     return column == VerdictColumn::Value || column == VerdictColumn::Warn ||
            column == VerdictColumn::Fail;
 }
+
+/// The reasons of the verdict stand above what is in order.
+int place(const std::optional<VerdictLine>& line)
+{
+    if (line && line->grade == results::Grade::Fail)
+        return 0;
+    return line && line->grade == results::Grade::Warn ? 1 : 2;
+}
 } // namespace
 
 bool SweepVerdictModel::Row::sameLine(const Row& other) const
@@ -25,8 +33,8 @@ bool SweepVerdictModel::Row::sameLine(const Row& other) const
            (!line || line->limit.atLeast == other.line->limit.atLeast);
 }
 
-/// In the order of the figures. A line whose figure is not there comes at the end: nothing that was
-/// judged is left out.
+/// What failed, what warns, then the rest, each in the order of the figures. A line whose figure is
+/// not there comes at the end: nothing that was judged is left out.
 std::vector<SweepVerdictModel::Row> SweepVerdictModel::rowsOf() const
 {
     std::vector<Row> rows;
@@ -46,6 +54,8 @@ std::vector<SweepVerdictModel::Row> SweepVerdictModel::rowsOf() const
         if (!known)
             rows.push_back({{line.limit.metric, line.limit.unit}, line});
     }
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Row& a, const Row& b) { return place(a.line) < place(b.line); });
     return rows;
 }
 

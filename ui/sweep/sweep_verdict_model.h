@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of one servo in a sweep test and how they are graded: a row a limit, and if wished a
-// row for each figure without a limit. A figure that was not measured keeps its row and says so.
-// Updated while the test runs; equal rows change nothing. Owned by the page; main thread.
+// The figures of one servo in a sweep test and how they are graded: a row a limit, what failed on
+// top, and if wished a row for each figure without a limit. A figure that was not measured keeps
+// its row and says so. Updated while the test runs; equal rows change nothing. Owned by the page;
+// main thread.
 #pragma once
 
 #include "results/sweep_run.h"
@@ -9,7 +10,7 @@
 #include <QAbstractTableModel>
 
 namespace ui {
-enum class VerdictColumn : std::uint8_t { Metric, Value, Warn, Fail, Grade, Count };
+enum class VerdictColumn : std::uint8_t { Metric, Grade, Value, Warn, Fail, Count };
 
 class SweepVerdictModel final : public QAbstractTableModel {
     Q_OBJECT

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace ui {
-class FlowLayout final : public QLayout {
+class FlowLayout : public QLayout {
 public:
     explicit FlowLayout(QWidget* parent = nullptr, int spacing = 8);
     ~FlowLayout() override;

@@ -6,6 +6,11 @@
 #include <QButtonGroup>
 #include <QPainter>
 #include <QPainterPath>
+#include <QStyle>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace ui {
 namespace {
@@ -60,26 +65,95 @@ protected:
     }
 
 private:
-    /// Round at the ends of a row, straight where the next segment begins.
+    /// Round at the corners of the whole control, straight where the next segment begins.
     QPainterPath outline(const QRectF& box) const
     {
-        bool left = true;
-        bool right = true;
+        bool atLeft = false;
+        bool atRight = false;
+        bool higher = false;
+        bool lower = false;
         for (const QObject* child : parent()->children()) {
             const auto* other = qobject_cast<const QAbstractButton*>(child);
-            if (other == nullptr || other == this || other->isHidden() || other->y() != y())
+            if (other == nullptr || other == this || other->isHidden())
                 continue;
-            (other->x() < x() ? left : right) = false;
+            if (other->y() == y())
+                (other->x() < x() ? atLeft : atRight) = true;
+            else
+                (other->y() < y() ? higher : lower) = true;
         }
         // What lies outside the widget is not seen: the next segment draws the line between them.
         QPainterPath path;
-        path.addRoundedRect(box.adjusted(left ? 0 : -corner, 0, right ? 0 : corner + 1, 0), corner,
-                            corner);
-        if (!left) {
+        path.addRoundedRect(box.adjusted(atLeft ? -corner : 0, higher ? -corner : 0,
+                                         atRight ? corner + 1 : 0, lower ? corner + 1 : 0),
+                            corner, corner);
+        if (atLeft) {
             path.moveTo(box.topLeft());
-            path.lineTo(box.bottomLeft());
+            path.lineTo(box.bottomLeft() + QPointF(0, lower ? 1 : 0));
+        }
+        if (higher) {
+            path.moveTo(box.topLeft());
+            path.lineTo(box.topRight() + QPointF(atRight ? 1 : 0, 0));
         }
         return path;
+    }
+};
+
+/// One row of natural widths; where that has no room, as few rows as fit, as a grid that fills the
+/// width.
+class SegmentLayout final : public FlowLayout {
+public:
+    explicit SegmentLayout(QWidget* parent)
+        : FlowLayout(parent, 0)
+    {}
+
+    int heightForWidth(int width) const override { return rowsFor(width) * sizeHint().height(); }
+
+    void setGeometry(const QRect& rect) override
+    {
+        const int rows = rowsFor(rect.width());
+        if (rows <= 1) {
+            FlowLayout::setGeometry(rect);
+            return;
+        }
+        QLayout::setGeometry(rect);
+        const std::vector<int> edges = columnEdges(rows, rect.width());
+        const int columns = static_cast<int>(edges.size()) - 1;
+        const int height = sizeHint().height();
+        for (int i = 0; i < count(); ++i) {
+            const auto column = static_cast<std::size_t>(i % columns);
+            const int left = edges[column];
+            const int right = i == count() - 1 ? edges.back() : edges[column + 1];
+            const QRect cell(rect.x() + left, rect.y() + i / columns * height, right - left,
+                             height);
+            itemAt(i)->setGeometry(
+                QStyle::visualRect(parentWidget()->layoutDirection(), rect, cell));
+        }
+    }
+
+private:
+    /// The x of each column's left side and of the right side of the last; room left over is
+    /// shared.
+    std::vector<int> columnEdges(int rows, int width) const
+    {
+        const int columns = (count() + rows - 1) / rows;
+        std::vector<int> edges(static_cast<std::size_t>(columns) + 1, 0);
+        for (int i = 0; i < count(); ++i) {
+            int& widest = edges[static_cast<std::size_t>(i % columns) + 1];
+            widest = std::max(widest, itemAt(i)->sizeHint().width());
+        }
+        std::partial_sum(edges.begin(), edges.end(), edges.begin());
+        const int spare = std::max(0, width - edges.back());
+        for (int column = 1; column <= columns; ++column)
+            edges[static_cast<std::size_t>(column)] += spare * column / columns;
+        return edges;
+    }
+
+    int rowsFor(int width) const
+    {
+        int rows = 1;
+        while (rows < count() && columnEdges(rows, 0).back() > width)
+            ++rows;
+        return rows;
     }
 };
 } // namespace
@@ -91,7 +165,7 @@ SegmentedControl::SegmentedControl(QWidget* parent)
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
-    new FlowLayout(this, 0);
+    new SegmentLayout(this);
     connect(m_group, &QButtonGroup::idClicked, this, &SegmentedControl::chosen);
 }
 

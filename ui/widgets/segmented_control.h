@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two to six choices side by side of which one is selected, in one frame; in a second row only if
-// there is no room. Owned by its parent; main thread.
+// Two to six choices side by side of which one is selected, in one frame; in more than one row
+// only if there is no room. Owned by its parent; main thread.
 #pragma once
 
 #include <QAbstractButton>

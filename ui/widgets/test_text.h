@@ -15,7 +15,7 @@ QString sweepNumber(const std::optional<double>& value); ///< "3047.75"; "–" f
 QString sweepValue(const std::optional<double>& value, const QString& unit); ///< "9.75 step"
 QString metricName(const QString& key);
 QString unitName(const QString& unit);
-QString gradeText(results::Grade grade);     ///< of a servo or a run: "✔ Passed"
+QString gradeText(results::Grade grade);     ///< of a servo or a run: "✔ Pass"
 QString lineGradeText(results::Grade grade); ///< of one figure: "✔ OK"
 Tone gradeTone(results::Grade grade);
 /// "> 8": above this it warns or fails; "–" for no limit.

@@ -64,7 +64,9 @@ QString verdictText(const results::SweepRun& run, const results::SweepServo& ser
     // The end of the run is printed once for all servos.
     const results::NoVerdictReason reason = results::sweepVerdict(run, servo).reason;
     if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended)
-        text += text::localized(report::noVerdictReasonText(reason)) + QLatin1Char('\n');
+        text += text::localized(report::gradeLabel(results::Grade::NotMeasured)) +
+                QStringLiteral(": ") + text::localized(report::noVerdictReasonText(reason)) +
+                QLatin1Char('\n');
     return text;
 }
 

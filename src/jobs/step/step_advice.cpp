@@ -230,16 +230,38 @@ std::vector<results::StepAdvice> adviseStep(const results::StepRun& run,
     return StepAdvisor(run, profile).advices();
 }
 
-std::vector<results::StepAdvice> adviseStoredStep(const results::StepRun& run,
-                                                  const catalog::Catalog& catalog)
+std::vector<results::StepAdvice> withoutTried(std::vector<results::StepAdvice> advice,
+                                              const std::vector<results::StepRun>& runs)
+{
+    if (runs.empty())
+        return advice;
+    const auto wasMeasured = [&runs](const results::StepAdvice& one) {
+        std::vector<results::StepGain> gains = runs.back().gains;
+        for (results::StepGain& gain : gains)
+            gain.raw = gain.key == one.key ? one.proposed : gain.raw;
+        return std::any_of(runs.begin(), runs.end(),
+                           [&gains](const results::StepRun& run) { return run.gains == gains; });
+    };
+    std::erase_if(advice, [&](const results::StepAdvice& one) {
+        return !one.key.isEmpty() && wasMeasured(one);
+    });
+    return advice;
+}
+
+catalog::ProfilePtr profileOf(const results::StepRun& run, const catalog::Catalog& catalog)
 {
     const snapshot::SnapshotServo& servo = run.parameters.servo;
     const catalog::ModelEntry* model = catalog.model(servo.model);
-    if (model == nullptr)
-        return {};
     const QStringList version = servo.firmware.split(QLatin1Char('.'));
-    const auto profile =
-        catalog.profileFor(*model, version.value(0).toInt(), version.value(1).toInt());
+    return model == nullptr
+               ? nullptr
+               : catalog.profileFor(*model, version.value(0).toInt(), version.value(1).toInt());
+}
+
+std::vector<results::StepAdvice> adviseStoredStep(const results::StepRun& run,
+                                                  const catalog::Catalog& catalog)
+{
+    const catalog::ProfilePtr profile = profileOf(run, catalog);
     return profile ? adviseStep(run, *profile) : std::vector<results::StepAdvice>();
 }
 } // namespace jobs

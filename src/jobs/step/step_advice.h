@@ -25,8 +25,15 @@ namespace jobs {
 std::vector<results::StepAdvice> adviseStep(const results::StepRun& run,
                                             const catalog::Profile& profile);
 
-/// For a run from a file or from the history, by the model and firmware that it names. None for a
-/// model that the catalog does not know.
+/// Without what one of these runs has measured already: a value that was raised is not to be
+/// lowered again to where it came from.
+std::vector<results::StepAdvice> withoutTried(std::vector<results::StepAdvice> advice,
+                                              const std::vector<results::StepRun>& runs);
+
+/// By the model and firmware that the run names. Null for a model that the catalog does not know.
+catalog::ProfilePtr profileOf(const results::StepRun& run, const catalog::Catalog& catalog);
+
+/// For a run from a file or from the history. None for a model that the catalog does not know.
 std::vector<results::StepAdvice> adviseStoredStep(const results::StepRun& run,
                                                   const catalog::Catalog& catalog);
 } // namespace jobs

@@ -175,7 +175,7 @@ void StepTest::finish(Live& live, const TaskCompletion& end)
         return;
     }
     m_runs.push_back(std::move(*live.run));
-    m_advice = std::move(live.advice);
+    m_advice = jobs::withoutTried(std::move(live.advice), m_runs);
     // The first one with the servo's own values stays: the others are compared with it.
     const auto first = m_runs.begin() + std::ptrdiff_t(m_openedNumbers.size());
     if (std::size_t(m_runs.end() - first) > maxRuns)

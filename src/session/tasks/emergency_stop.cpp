@@ -148,6 +148,17 @@ void EmergencyStop::reportUnconfirmed()
     m_bench.emitEvent({.kind = Event::Kind::StopUnconfirmed, .stop = result});
 }
 
+void EmergencyStop::allowMovement(ServoRef ref)
+{
+    Task task;
+    task.name = QStringLiteral("torque");
+    task.effect = Effect::EnablesTorque;
+    task.work = [](TaskContext& context) {
+        return device::setTorque(context.device, context.servo, device::Torque::On);
+    };
+    m_bench.tasks().perform(ref, std::move(task));
+}
+
 /// After a stop only torque may be switched on.
 std::optional<base::Error> EmergencyStop::refusal(const Work& work) const
 {

@@ -25,6 +25,9 @@ public:
     explicit EmergencyStop(Workbench& bench);
 
     void trigger();
+    /// Turns torque on for a servo that is held: it keeps its position, and may be moved again. Ask
+    /// before: motion follows from here on.
+    void allowMovement(ServoRef ref);
 
     /// For the services of the workbench.
     void portOpened();  ///< a stop that found no port is reported again

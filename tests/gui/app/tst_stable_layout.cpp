@@ -327,9 +327,13 @@ private Q_SLOTS:
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         const QStringList names{QStringLiteral("sweepReport_html"),
                                 QStringLiteral("sweepReport_pdf"), QStringLiteral("sweepEarlier")};
+        fixture.find<QWidget>("sweepFindings")->show(); // as after a test
+        if (size.width() < 1280)                        // the report is behind a tab
+            fixture.find<QTabWidget>("sweepTabs")->setCurrentIndex(2);
+        QCoreApplication::processEvents();
         LayoutObserver watch(fixture, names);
         QCOMPARE(watch.count(), std::size_t(3));
-        for (const char* label : {"sweepSaved", "sweepEnd", "sweepComparison"}) {
+        for (const char* label : {"sweepSaved", "sweepComparison"}) {
             auto* words = fixture.find<QLabel>(label);
             words->setText(QStringLiteral("one<br>two<br>three"));
             words->show();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step page on a simulated bus: opening it moves nothing, the first run asks, a trial is over
-// when its run is, both are laid over each other, advice goes into Try, Accept keeps and Back takes
-// back. Whatever is written is asked of the simulation's own table by reading.
+// when its run is, both are laid over each other, advice goes into Trial, Keep gains keeps and
+// Discard takes back. Whatever is written is asked of the simulation's own table by reading.
 #include "gui/main_window_fixture.h"
 #include "results/step_json.h"
 #include "session/motion/motion_controller.h"
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(!figures->isColumnHidden(1));
         const auto& channels = fixture.own<ui::TrendChart>("stepChart")->channels();
         QCOMPARE(channels.size(), std::size_t(3)); // both runs and the target
-        QVERIFY(channels[2].name.contains(QLatin1String("position_p 10")));
+        QVERIFY(channels[2].name.contains(QLatin1String("Position loop P 10")));
         // The weak one rests beside its target, and the sheet knows what to do.
         auto* take = fixture.own<QPushButton>("stepTake_position_i");
         QVERIFY(take != nullptr);
@@ -216,7 +216,23 @@ private Q_SLOTS:
             QVERIFY2(message.contains(QLatin1String(part)), qPrintable(message));
         auto* figures = fixture.own<QTableWidget>("stepFigures");
         QVERIFY(figures->horizontalHeaderItem(2)->text().contains(QLatin1String("interrupted")));
-        QVERIFY(figures->isColumnHidden(4)); // nothing is better or worse
+        QVERIFY(figures->isColumnHidden(3)); // nothing is better or worse
+    }
+
+    void anEmergencyStopIsLiftedBesideMeasure()
+    {
+        StepPageFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        auto* allow = fixture.own<QPushButton>("stepAllow");
+        QVERIFY(!allow->isVisible());
+        fixture.workbench().emergencyStop().trigger();
+        QTRY_VERIFY(allow->isVisible());
+        QVERIFY(!fixture.own<QPushButton>("stepRun")->isEnabled());
+        QTest::mouseClick(allow, Qt::LeftButton);
+        QTRY_VERIFY(fixture.own<QPushButton>("stepRun")->isEnabled());
+        QVERIFY(!allow->isVisible());
+        QCOMPARE(fixture.now("torque_switch"), 1);
+        QVERIFY(!fixture.test().isRunning());
     }
 
     void anotherModeIsOffered()

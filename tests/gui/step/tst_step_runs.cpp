@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(!open->isEnabled());
         table->selectRow(0); // the newest
         auto* hint = dialog->findChild<QLabel*>(text("runsHint"));
-        QTRY_VERIFY2(hint->text().contains(text("1800 → 2100 · position_p 40")),
+        QTRY_VERIFY2(hint->text().contains(text("1800 → 2100 · Position loop P 40")),
                      qPrintable(hint->text()));
         table->selectAll();
         QVERIFY(!open->isEnabled()); // two at most
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(!fixture.find<QTableWidget>("stepFigures")->isColumnHidden(1));
         QCOMPARE(fixture.cell(0, 1), text("80"));
         QCOMPARE(fixture.cell(0, 2), text("60"));
-        QCOMPARE(fixture.cell(0, 4), text("better"));
+        QCOMPARE(fixture.cell(0, 3), text("−20 better"));
         // Steps of another size are shown, but not compared; what was open before is gone.
         fixture.open({1, 2});
         QVERIFY(fixture.find<QTableWidget>("stepFigures")->isColumnHidden(1));

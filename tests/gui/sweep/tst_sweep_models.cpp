@@ -136,7 +136,7 @@ void TestSweepModels::everyMetricHasItsGradeAndReason()
     QCOMPARE(cell(model, error, VerdictColumn::Value), q("3 step"));
     QCOMPARE(cell(model, error, VerdictColumn::Warn), q("> 2"));
     QCOMPARE(cell(model, error, VerdictColumn::Fail), q("> 8"));
-    QCOMPARE(cell(model, error, VerdictColumn::Grade), q("⚠ Warning"));
+    QCOMPARE(cell(model, error, VerdictColumn::Grade), q("⚠ Warn"));
     const QModelIndex grade = model.index(error, int(VerdictColumn::Grade));
     QCOMPARE(grade.data(ui::toneRole).toInt(), int(Tone::Warn));
     QCOMPARE(grade.data(SweepVerdictModel::ReasonRole).toString(), q("above 2 step"));
@@ -147,7 +147,7 @@ void TestSweepModels::everyMetricHasItsGradeAndReason()
 
     const int voltage = rowOf(model, q("voltage_min"));
     QCOMPARE(cell(model, voltage, VerdictColumn::Warn), q("< 7"));
-    QCOMPARE(cell(model, voltage, VerdictColumn::Grade), q("⚠ Warning"));
+    QCOMPARE(cell(model, voltage, VerdictColumn::Grade), q("⚠ Warn"));
     QCOMPARE(model.index(voltage, 0).data(SweepVerdictModel::ReasonRole).toString(),
              q("below 7 V"));
 
@@ -163,7 +163,8 @@ void TestSweepModels::unmeasuredMetricsKeepTheirRow()
     const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
     const int current = rowOf(model, q("current_peak"));
-    QVERIFY(current > rowOf(model, q("steady_error")) && current < rowOf(model, q("voltage_min")));
+    QVERIFY(current > rowOf(model, q("steady_error"))); // which warns
+    QVERIFY(current > rowOf(model, q("voltage_min")));
     QCOMPARE(cell(model, current, VerdictColumn::Value), q("–"));
     QCOMPARE(cell(model, current, VerdictColumn::Warn), q("–"));
     QCOMPARE(cell(model, current, VerdictColumn::Fail), q("> 1500"));
@@ -216,14 +217,22 @@ void TestSweepModels::onlyChangesAreSignaled()
     model.show(first.metrics, first.lines);
     QCOMPARE(changed.size(), 0);
     auto more = legs(1, 4);
-    more.front().voltageMin = 6.2;
+    more.front().voltageMin = 6.6;
     const VerdictData second(more);
     model.show(second.metrics, second.lines);
     QCOMPARE(changed.size(), 1);
     const auto row = changed.front().front().toModelIndex().row();
     QCOMPARE(row, rowOf(model, q("voltage_min")));
-    QCOMPARE(cell(model, row, VerdictColumn::Grade), q("✘ Fail"));
+    QCOMPARE(cell(model, row, VerdictColumn::Value), q("6.6 V"));
     QCOMPARE(reset.size(), 0);
+    // What fails goes to the top, above what only warns.
+    more.front().voltageMin = 6.2;
+    const VerdictData third(more);
+    model.show(third.metrics, third.lines);
+    QCOMPARE(rowOf(model, q("voltage_min")), 0);
+    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Fail"));
+    QCOMPARE(rowOf(model, q("steady_error")), 1);
+    QCOMPARE(reset.size(), 1);
 }
 
 void TestSweepModels::metricsFollowTheLanguage()

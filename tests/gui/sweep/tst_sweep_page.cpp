@@ -15,8 +15,9 @@
 #include "ui/sweep/limits_dialog.h"
 #include "ui/sweep/sweep_results.h"
 #include "ui/sweep/sweep_servos.h"
+#include "ui/sweep/sweep_verdict_model.h"
 #include "ui/widgets/error_histogram.h"
-#include "ui/widgets/pill.h"
+#include "ui/widgets/verdict_banner.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -72,17 +73,6 @@ struct SweepPageFixture : gui::MainWindowFixture {
         find<QSpinBox>("sweepCycles")->setValue(cycles);
         find<QSpinBox>("sweepPause")->setValue(delay);
     }
-    void torqueOn()
-    {
-        session::Task task;
-        task.name = QStringLiteral("torque");
-        task.effect = session::Effect::EnablesTorque;
-        task.work = [](session::TaskContext& context) {
-            return device::setTorque(context.device, context.servo, device::Torque::On);
-        };
-        workbench().tasks().perform(selection().current(), std::move(task));
-        QVERIFY(QTest::qWaitFor([this] { return !entry().stopped; }));
-    }
     /// Presses Run, and agrees to the question of the first time.
     void run()
     {
@@ -128,7 +118,11 @@ private Q_SLOTS:
         QVERIFY(to - from > 3000);
         QTRY_VERIFY(fixture.text("sweepOutlook").contains(QLatin1String("long enough")));
         QCOMPARE(fixture.now("torque_switch"), 0);
+        // One sentence and what one can do, no empty tables.
         QVERIFY(fixture.find<QLabel>("sweepNothing")->isVisible());
+        QVERIFY(fixture.find<QPushButton>("sweepEmptyEarlier")->isVisible());
+        QVERIFY(!fixture.find<QWidget>("sweepVerdict")->isVisible());
+        QVERIFY(!fixture.find<QWidget>("sweepVerdictTable")->isVisible());
         QVERIFY(!fixture.find<QPushButton>("sweepStop")->isEnabled());
         QVERIFY(!fixture.find<QPushButton>("sweepReport_html")->isEnabled());
     }
@@ -208,8 +202,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.find<QTableView>("sweepLegsTable")->model()->rowCount(), 4);
         QVERIFY(fixture.find<ui::ErrorHistogram>("sweepHistogram")->count() >= 3);
         QVERIFY(fixture.find<QTableView>("sweepVerdictTable")->model()->rowCount() > 5);
-        QVERIFY(fixture.find<ui::Pill>("sweepVerdict")->text().contains(QLatin1String("ass")) ||
-                fixture.find<ui::Pill>("sweepVerdict")->text().contains(QLatin1String("arn")));
+        const QString verdict = fixture.find<ui::VerdictBanner>("sweepVerdict")->text();
+        QVERIFY2(verdict == QStringLiteral("✔ PASS") ||
+                     verdict.startsWith(QStringLiteral("⚠ WARN: ")),
+                 qPrintable(verdict));
         QCOMPARE(fixture.find<ui::TrendChart>("sweepChart")->channels().size(), std::size_t(2));
         QVERIFY(QFileInfo(fixture.test().readingsPath()).size() > 1000);
         QVERIFY(fixture.find<QLineEdit>("sweepStart")->isEnabled());
@@ -260,9 +256,9 @@ private Q_SLOTS:
         QVERIFY(fixture.over());
         QCOMPARE(fixture.test().run()->end, results::SweepEnd::Stopped);
         QVERIFY(!fixture.test().run()->servos[0].legs.empty());
-        QVERIFY(fixture.find<QLabel>("sweepEnd")->isVisible());
         QCOMPARE(fixture.test().run()->servos[0].verdict, results::Grade::NotMeasured);
-        QCOMPARE(fixture.find<ui::Pill>("sweepVerdict")->text(), QStringLiteral("– No verdict"));
+        QCOMPARE(fixture.find<ui::VerdictBanner>("sweepVerdict")->text(),
+                 QStringLiteral("– NO VERDICT: Stopped by the user."));
         QCOMPARE(int(fixture.now("torque_switch")), torque);
     }
 
@@ -291,8 +287,16 @@ private Q_SLOTS:
         QTRY_VERIFY(!fixture.test().isRunning());
         QVERIFY(fixture.find<QWidget>("sweepBanner")->isVisible());
         QCOMPARE(fixture.now("torque_switch"), 0);
-        fixture.torqueOn();
+        // One click beside Run allows it; the servo holds its place, and the next run asks again.
+        const qint64 place = fixture.now("present_position");
+        QVERIFY(fixture.find<QPushButton>("sweepAllow")->isVisible());
+        fixture.click("sweepAllow");
         QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
+        QVERIFY(!fixture.find<QPushButton>("sweepAllow")->isVisible());
+        QCOMPARE(fixture.now("torque_switch"), 1);
+        QVERIFY(std::abs(fixture.now("present_position") - place) < 20);
+        fixture.click("sweepRun");
+        QVERIFY(fixture.question() != nullptr);
     }
 
     /// What is looked at elsewhere is not what is tested.
@@ -358,8 +362,8 @@ private Q_SLOTS:
                 [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
         };
         lose(1);
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.find<ui::Pill>("sweepVerdict")->text(),
-                                  QStringLiteral("no reply"), 10000);
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.find<ui::VerdictBanner>("sweepVerdict")->text(),
+                                  QStringLiteral("RUNNING: no reply"), 10000);
         QVERIFY(fixture.test().isRunning());
         QVERIFY2(fixture.text("sweepProgressWords").startsWith(QLatin1String("No reply from ID 1")),
                  qPrintable(fixture.text("sweepProgressWords")));
@@ -631,15 +635,15 @@ private Q_SLOTS:
         QCOMPARE(run.servos[0].axis.from, 1800.0);
         QCOMPARE(run.servos[1].axis.from, 1000.0);
         QCOMPARE(run.servos[1].axis.to, 1300.0);
-        auto* shown = fixture.find<QComboBox>("sweepShownServo");
-        QVERIFY(shown->isVisible());
-        QCOMPARE(shown->count(), 2);
-        shown->setCurrentIndex(1);
-        Q_EMIT shown->activated(1);
+        auto* second = fixture.find<QAbstractButton>("verdictChip_1");
+        QVERIFY(second->isVisible());
+        QVERIFY(fixture.find<QAbstractButton>("verdictChip_2") == nullptr);
+        second->click();
+        QVERIFY(second->isChecked());
         QCOMPARE(int(fixture.find<ui::SweepResults>("sweepResults")->shownServo()), 1);
     }
 
-    /// Of two servos only the second one fails: the chip says so whichever is shown.
+    /// Of two servos only the second one fails: the banner says so whichever is shown.
     void theWorstServoCounts()
     {
         SweepPageFixture fixture;
@@ -672,22 +676,32 @@ private Q_SLOTS:
         QCOMPARE(int(run.servos.size()), 2);
         QVERIFY(run.servos[0].verdict != results::Grade::Fail);
         QCOMPARE(run.servos[1].verdict, results::Grade::Fail);
-        auto* verdict = fixture.find<ui::Pill>("sweepVerdict");
+        auto* verdict = fixture.find<ui::VerdictBanner>("sweepVerdict");
+        const QString failed = QStringLiteral("✘ FAIL: ID 2");
         QCOMPARE(int(results->shownServo()), 0);
-        QCOMPARE(verdict->text(), QStringLiteral("✘ Failed: ID 2"));
+        QVERIFY2(verdict->text().startsWith(failed), qPrintable(verdict->text()));
+        QVERIFY(verdict->text().contains(QStringLiteral("Overshoot")));
         QVERIFY(!table->isColumnHidden(3));
-        QVERIFY(!table->item(0, 3)->text().contains(QLatin1String("Failed")));
-        QCOMPARE(table->item(1, 3)->text(), QStringLiteral("✘ Failed"));
+        QVERIFY(!table->item(0, 3)->text().contains(QLatin1String("Fail")));
+        QCOMPARE(table->item(1, 3)->text(), QStringLiteral("✘ Fail"));
         const auto cell = [&](int row) { return table->visualItemRect(table->item(row, 3)); };
         for (const int row : {1, 0}) {
             QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, cell(row).center());
             QCOMPARE(int(results->shownServo()), row);
-            QCOMPARE(verdict->text(), QStringLiteral("✘ Failed: ID 2"));
+            QVERIFY(verdict->text().startsWith(failed));
         }
-        auto* shown = fixture.find<QComboBox>("sweepShownServo");
-        QVERIFY(shown->itemText(1).contains(QLatin1String("Failed")));
-        Q_EMIT shown->activated(1);
+        auto* second = fixture.find<QAbstractButton>("verdictChip_1");
+        QCOMPARE(second->text(), QStringLiteral("✘ ID 2"));
+        second->click();
         QCOMPARE(table->currentRow(), 1);
+        // What failed stands on top, and is in sight in the smallest window.
+        auto* metrics = fixture.find<QTableView>("sweepVerdictTable");
+        const int grade = static_cast<int>(ui::VerdictColumn::Grade);
+        QCOMPARE(metrics->model()->index(0, grade).data().toString(), QStringLiteral("✘ Fail"));
+        fixture.window->resize(1024, 700);
+        QTRY_VERIFY(!fixture.find<QPushButton>("sweepReport_html")->isVisible()); // behind a tab
+        QTRY_VERIFY(metrics->viewport()->rect().contains(
+            metrics->visualRect(metrics->model()->index(0, grade))));
     }
 
     void switchingFromWheelModeIsOffered()
@@ -743,7 +757,9 @@ private Q_SLOTS:
         QVERIFY(fixture.begun());
         QVERIFY(fixture.over());
         QCOMPARE(fixture.test().run()->servos[0].verdict, results::Grade::Fail);
-        QVERIFY(fixture.find<ui::Pill>("sweepVerdict")->text().contains(QLatin1String("ime")));
+        QVERIFY(fixture.find<ui::VerdictBanner>("sweepVerdict")
+                    ->text()
+                    .contains(QLatin1String("time"), Qt::CaseInsensitive));
     }
 
     void isTranslatedToChinese()

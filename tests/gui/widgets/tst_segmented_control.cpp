@@ -71,8 +71,15 @@ private Q_SLOTS:
         QCOMPARE(box(1).left(), box(0).right() + 1);
         QCOMPARE(box(2).left(), box(1).right() + 1);
         QCOMPARE(box(2).top(), box(0).top());
-        m_control->resize(box(1).right() + 1, 100); // the last one goes below
-        QTRY_VERIFY(box(2).top() >= box(0).bottom());
+        // The last one goes below; the rows have one frame, which fills the width.
+        const int width = box(1).right() + 21;
+        m_control->resize(width, 100);
+        QTRY_COMPARE(box(2).top(), box(0).bottom() + 1);
+        QCOMPARE(box(1).left(), box(0).right() + 1);
+        QCOMPARE(box(1).right() + 1, width);
+        QCOMPARE(box(2).left(), 0);
+        QCOMPARE(box(2).right() + 1, width);
+        QCOMPARE(m_control->heightForWidth(width), 2 * box(0).height());
     }
 
     void clearRemovesAll()

@@ -217,7 +217,7 @@ void TestCliCtrlC::sweepInATemporaryMode()
     QCOMPARE(fixture.at(1, lockAddress), 1);
     QTRY_COMPARE(fixture.at(1, movingFlag), 0);
     QVERIFY(fixture.hasNoOpenChanges());
-    QVERIFY2(!result.out.contains(QLatin1String("Passed")), qPrintable(result.out));
+    QVERIFY2(!result.out.contains(QLatin1String("Pass")), qPrintable(result.out));
 }
 
 void TestCliCtrlC::stepResponse_data()

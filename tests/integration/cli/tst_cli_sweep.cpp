@@ -120,7 +120,7 @@ void TestCliSweep::goodAndBadServos()
     const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000";
     const ProgramResult passed = cli.run(good);
     QVERIFY2(passed.exit == 0, qPrintable(passed.out + passed.err));
-    QVERIFY(passed.out.contains(text("Passed")));
+    QVERIFY(passed.out.contains(text("Verdict: Pass")));
     const ProgramResult failed =
         cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000");
     QCOMPARE(failed.exit, 1);

@@ -127,7 +127,7 @@ void TestCliSweepHistory::anUnusableHistoryBreaksNothingElse()
     QVERIFY(QDir().mkpath(cli.dataFolder() + text("/history.sqlite")));
     const ProgramResult result = cli.run(shortTest);
     QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
-    QVERIFY(result.out.contains(text("Passed")));
+    QVERIFY(result.out.contains(text("Pass")));
     QVERIFY2(result.err.contains(text("history")), qPrintable(result.err));
     const QStringList left = QDir(cli.dataFolder()).entryList({text("sweep-*.json")});
     QCOMPARE(left.size(), 1);

@@ -151,8 +151,8 @@ private Q_SLOTS:
             QVERIFY(has(written(*results::inMs(leg.timeToTarget))));
             QVERIFY(has(written(*results::inMs(leg.settling))));
         }
-        for (const char* fact : {"✘ Failed",
-                                 "⚠ Warning",
+        for (const char* fact : {"✘ Fail",
+                                 "⚠ Warn",
                                  "SIMULATED",
                                  "STS3215",
                                  "SCS15",
@@ -350,7 +350,7 @@ private Q_SLOTS:
         const PageFacts seen = read(report::sweepHtml(run, {}, false));
         QVERIFY(seen.text.contains(QStringLiteral("– No verdict")));
         QVERIFY(seen.text.contains(QStringLiteral("✔ OK")));
-        QVERIFY(!seen.text.contains(QStringLiteral("Passed")));
+        QVERIFY(!seen.text.contains(QStringLiteral("✔ Pass")));
     }
 
     void nearlyEmptyRuns()

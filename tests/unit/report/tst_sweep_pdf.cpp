@@ -69,7 +69,7 @@ private Q_SLOTS:
             for (const auto& value : {leg.reached, leg.overshoot, leg.steadyError, leg.meanSpeed})
                 QVERIFY2(text.contains(written(*value)), qPrintable(written(*value)));
         }
-        for (const char* fact : {"Failed", "SIMULATED", "STS3215", "2026-03-09 09:00:01 UTC",
+        for (const char* fact : {"Fail", "SIMULATED", "STS3215", "2026-03-09 09:00:01 UTC",
                                  "above 8 step", "not measured", "min_angle", "12345",
                                  "<script>alert('note')</script>", "O'Neill <b>&amp;</b>"})
             QVERIFY2(text.contains(QString::fromUtf8(fact)), fact);
