@@ -1214,10 +1214,6 @@
         <translation>最近写入</translation>
     </message>
     <message>
-        <source>read back: %1</source>
-        <translation>回读：%1</translation>
-    </message>
-    <message>
         <source>step response</source>
         <translation>阶跃响应</translation>
     </message>
@@ -1278,8 +1274,24 @@
         <translation>尚未解除</translation>
     </message>
     <message>
-        <source>derived from the limits, not reported by the servo</source>
-        <translation>由限值推算，并非舵机上报</translation>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>回读</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Derived from the limits, not reported by the servo.</source>
+        <translation>由限值推断，并非舵机上报。</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
     </message>
 </context>
 <context>
@@ -9728,6 +9740,13 @@ Retries: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::HistoryDetails</name>
+    <message>
+        <source>Select an entry to see its details.</source>
+        <translation>选择一个条目以查看详情。</translation>
+    </message>
+</context>
+<context>
     <name>ui::HistoryFilterBar</name>
     <message>
         <source>All registers</source>
@@ -9947,10 +9966,6 @@ Retries: %9</source>
         </translation>
     </message>
     <message>
-        <source>Newest first; the tooltip of each row shows all details</source>
-        <translation>最新的在最前；每行的提示有全部内容</translation>
-    </message>
-    <message>
         <source>Saves the filtered list as CSV or JSON</source>
         <translation>把筛选后的列表保存为 CSV 或 JSON</translation>
     </message>
@@ -9981,6 +9996,58 @@ Retries: %9</source>
     <message>
         <source>No entries. Writes, snapshots, tests and alarms are listed here, unless a filter above hides them.</source>
         <translation>没有记录。写入、快照、测试和报警都列在这里，除非被上方的筛选隐藏。</translation>
+    </message>
+    <message>
+        <source>Select a write.</source>
+        <translation>请选择一次写入。</translation>
+    </message>
+    <message>
+        <source>This servo is not connected.</source>
+        <translation>此舵机未连接。</translation>
+    </message>
+    <message>
+        <source>Use Servo → Set ID or Set baud rate to change it back.</source>
+        <translation>请用“舵机 → 设置 ID”或“设置波特率”改回。</translation>
+    </message>
+    <message>
+        <source>This entry is an action, not a value that can be written back.</source>
+        <translation>此条目是操作，不是可以写回的值。</translation>
+    </message>
+    <message>
+        <source>The register holds the old value.</source>
+        <translation>寄存器中已是旧值。</translation>
+    </message>
+    <message>
+        <source>Undo this write?</source>
+        <translation>撤销此写入？</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2: %3 is set from %4 to %5.</source>
+        <translation>ID %1 · %2：%3 从 %4 改为 %5。</translation>
+    </message>
+    <message>
+        <source>It was changed again after this write.</source>
+        <translation>此写入之后该值又被更改过。</translation>
+    </message>
+    <message>
+        <source>Undo this write</source>
+        <translation>撤销此写入</translation>
+    </message>
+    <message>
+        <source>Writes the old value to the servo again, after asking</source>
+        <translation>询问后将旧值重新写入舵机</translation>
+    </message>
+    <message>
+        <source>Newest first</source>
+        <translation>最新的在前</translation>
+    </message>
+    <message>
+        <source>All entries of this servo</source>
+        <translation>此舵机的全部条目</translation>
+    </message>
+    <message>
+        <source>Lists only entries of the servo of this row</source>
+        <translation>仅列出该行舵机的条目</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/undo_redo.h"
 
-#include "ui/memory/write_question.h"
+#include "ui/editors/write_question.h"
 
 namespace ui {
 namespace {

@@ -227,6 +227,17 @@ void HistoryFilterBar::showServos(const std::vector<history::HistoryServo>& serv
     setItems(m_servo, items);
 }
 
+void HistoryFilterBar::selectServo(std::int64_t number)
+{
+    for (int i = 0; i < m_servo->count(); ++i) {
+        if (m_servo->itemData(i).isValid() &&
+            m_servo->itemData(i).toList().value(0).toLongLong() == number) {
+            m_servo->setCurrentIndex(i);
+            Q_EMIT filterChanged();
+        }
+    }
+}
+
 void HistoryFilterBar::retranslate()
 {
     setAccessText(m_source, tr("Source"),

@@ -34,6 +34,8 @@ public:
     /// Asks `service` for the servos and registers to choose from, and a server for its benches.
     /// What was chosen stays chosen while it is still there.
     void loadChoices(session::HistoryService& service, bool isServer);
+    /// Shows only entries of this servo, if it is among the choices.
+    void selectServo(std::int64_t number);
     /// The benches of the server; empty: not known.
     void setBenches(std::vector<history::HistoryBench> benches);
 

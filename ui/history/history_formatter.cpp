@@ -43,22 +43,52 @@ QString snapshotText(history::SnapshotReason reason)
     return {};
 }
 
-/// Header and cell, line by line.
-QString toolTipOf(HistoryKind kind, const QStringList& cells, const QStringList& more)
+using Details = std::vector<std::pair<QString, QString>>;
+
+/// Header and cell, then the rest; without what is empty.
+Details detailsOf(HistoryKind kind, const QStringList& cells, const Details& more)
 {
     const QStringList headers = HistoryFormatter::headers(kind);
-    QStringList lines;
-    for (int i = 0; i < int(cells.size()); ++i) {
-        if (!cells[i].isEmpty())
-            lines << QStringLiteral("%1: %2").arg(headers.value(i), cells[i]);
-    }
-    for (const QString& one : more) {
-        if (!one.isEmpty())
-            lines << one;
-    }
-    return lines.join(QLatin1Char('\n'));
+    Details details;
+    for (int i = 0; i < int(cells.size()); ++i)
+        details.emplace_back(headers.value(i), cells[i]);
+    details.insert(details.end(), more.begin(), more.end());
+    std::erase_if(details, [](const auto& one) { return one.second.isEmpty(); });
+    return details;
 }
 } // namespace
+
+QString HistoryLine::tip() const
+{
+    QStringList lines;
+    for (const auto& [name, value] : details)
+        lines << (name.isEmpty() ? value : QStringLiteral("%1: %2").arg(name, value));
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString HistoryLine::title() const
+{
+    return write ? cells.value(2) : cells.value(0);
+}
+
+void HistoryFormatter::addServos(const std::vector<history::HistoryServo>& servos)
+{
+    m_profiles.add(servos);
+    for (const history::HistoryServo& one : servos)
+        m_servos[one.number] = one;
+}
+
+const history::HistoryServo* HistoryFormatter::servo(std::int64_t number) const
+{
+    const auto found = m_servos.find(number);
+    return found != m_servos.end() ? &found->second : nullptr;
+}
+
+int HistoryFormatter::listColumns(HistoryKind kind)
+{
+    // Outcomes are judged at a glance; how and where a write was made is asked for less often.
+    return kind == HistoryKind::Writes ? 6 : int(headers(kind).size());
+}
 
 QString HistoryFormatter::kindName(HistoryKind kind)
 {
@@ -153,12 +183,14 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryWrite& row) const
                   text::intentLabel(row.kind, row.temporary, row.ownDefaults),
                   row.port};
     line.tone = isGood ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
-    line.tip = toolTipOf(
+    line.details = detailsOf(
         HistoryKind::Writes, line.cells,
-        {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
-         row.readBack ? translate("History", "read back: %1").arg(value(*row.readBack)) : QString(),
-         row.detail, row.program});
+        {{translate("History", "Address"), QStringLiteral("%1 (%2)").arg(row.address).arg(row.key)},
+         {translate("History", "Read back"), row.readBack ? value(*row.readBack) : QString()},
+         {{}, row.detail},
+         {translate("History", "Program"), row.program}});
     line.label = row.label;
+    line.write = row;
     return line;
 }
 
@@ -172,7 +204,9 @@ HistoryLine HistoryFormatter::formatLine(const history::HistorySnapshot& row) co
                   row.note,
                   QString::number(row.registers),
                   QDir::toNativeSeparators(row.file)};
-    line.tip = toolTipOf(HistoryKind::Snapshots, line.cells, {row.port, row.program});
+    line.details = detailsOf(
+        HistoryKind::Snapshots, line.cells,
+        {{translate("History", "Port"), row.port}, {translate("History", "Program"), row.program}});
     line.label = row.label;
     line.note = row.note;
     return line;
@@ -188,11 +222,12 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryAlarm& row) const
                   servoName(row.model, row.servoId, row.label), text::alarmLabel(row.key),
                   row.port};
     line.tone = isCleared ? Tone::Good : Tone::Warn;
-    line.tip =
-        toolTipOf(HistoryKind::Alarms, line.cells,
-                  {row.derived ? translate("History", "derived from the limits, not reported by "
-                                                      "the servo")
-                               : QString()});
+    line.details =
+        detailsOf(HistoryKind::Alarms, line.cells,
+                  {{{},
+                    row.derived ? translate("History", "Derived from the limits, not reported by "
+                                                       "the servo.")
+                                : QString()}});
     line.label = row.label;
     return line;
 }
@@ -207,7 +242,8 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryRecording& row) c
     line.cells = {timeText(row.at), servos.join(QStringLiteral(", ")),
                   QStringLiteral("%1 s").arg(seconds, 0, 'f', 1), QString::number(row.rows),
                   QDir::toNativeSeparators(row.file)};
-    line.tip = toolTipOf(HistoryKind::Recordings, line.cells, {row.port});
+    line.details =
+        detailsOf(HistoryKind::Recordings, line.cells, {{translate("History", "Port"), row.port}});
     return line;
 }
 
@@ -218,7 +254,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryServo& row) const
         servoName(row.identity.model, row.identity.id, {}),
         QStringLiteral("%1.%2").arg(row.identity.firmwareMajor).arg(row.identity.firmwareMinor),
         row.label, timeText(row.lastWrite), row.identity.port};
-    line.tip = toolTipOf(HistoryKind::Servos, line.cells, {});
+    line.details = detailsOf(HistoryKind::Servos, line.cells, {});
     line.label = row.label;
     return line;
 }
@@ -238,7 +274,8 @@ HistoryLine HistoryFormatter::formatLine(const history::TestRun& row) const
                   row.operatorName,
                   row.note};
     line.tone = gradeTone(row.verdict);
-    line.tip = toolTipOf(HistoryKind::Runs, line.cells, row.files);
+    line.details = detailsOf(HistoryKind::Runs, line.cells,
+                             {{translate("History", "Files"), row.files.join(QLatin1Char('\n'))}});
     line.note = row.note;
     return line;
 }

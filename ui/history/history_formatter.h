@@ -8,6 +8,8 @@
 #include "history/history_profiles.h"
 #include "ui/common/theme.h"
 
+#include <map>
+
 namespace ui {
 struct HistoryLine {
     std::int64_t number = 0; ///< of the row in its list
@@ -15,10 +17,15 @@ struct HistoryLine {
     QDateTime at{};          ///< UTC
     QStringList cells{};
     Tone tone = Tone::Quiet; ///< of the outcome
-    QString tip{};           ///< all details
-    QString label{};         ///< the user's, where there is one
+    /// Name and value of everything known, in the order of the columns; no name: a sentence.
+    std::vector<std::pair<QString, QString>> details{};
+    QString label{}; ///< the user's, where there is one
     QString note{};
-    bool isStepResponse = false; ///< a test run that the step page can show
+    bool isStepResponse = false;                  ///< a test run that the step page can show
+    std::optional<history::HistoryWrite> write{}; ///< of the list of writes
+
+    QString tip() const;   ///< all details
+    QString title() const; ///< "Position loop P", "manual": what the row is about
 };
 
 class HistoryFormatter {
@@ -27,8 +34,12 @@ public:
         : m_profiles(catalog)
     {}
 
-    void addServos(const std::vector<history::HistoryServo>& servos) { m_profiles.add(servos); }
+    void addServos(const std::vector<history::HistoryServo>& servos);
+    /// Null: not among those added.
+    const history::HistoryServo* servo(std::int64_t number) const;
     static QStringList headers(history::HistoryKind kind);
+    /// Columns that a list shows; the others are details.
+    static int listColumns(history::HistoryKind kind);
     static int toneColumn(history::HistoryKind kind); ///< -1: none
     static QString kindName(history::HistoryKind kind);
     static QString servoTitle(const history::HistoryServo& servo);
@@ -42,5 +53,6 @@ public:
 
 private:
     history::HistoryProfiles m_profiles;
+    std::map<std::int64_t, history::HistoryServo> m_servos; ///< by number
 };
 } // namespace ui

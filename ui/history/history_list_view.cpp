@@ -13,6 +13,7 @@
 namespace ui {
 HistoryListView::HistoryListView(HistoryTableModel& model, QWidget* parent)
     : QTableView(parent)
+    , m_model(model)
 {
     setObjectName(QStringLiteral("historyTable"));
     setModel(&model);
@@ -48,6 +49,9 @@ void HistoryListView::updateAfterChange()
         horizontalScrollBar()->setValue(across);
         m_topRow = QPersistentModelIndex();
     }
+    const int shown = HistoryFormatter::listColumns(m_model.kind());
+    for (int column = 0; column < m_model.columnCount(); ++column)
+        setColumnHidden(column, column >= shown);
     const bool isEmpty = model()->rowCount() == 0;
     if (std::exchange(m_columnsUnsized, isEmpty) && !isEmpty)
         m_columns->fit();

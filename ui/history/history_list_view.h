@@ -25,6 +25,7 @@ public:
 private:
     void saveTopRow(int changedFrom);
 
+    HistoryTableModel& m_model;
     FitColumns* m_columns;
     QPersistentModelIndex m_topRow; ///< the row to keep at the top; none: the list is at its top
     bool m_columnsUnsized = true;   ///< until there are rows

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/history_page.h"
 
+#include "device/write_meaning.h"
 #include "session/history/history_server_choice.h"
 #include "session/history/history_server_source.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
+#include "ui/editors/write_question.h"
+#include "ui/history/history_details.h"
 #include "ui/history/history_filter_bar.h"
 #include "ui/history/history_list_view.h"
 #include "ui/history/history_send_label.h"
@@ -13,17 +16,20 @@
 #include "ui/widgets/banner.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/note_dialog.h"
+#include "ui/widgets/question_dialog.h"
 
 #include <QDir>
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QSplitter>
 #include <QVBoxLayout>
 
 namespace ui {
 using history::HistoryKind;
 
 namespace {
+constexpr int listStretch = 3; ///< of the width, the details have 1
 constexpr auto historyQueryDelay = std::chrono::milliseconds(150);
 const QString historyFolderKey = QStringLiteral("history/folder");
 
@@ -72,7 +78,19 @@ void HistoryPage::build()
     makeCard(card);
     m_view->setFrameShape(QFrame::NoFrame);
     card->layout()->setContentsMargins(1, 1, 1, 1);
-    column->addWidget(card, 1);
+    auto* split = new QSplitter(Qt::Horizontal, this);
+    split->setChildrenCollapsible(false);
+    split->setHandleWidth(cardMargin);
+    m_details = new HistoryDetails(split);
+    m_undo = m_details->addButton("historyUndo");
+    m_open = m_details->addButton("historyOpen");
+    m_ofServo = m_details->addButton("historyOfServo");
+    m_label = m_details->addButton("historyLabel");
+    split->addWidget(card);
+    split->addWidget(m_details);
+    split->setStretchFactor(0, listStretch);
+    split->setStretchFactor(1, 1);
+    column->addWidget(split, 1);
     column->addWidget(m_identityHint);
     column->addWidget(buildActions());
     column->addWidget(new HistorySendLabel(m_workbench.historySender(), this));
@@ -90,8 +108,6 @@ QWidget* HistoryPage::buildActions()
         row->addWidget(made);
         return made;
     };
-    m_open = button("historyOpen");
-    m_label = button("historyLabel");
     m_export = button("historyExport");
     m_serverSet = button("historyServer");
     m_count = new QLabel(box);
@@ -116,7 +132,11 @@ void HistoryPage::connectAll()
                     scheduleQuery();
             });
     connect(&m_local, &session::HistoryService::failed, this, &HistoryPage::showError);
-    connect(&m_table, &HistoryTableModel::changed, this, &HistoryPage::showState);
+    connect(&m_table, &HistoryTableModel::changed, this, [this] {
+        showState();
+        if (m_table.rowCount() > 0 && !m_view->selectedRow())
+            m_view->selectRow(0);
+    });
     connect(&m_table, &HistoryTableModel::failed, this, &HistoryPage::showError);
     connect(m_filters, &HistoryFilterBar::sourceChanged, this, &HistoryPage::onSourceChanged);
     connect(m_filters, &HistoryFilterBar::filterChanged, this, &HistoryPage::scheduleQuery);
@@ -124,6 +144,23 @@ void HistoryPage::connectAll()
             &HistoryPage::showState);
     connect(m_view, &QTableView::activated, this, &HistoryPage::openSelected);
     connect(m_open, &QPushButton::clicked, this, &HistoryPage::openSelected);
+    connect(m_undo, &QPushButton::clicked, this, &HistoryPage::undoWrite);
+    connect(m_ofServo, &QPushButton::clicked, this, [this] {
+        if (const HistoryLine* line = selectedLine())
+            m_filters->selectServo(line->servo);
+    });
+    // Whether a write can be undone depends on the servo.
+    for (const auto signal :
+         {&session::ServoRegistry::servoAdded, &session::ServoRegistry::servoRemoved,
+          &session::ServoRegistry::tableChanged})
+        connect(&m_workbench.registry(), signal, this, [this] {
+            if (isVisible())
+                showActions();
+        });
+    connect(&m_workbench, &session::Workbench::stateChanged, this, [this] {
+        if (isVisible())
+            showActions();
+    });
     connect(m_label, &QPushButton::clicked, this, &HistoryPage::editLabel);
     connect(m_export, &QPushButton::clicked, this, &HistoryPage::exportList);
     connect(m_serverSet, &QPushButton::clicked, this, &HistoryPage::editServer);
@@ -189,9 +226,97 @@ bool HistoryPage::isStepResponseSelected() const
            m_table.lineAt(*row).isStepResponse;
 }
 
+const HistoryLine* HistoryPage::selectedLine() const
+{
+    const auto row = m_view->selectedRow();
+    return row ? &m_table.lineAt(*row) : nullptr;
+}
+
+/// The one in the list of servos that the entry is about; null: none.
+const session::ServoEntry* HistoryPage::connectedServo(const HistoryLine& line) const
+{
+    const history::HistoryServo* known = m_table.servoOf(line);
+    if (known == nullptr || m_workbench.link().state() != session::LinkState::Open)
+        return nullptr;
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+        const base::ServoIdentity now = entry->servo.identity();
+        if (now.id == known->identity.id && now.isSameKind(known->identity) &&
+            now.isSimulated() == known->identity.isSimulated())
+            return entry;
+    }
+    return nullptr;
+}
+
+QString HistoryPage::undoRefusal() const
+{
+    const HistoryLine* line = selectedLine();
+    if (line == nullptr || !line->write)
+        return tr("Select a write.");
+    const history::HistoryWrite& write = *line->write;
+    const session::ServoEntry* entry = connectedServo(*line);
+    const catalog::Register* reg =
+        entry != nullptr && entry->servo.profile ? entry->servo.profile->find(write.key) : nullptr;
+    if (reg == nullptr)
+        return tr("This servo is not connected.");
+    const device::WriteMeaning meaning = device::classify(*reg, write.oldRaw);
+    if (meaning.changesAddress())
+        return tr("Use Servo → Set ID or Set baud rate to change it back.");
+    if (meaning.procedure != device::WriteProcedure::Register || meaning.isMotion() ||
+        reg->access != catalog::Access::ReadWrite || !write.newRaw)
+        return tr("This entry is an action, not a value that can be written back.");
+    if (entry->displayedRaw(*reg) == write.oldRaw)
+        return tr("The register holds the old value.");
+    return {};
+}
+
+/// Always asks: the servo is out of sight here, and the value may have changed since.
+void HistoryPage::undoWrite()
+{
+    if (!undoRefusal().isEmpty())
+        return;
+    const HistoryLine line = *selectedLine();
+    const session::ServoEntry& entry = *connectedServo(line);
+    const catalog::Register& reg = *entry.servo.profile->find(line.write->key);
+    const auto now = entry.displayedRaw(reg);
+    auto question =
+        writeQuestion(entry, reg, line.write->oldRaw, line.write->temporary).value_or(Question{});
+    question.title = tr("Undo this write?");
+    const QString change = tr("ID %1 · %2: %3 is set from %4 to %5.")
+                               .arg(entry.servo.id)
+                               .arg(entry.servo.profile->modelName, line.title(),
+                                    now ? QString::number(*now) : QStringLiteral("–"),
+                                    QString::number(line.write->oldRaw));
+    QStringList sentences{change, question.text};
+    if (now && now != line.write->newRaw)
+        sentences.insert(1, tr("It was changed again after this write."));
+    sentences.removeAll(QString());
+    question.text = sentences.join(QLatin1Char('\n'));
+    question.acceptText = tr("Undo this write");
+    question.guard = this;
+    ask(this, question,
+        [this, ref = entry.ref, key = line.write->key, raw = line.write->oldRaw,
+         temporary = line.write->temporary] {
+            m_workbench.writes().write(ref,
+                                       {{{key, raw}}, temporary, device::Consent::confirmed()});
+        });
+}
+
 void HistoryPage::showState()
 {
     m_view->updateAfterChange();
+    m_details->show(selectedLine());
+    m_details->setVisible(m_table.rowCount() > 0);
+    m_export->setEnabled(m_table.rowCount() > 0);
+    m_count->setText(countText());
+    const bool empty = m_table.rowCount() == 0 && !m_table.isLoading();
+    m_emptyLabel->setVisible(empty);
+    m_view->setVisible(!empty);
+    showActions();
+}
+
+void HistoryPage::showActions()
+{
     const HistoryKind kind = m_table.kind();
     const bool one = m_view->selectedRow().has_value();
     const bool writes = kind == HistoryKind::Writes;
@@ -214,11 +339,16 @@ void HistoryPage::showState()
     m_label->setVisible(!isRemote() &&
                         (kind == HistoryKind::Servos || kind == HistoryKind::Snapshots));
     m_label->setEnabled(one);
-    m_export->setEnabled(m_table.rowCount() > 0);
-    m_count->setText(countText());
-    const bool empty = m_table.rowCount() == 0 && !m_table.isLoading();
-    m_emptyLabel->setVisible(empty);
-    m_view->setVisible(!empty);
+    const QString refusal = writes ? undoRefusal() : QString();
+    m_undo->setVisible(writes && !isRemote());
+    m_undo->setEnabled(refusal.isEmpty());
+    setButtonText(m_undo, tr("Undo this write"),
+                  refusal.isEmpty() ? tr("Writes the old value to the servo again, after asking")
+                                    : refusal);
+    const HistoryLine* line = selectedLine();
+    m_ofServo->setVisible(kind != HistoryKind::Servos && kind != HistoryKind::Runs &&
+                          kind != HistoryKind::Recordings);
+    m_ofServo->setEnabled(line != nullptr && line->servo != 0);
 }
 
 void HistoryPage::openSelected()
@@ -370,8 +500,9 @@ void HistoryPage::retranslate()
     m_identityHint->setText(
         tr("Servos have no serial number. They are identified by model, firmware, ID and the label "
            "you assign; two identical servos without a label cannot be distinguished."));
-    setAccessText(m_view, tr("History"),
-                  tr("Newest first; the tooltip of each row shows all details"));
+    setAccessText(m_view, tr("History"), tr("Newest first"));
+    setButtonText(m_ofServo, tr("All entries of this servo"),
+                  tr("Lists only entries of the servo of this row"));
     setButtonText(m_label, tr("Label…"), tr("Labels the servo or the snapshot"));
     setButtonText(m_export, tr("Export…"), tr("Saves the filtered list as CSV or JSON"));
     setButtonText(m_serverSet, tr("Server…"),

@@ -20,6 +20,7 @@ class QPushButton;
 
 namespace ui {
 class Banner;
+class HistoryDetails;
 class HistoryFilterBar;
 class HistoryListView;
 
@@ -56,6 +57,12 @@ private:
     void showState();
     QString countText() const;
     bool isStepResponseSelected() const;
+    const HistoryLine* selectedLine() const; ///< null: none
+    const session::ServoEntry* connectedServo(const HistoryLine& line) const;
+    /// Why the selected write cannot be undone here; empty: it can.
+    QString undoRefusal() const;
+    void showActions();
+    void undoWrite();
 
     void openSelected();
     void openSnapshot(std::int64_t number);
@@ -77,7 +84,10 @@ private:
     HistoryFilterBar* m_filters = nullptr;
     HistoryListView* m_view = nullptr;
     QLabel* m_identityHint = nullptr;
+    HistoryDetails* m_details = nullptr;
+    QPushButton* m_undo = nullptr;
     QPushButton* m_open = nullptr;
+    QPushButton* m_ofServo = nullptr;
     QPushButton* m_label = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_serverSet = nullptr;

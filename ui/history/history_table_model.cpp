@@ -272,7 +272,7 @@ QVariant HistoryTableModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return line.cells.value(index.column()).simplified();
     case Qt::ToolTipRole:
-        return line.tip;
+        return line.tip();
     case Qt::TextAlignmentRole:
         return int((numeric(m_kind, index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
                    Qt::AlignVCenter);

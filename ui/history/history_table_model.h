@@ -26,6 +26,11 @@ public:
     bool isComplete() const { return m_complete; }
     history::HistoryKind kind() const { return m_kind; }
     const HistoryLine& lineAt(int row) const { return m_lines[std::size_t(row)]; }
+    /// Of the row; null: several, none or unknown.
+    const history::HistoryServo* servoOf(const HistoryLine& line) const
+    {
+        return m_formatter.servo(line.servo);
+    }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

@@ -5,6 +5,7 @@
 #include "device/write_meaning.h"
 #include "device/writer.h"
 #include "text/error_text.h"
+#include "ui/editors/write_question.h"
 #include "ui/memory/lock_badge.h"
 #include "ui/memory/memory_output.h"
 #include "ui/memory/memory_text.h"
@@ -12,7 +13,6 @@
 #include "ui/memory/memory_view.h"
 #include "ui/memory/register_panel.h"
 #include "ui/memory/servo_history_panel.h"
-#include "ui/memory/write_question.h"
 #include "ui/widgets/banner.h"
 
 #include <QEvent>

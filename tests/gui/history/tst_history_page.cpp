@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history page: what was written at the bench is listed with its outcome, found by servo and
 // register, exported, and leads back to the table as it was. Everything from the real database.
+#include "gui/dialogs.h"
 #include "gui/main_window_fixture.h"
 #include "history/history.h"
 #include "session/history/history_sender.h"
@@ -338,6 +339,76 @@ private Q_SLOTS:
         QTRY_VERIFY(write->isEnabled());
         QTest::mouseClick(write, Qt::LeftButton);
         QTRY_COMPARE(fixture.raw("position_p"), 40);
+    }
+
+    /// Beside the list: everything about the entry, and the way back, after asking.
+    void aWriteOfTheListIsUndone()
+    {
+        HistoryPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.write("position_p", 40));
+        QVERIFY(fixture.write("position_d", 30));
+        QTRY_COMPARE(fixture.rows(), 2);
+        auto* undo = fixture.find<QPushButton>("historyUndo");
+        QTRY_VERIFY(undo->isEnabled()); // the newest is selected by itself
+        fixture.table()->selectRow(1);
+        QTRY_VERIFY(gui::labelsOf(fixture.find<QWidget>("historyDetails"))
+                        .contains(QStringLiteral("21 (position_p)")));
+        QTest::mouseClick(undo, Qt::LeftButton);
+        auto* question = fixture.find<QDialog>("question");
+        QVERIFY(question != nullptr);
+        const QString words = gui::labelsOf(question);
+        QVERIFY2(words.contains(QStringLiteral("from 40 to 32")), qPrintable(words));
+        QVERIFY(!words.contains(QStringLiteral("again")));
+        gui::click(question, "questionNo");
+        QCOMPARE(fixture.raw("position_p"), 40);
+        QTest::mouseClick(undo, Qt::LeftButton);
+        gui::click(fixture.find<QDialog>("question"), "questionYes");
+        QTRY_COMPARE(fixture.raw("position_p"), 32);
+        QCOMPARE(fixture.raw("position_d"), 30);
+        QTRY_COMPARE(fixture.rows(), 3);
+        QTRY_COMPARE(fixture.cell(0, 4), QStringLiteral("32"));
+        // Nothing is left to undo in the write itself, and it says so.
+        fixture.table()->selectRow(2);
+        QTRY_VERIFY(!undo->isEnabled());
+        QCOMPARE(undo->toolTip(), QStringLiteral("The register holds the old value."));
+    }
+
+    void whatCannotBeUndoneSaysWhy()
+    {
+        HistoryPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.write("position_p", 40));
+        QVERIFY(fixture.write("position_p", 50));
+        QTRY_COMPARE(fixture.rows(), 2);
+        auto* undo = fixture.find<QPushButton>("historyUndo");
+        fixture.table()->selectRow(1);
+        QTRY_VERIFY(undo->isEnabled());
+        QTest::mouseClick(undo, Qt::LeftButton);
+        auto* question = fixture.find<QDialog>("question");
+        const QString words = gui::labelsOf(question);
+        QVERIFY2(words.contains(QStringLiteral("changed again after this write")),
+                 qPrintable(words));
+        gui::click(question, "questionNo");
+        // Another servo is not touched: without this one there is nothing to write to.
+        fixture.action(ui::Command::Disconnect)->trigger();
+        QTRY_VERIFY(!undo->isEnabled());
+        QCOMPARE(undo->toolTip(), QStringLiteral("This servo is not connected."));
+    }
+
+    void theEntriesOfOneServoAreListed()
+    {
+        HistoryPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.write("position_p", 40));
+        QVERIFY(fixture.choose(2));
+        QVERIFY(fixture.write("position_p", 41));
+        QTRY_COMPARE(fixture.rows(), 2);
+        QTRY_COMPARE(fixture.find<QComboBox>("historyServo")->count(), 3);
+        fixture.table()->selectRow(1);
+        QTest::mouseClick(fixture.find<QPushButton>("historyOfServo"), Qt::LeftButton);
+        QTRY_COMPARE(fixture.rows(), 1);
+        QCOMPARE(fixture.cell(0, 4), QStringLiteral("40"));
     }
 
     void aServoGetsALabel()

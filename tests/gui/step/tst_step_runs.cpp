@@ -195,6 +195,7 @@ private Q_SLOTS:
         auto* table = fixture.find<QTableView>("historyTable");
         QTRY_COMPARE(table->model()->rowCount(), 3);
         auto* open = fixture.find<QPushButton>("historyOpen");
+        table->clearSelection();
         QCOMPARE(open->text(), text("Earlier tests…"));
         table->selectRow(1);
         QCOMPARE(open->text(), text("Open step response"));

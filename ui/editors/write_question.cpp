@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/memory/write_question.h"
+#include "ui/editors/write_question.h"
 
 #include "device/write_meaning.h"
 #include "text/language.h"
