@@ -8616,10 +8616,6 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
 <context>
     <name>ui::CommissionBatchView</name>
     <message>
-        <source>%1 done, %2 failed, %3 set aside, %4 unfinished</source>
-        <translation>完成 %1，失败 %2，剔除 %3，未完成 %4</translation>
-    </message>
-    <message>
         <source>Servos of the batch</source>
         <translation>批次中的舵机</translation>
     </message>
@@ -8634,6 +8630,34 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>Copies the labels of the selected (or all) servos, one per line</source>
         <translation>复制所选（或全部）舵机的标签，每行一个</translation>
+    </message>
+    <message>
+        <source>IDs to come: %1</source>
+        <translation>待分配 ID：%1</translation>
+    </message>
+    <message>
+        <source>Servos</source>
+        <translation>舵机</translation>
+    </message>
+    <message>
+        <source>No servo has been set up yet. Click Start, then connect the first servo.</source>
+        <translation>尚未设置任何舵机。点击“开始”，然后连接第一个舵机。</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>已完成 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>失败 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 set aside</source>
+        <translation>搁置 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 unfinished</source>
+        <translation>未完成 %1 个</translation>
     </message>
 </context>
 <context>
@@ -8762,10 +8786,6 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>型号</translation>
     </message>
     <message>
-        <source>Rows written</source>
-        <translation>写入项数</translation>
-    </message>
-    <message>
         <source>Voltage</source>
         <translation>电压</translation>
     </message>
@@ -8782,12 +8802,24 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>首次写入前的内存表已保存：%1</translation>
     </message>
     <message>
-        <source>Before (ID, baud rate)</source>
-        <translation>原 ID、波特率</translation>
+        <source>ID and baud rate when it was connected</source>
+        <translation>连接时的 ID 和波特率</translation>
     </message>
     <message>
-        <source>Now (ID, baud rate)</source>
-        <translation>现 ID、波特率</translation>
+        <source>ID and baud rate it was given</source>
+        <translation>设置后的 ID 和波特率</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置项</translation>
     </message>
 </context>
 <context>
@@ -9002,6 +9034,26 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>Writes nothing to this servo and records it in the batch as set aside</source>
         <translation>不写入此舵机，在批次中记为剔除</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>识别</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
     </message>
 </context>
 <context>
@@ -12597,6 +12649,13 @@ Retries: %9</source>
     <message>
         <source>The metrics, responses and settings of these tests are deleted from the history. Report files are kept.</source>
         <translation>它们的指标、响应和设置将从历史记录中删除。报告文件保留。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StepStrip</name>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>第 %1 步，共 %2 步：%3</translation>
     </message>
 </context>
 <context>

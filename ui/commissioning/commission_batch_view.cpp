@@ -3,6 +3,7 @@
 
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
+#include "ui/widgets/fit_columns.h"
 #include "ui/widgets/tone_delegate.h"
 
 #include <QClipboard>
@@ -13,6 +14,9 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <iterator>
 
 namespace ui {
 CommissionBatchView::CommissionBatchView(QWidget* parent)
@@ -26,7 +30,11 @@ CommissionBatchView::CommissionBatchView(QWidget* parent)
 void CommissionBatchView::build()
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins({});
+    m_title = new QLabel(this);
+    makeHeading(m_title);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("commissionNothing"));
+    makeEmptyState(m_emptyLabel);
     m_table = new QTableView(this);
     m_table->setObjectName(QStringLiteral("commissionTable"));
     m_table->setModel(&m_model);
@@ -34,39 +42,83 @@ void CommissionBatchView::build()
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setFrameShape(QFrame::NoFrame);
     styleTable(m_table);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     // The remarks on a servo are beside its verdict, visible at every width.
     m_table->horizontalHeader()->moveSection(CommissionModel::Remarks, 1);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_columns = new FitColumns(m_table);
     m_summary = new QLabel(this);
     m_summary->setObjectName(QStringLiteral("commissionSum"));
     m_summary->setWordWrap(true);
     m_copy = new QPushButton(this);
     m_copy->setObjectName(QStringLiteral("commissionCopy"));
-    auto* foot = new QHBoxLayout;
-    foot->addWidget(m_summary, 1);
-    foot->addWidget(m_copy);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(12);
+    head->addWidget(m_title);
+    head->addWidget(m_summary, 1);
+    head->addWidget(m_copy);
+    column->addLayout(head);
     column->addWidget(m_table, 1);
-    column->addLayout(foot);
+    column->addWidget(m_emptyLabel, 1);
+    makeCard(this);
 }
 
 void CommissionBatchView::show(const results::CommissionBatch& batch)
 {
     m_batch = batch;
     m_model.show(batch);
-    // Qt does this by itself for new rows only.
-    m_table->horizontalHeader()->resizeSections(QHeaderView::ResizeToContents);
+    const auto any = [&batch](auto has) {
+        return std::any_of(batch.rows.begin(), batch.rows.end(), has);
+    };
+    // What no servo of the batch has takes no room.
+    m_table->setColumnHidden(CommissionModel::Remarks,
+                             !any([](const auto& row) { return !row.issues.empty(); }));
+    m_table->setColumnHidden(CommissionModel::Written,
+                             !any([](const auto& row) { return !row.templateName.isEmpty(); }));
+    m_columns->fit();
     m_table->scrollToBottom();
     showSummary();
 }
 
+void CommissionBatchView::setIds(const std::vector<int>& ids)
+{
+    m_ids = ids;
+    showSummary();
+}
+
+/// "4, 5, 6", of many "4, 5, 6 … 253 (250)".
+QString CommissionBatchView::idsToComeText() const
+{
+    constexpr std::size_t listed = 3;
+    std::vector<int> left;
+    std::copy_if(m_ids.begin(), m_ids.end(), std::back_inserter(left),
+                 [this](int id) { return !m_batch.isIdTaken(id); });
+    QStringList words;
+    for (std::size_t i = 0; i < std::min(left.size(), listed); ++i)
+        words << QString::number(left[i]);
+    QString text = words.join(QStringLiteral(", "));
+    if (left.size() > listed + 1)
+        text += QStringLiteral(" … %1 (%2)").arg(left.back()).arg(left.size());
+    else if (left.size() > listed)
+        text += QStringLiteral(", %1").arg(left.back());
+    return text;
+}
+
 void CommissionBatchView::showSummary()
 {
-    m_summary->setText(tr("%1 done, %2 failed, %3 set aside, %4 unfinished")
-                           .arg(m_batch.done())
-                           .arg(m_batch.count(results::CommissionVerdict::Failed))
-                           .arg(m_batch.count(results::CommissionVerdict::Skipped))
-                           .arg(m_batch.pending.size()));
+    const int failed = m_batch.count(results::CommissionVerdict::Failed);
+    const int aside = m_batch.count(results::CommissionVerdict::Skipped);
+    const int unfinished = static_cast<int>(m_batch.pending.size());
+    QStringList parts{tr("%1 done").arg(m_batch.done())};
+    if (failed > 0)
+        parts << tr("%1 failed").arg(failed);
+    if (aside > 0)
+        parts << tr("%1 set aside").arg(aside);
+    if (unfinished > 0)
+        parts << tr("%1 unfinished").arg(unfinished);
+    if (const QString ids = idsToComeText(); !ids.isEmpty())
+        parts << tr("IDs to come: %1").arg(ids);
+    m_summary->setText(parts.join(QStringLiteral(" · ")));
+    m_table->setVisible(!m_batch.rows.empty());
+    m_emptyLabel->setVisible(m_batch.rows.empty());
     m_copy->setEnabled(!m_model.labels({}).isEmpty());
 }
 
@@ -80,6 +132,9 @@ void CommissionBatchView::copyLabels()
 
 void CommissionBatchView::retranslate()
 {
+    m_title->setText(tr("Servos"));
+    m_emptyLabel->setText(
+        tr("No servo has been set up yet. Click Start, then connect the first servo."));
     setAccessText(m_table, tr("Servos of the batch"),
                   tr("One line per servo, as in the batch file"));
     setButtonText(m_copy, tr("Copy labels"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The servos of a batch as a table, the latest last, with their count and their labels for the
-// clipboard. Owned by the commissioning page; main thread.
+// The servos of a batch as a table, the latest last, with their count, the IDs still to come, and
+// their labels for the clipboard. Owned by the commissioning page; main thread.
 #pragma once
 
 #include "ui/commissioning/commission_model.h"
@@ -12,6 +12,8 @@ class QPushButton;
 class QTableView;
 
 namespace ui {
+class FitColumns;
+
 class CommissionBatchView final : public QWidget {
     Q_OBJECT
 
@@ -19,6 +21,8 @@ public:
     explicit CommissionBatchView(QWidget* parent);
 
     void show(const results::CommissionBatch& batch);
+    /// Those of the entered range; the ones the batch has given are left out here.
+    void setIds(const std::vector<int>& ids);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -28,9 +32,14 @@ private:
     void retranslate();
     void showSummary();
     void copyLabels();
+    QString idsToComeText() const;
 
     CommissionModel m_model;
     results::CommissionBatch m_batch;
+    std::vector<int> m_ids;
+    QLabel* m_title = nullptr;
+    QLabel* m_emptyLabel = nullptr;
+    FitColumns* m_columns = nullptr;
     QTableView* m_table = nullptr;
     QLabel* m_summary = nullptr;
     QPushButton* m_copy = nullptr;

@@ -122,6 +122,11 @@ QVariant CommissionModel::data(const QModelIndex& index, int role) const
 
 QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (role == Qt::ToolTipRole && orientation == Qt::Horizontal) {
+        return section == Before  ? tr("ID and baud rate when it was connected")
+               : section == After ? tr("ID and baud rate it was given")
+                                  : headerData(section, orientation, Qt::DisplayRole);
+    }
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Vertical)
@@ -134,11 +139,11 @@ QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, i
     case Model:
         return tr("Model");
     case Before:
-        return tr("Before (ID, baud rate)");
+        return tr("Before");
     case After:
-        return tr("Now (ID, baud rate)");
+        return tr("Now");
     case Written:
-        return tr("Rows written");
+        return tr("Settings");
     case Voltage:
         return tr("Voltage");
     default:

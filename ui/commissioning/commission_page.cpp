@@ -94,7 +94,8 @@ QWidget* CommissionPage::buildWork()
 {
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
-    makeCard(right);
+    column->setContentsMargins({});
+    column->setSpacing(cardMargin);
     m_status = new CommissionStatus(m_workbench, right);
     m_batch = new CommissionBatchView(right);
     column->addWidget(m_status);
@@ -233,6 +234,7 @@ void CommissionPage::showState()
     m_unplug->setVisible(isSimulated);
     m_plug->setEnabled(isSimulated && m_commissioning.pendingServoCount() > 0);
     m_status->show(m_batchEnded);
+    m_batch->setIds(m_form->idProblem().isEmpty() ? m_form->spec().ids : std::vector<int>());
 }
 
 void CommissionPage::retranslate()

@@ -4,8 +4,10 @@
 #include "report/commission_text.h"
 #include "text/language.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/press_guard.h"
+#include "ui/widgets/step_strip.h"
 
 #include <QDir>
 #include <QEvent>
@@ -19,7 +21,7 @@ using jobs::CommissionAnswer;
 using jobs::CommissionStep;
 
 namespace {
-constexpr double headlineScale = 2.0;
+constexpr double headlineScale = 1.4;
 constexpr int headlineLines = 2; ///< room for the longest one
 } // namespace
 
@@ -35,7 +37,7 @@ CommissionStatus::CommissionStatus(session::Workbench& workbench, QWidget* paren
 void CommissionStatus::build()
 {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins({});
+    column->setSpacing(8);
     const auto label = [this](const char* name) {
         auto* made = new QLabel(this);
         made->setObjectName(QString::fromLatin1(name));
@@ -65,19 +67,50 @@ void CommissionStatus::build()
     m_continue->setProperty("mainAction", true);
     m_same = button("commissionSame", CommissionAnswer::SameServo);
     m_aside = button("commissionAside", CommissionAnswer::Skip);
-    answers->addWidget(m_continue);
+    answers->addWidget(m_same); // first: it is not always there, and must not move the others
     answers->addWidget(m_aside);
-    answers->addWidget(m_same); // last: it is not always there
-    answers->addStretch();
+    answers->addWidget(m_continue);
     QSizePolicy policy = m_continue->sizePolicy(); // the widgets below it keep their place
     policy.setRetainSizeWhenHidden(true);
     m_continue->setSizePolicy(policy);
     for (QWidget* writer : {m_continue, m_same})
         new PressGuard(writer);
-    column->addWidget(m_headline);
-    column->addLayout(answers);
+    m_steps = new StepStrip(this);
+    m_steps->setObjectName(QStringLiteral("commissionSteps"));
+    auto* top = new QHBoxLayout;
+    top->setSpacing(12);
+    top->addWidget(m_headline, 1);
+    top->addLayout(answers);
+    column->addLayout(top);
+    column->addWidget(m_steps);
     column->addWidget(m_detail);
     column->addWidget(m_saved);
+    makeCard(this);
+}
+
+int CommissionStatus::stepNumber() const
+{
+    if (!m_commissioning.isRunning())
+        return -1;
+    switch (m_commissioning.view().step) {
+    case CommissionStep::Waiting:
+    case CommissionStep::Blocked:
+        return 0;
+    case CommissionStep::Checking:
+        return 1;
+    case CommissionStep::Confirm:
+    case CommissionStep::Snapshot:
+    case CommissionStep::Template:
+    case CommissionStep::Id:
+    case CommissionStep::Rate:
+    case CommissionStep::Center:
+        return 2;
+    case CommissionStep::Health:
+        return 3;
+    case CommissionStep::Unplug:
+        break;
+    }
+    return 4;
 }
 
 QString CommissionStatus::headline() const
@@ -205,6 +238,7 @@ void CommissionStatus::showView()
     m_headline->setText(headline());
     m_headline->setAccessibleName(m_headline->text());
     m_detail->setText(detail());
+    m_steps->setCurrent(stepNumber());
     showSavedTable();
     showHeadlineTone();
     const bool confirm = m_commissioning.isRunning() && view.step == CommissionStep::Confirm;
@@ -241,6 +275,7 @@ void CommissionStatus::showHeadlineTone()
 
 void CommissionStatus::retranslate()
 {
+    m_steps->setSteps({tr("Connect"), tr("Identify"), tr("Write"), tr("Check"), tr("Disconnect")});
     setButtonText(m_same, tr("Resume setup"),
                   tr("Confirms that this is the unfinished servo; it gets its assigned ID"));
     setButtonText(m_aside, tr("Set aside"),

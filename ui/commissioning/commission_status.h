@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commissioning line is doing and what the user does next, in large words, with the
-// buttons that answer its questions. The workbench must outlive it; owned by the commissioning
+// Which servo is at hand, which step it is in and what the user does next, with the buttons that
+// answer the questions of commissioning. The workbench must outlive it; owned by the commissioning
 // page; main thread.
 #pragma once
 
@@ -12,6 +12,8 @@ class QLabel;
 class QPushButton;
 
 namespace ui {
+class StepStrip;
+
 class CommissionStatus final : public QWidget {
     Q_OBJECT
 
@@ -30,6 +32,7 @@ private:
     void showView();
     void showSavedTable();
     void showHeadlineTone();
+    int stepNumber() const; ///< in the strip; -1: not running
     QString headline() const;
     QString stoppedDetail() const;
     QString detail() const;
@@ -41,6 +44,7 @@ private:
     session::Commissioning& m_commissioning;
     bool m_hasEnded = false;
     QLabel* m_headline = nullptr;
+    StepStrip* m_steps = nullptr;
     QLabel* m_detail = nullptr;
     QLabel* m_saved = nullptr; ///< where the memory table of the current servo is
     QPushButton* m_continue = nullptr;

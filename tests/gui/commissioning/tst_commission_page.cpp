@@ -9,6 +9,7 @@
 #include "support/commission_fixture.h"
 #include "support/test_main.h"
 #include "ui/commissioning/commission_page.h"
+#include "ui/widgets/step_strip.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -170,15 +171,27 @@ private Q_SLOTS:
         context.click("commissionStart");
         QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
         QVERIFY(!context.own<QSpinBox>("commissionFirstId")->isEnabled());
+        auto* steps = context.own<ui::StepStrip>("commissionSteps");
+        auto* summary = context.own<QLabel>("commissionSum");
+        QCOMPARE(steps->current(), 0); // connect
+        QVERIFY(context.own<QLabel>("commissionNothing")->isVisible());
+        QVERIFY2(summary->text().contains(QStringLiteral("IDs to come: 7, 8, 9 … 253 (247)")),
+                 qPrintable(summary->text()));
         context.click("commissionPlug");
         QTRY_VERIFY_WITH_TIMEOUT(context.own<QPushButton>("commissionContinue")->isVisible(),
                                  longTimeoutMs);
-        QCOMPARE(context.idOf(0), 1); // nothing before the click
+        QCOMPARE(steps->current(), 2); // write: waits for the click
+        QCOMPARE(context.idOf(0), 1);  // nothing before the click
         QCOMPARE(context.rows(), 0);
         context.click("commissionContinue");
         QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
         QCOMPARE(context.idOf(0), 7);
         QTRY_VERIFY(context.headline().contains(QStringLiteral("Disconnect the servo: ID 7")));
+        QCOMPARE(steps->current(), 4);
+        QCOMPARE(steps->accessibleName(), QStringLiteral("Step 5 of 5: Disconnect"));
+        QVERIFY(!context.own<QLabel>("commissionNothing")->isVisible());
+        QTRY_VERIFY2(summary->text().contains(QStringLiteral("IDs to come: 8, 9, 10 … 253 (246)")),
+                     qPrintable(summary->text()));
         auto* saved = context.own<QLabel>("commissionSaved");
         QVERIFY(saved->isVisible() && QFile::exists(saved->toolTip()));
         QVERIFY(saved->text().contains(QFileInfo(saved->toolTip()).fileName()));
