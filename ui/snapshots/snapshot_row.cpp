@@ -42,6 +42,7 @@ QString originText(const QString& firmware, const QString& port)
 struct RowText {
     QString title;
     QString details;
+    QString time; ///< empty: a template has none
     QStringList tip;
 };
 
@@ -50,14 +51,15 @@ RowText textOf(const SnapshotItem& item)
     const QString dot = QStringLiteral(" · ");
     if (item.bundle)
         return {item.title,
-                translate("SnapshotRow", "%n servo(s)", nullptr, int(item.bundle->servos.size())) +
-                    dot + timeText(item.bundle->at),
+                translate("SnapshotRow", "%n servo(s)", nullptr, int(item.bundle->servos.size())),
+                timeText(item.bundle->at),
                 {item.bundle->note}};
     if (item.kept) {
         const history::HistorySnapshot& kept = *item.kept;
         const QString reason = reasonText(kept.reason);
         return {QStringLiteral("%1 · ID %2").arg(kept.model).arg(kept.servoId),
-                (kept.label.isEmpty() ? reason : kept.label) + dot + timeText(kept.at),
+                kept.label.isEmpty() ? reason : kept.label,
+                timeText(kept.at),
                 {reason, kept.note, originText(kept.firmware, kept.port)}};
     }
     if (!item.snapshot)
@@ -65,9 +67,11 @@ RowText textOf(const SnapshotItem& item)
     const snapshot::Snapshot& table = *item.snapshot;
     const int rows = int(table.registers.size());
     return {item.title,
-            QStringLiteral("%1 · ID %2 · ").arg(table.servo.model).arg(table.servo.id) +
-                (table.isTemplate ? translate("SnapshotRow", "template, %n row(s)", nullptr, rows)
-                                  : timeText(table.at)),
+            QStringLiteral("%1 · ID %2").arg(table.servo.model).arg(table.servo.id) +
+                (table.isTemplate
+                     ? dot + translate("SnapshotRow", "template, %n row(s)", nullptr, rows)
+                     : QString()),
+            table.isTemplate ? QString() : timeText(table.at),
             {table.note, originText(table.servo.firmware, table.port)}};
 }
 } // namespace
@@ -95,10 +99,14 @@ void SnapshotRow::updateText()
     RowText words = textOf(*m_item);
     const QString path = m_item->path.isEmpty() && m_item->kept ? m_item->kept->file : m_item->path;
     words.tip << QDir::toNativeSeparators(path);
+    words.tip.push_front(words.time);
     words.tip.removeAll(QString());
     setText(0, words.title + QLatin1Char('\n') + words.details);
-    setToolTip(0, QStringLiteral("%1\n%2\n%3")
-                      .arg(words.title, words.details, words.tip.join(QLatin1Char('\n'))));
+    setText(1, words.time);
+    setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    for (const int column : {0, 1})
+        setToolTip(column, QStringLiteral("%1\n%2\n%3")
+                               .arg(words.title, words.details, words.tip.join(QLatin1Char('\n'))));
     for (int i = 0; i < childCount(); ++i)
         static_cast<SnapshotRow*>(child(i))->updateText();
 }

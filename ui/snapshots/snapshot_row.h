@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row of the list of snapshots: a snapshot of the history, an opened file, or a bundle, with
-// its two lines of text and its tooltip. Owned by the tree; main thread.
+// its two lines of text, its time at the right and its tooltip. Owned by the tree; main thread.
 #pragma once
 
 #include "session/history/history_service.h"
