@@ -19,6 +19,11 @@ install_packages build test ci
 chapter "Release build and tests"
 CI=true run_tests release build packaging/test.sh
 
+chapter "The window at 150 and 200 %"
+for scale in 1.5 2; do
+    QT_SCALE_FACTOR=$scale ctest --test-dir build -R '^tst_layout$' --output-on-failure
+done
+
 chapter "The programs without batches, with all warnings"
 cmake --preset dev >/dev/null
 cmake --build --preset dev --target servodesk servodesk-cli servodesk-sim

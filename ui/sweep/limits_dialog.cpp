@@ -89,6 +89,8 @@ void LimitsDialog::build()
     m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
     m_table->setTabKeyNavigation(true);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(int(LimitColumn::Metric),
+                                                      QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(int(LimitColumn::Unit),
                                                       QHeaderView::ResizeToContents);
     m_problem = new QLabel(this);

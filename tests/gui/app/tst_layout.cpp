@@ -11,6 +11,7 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QFontDatabase>
 #include <QHeaderView>
 #include <QLabel>
@@ -287,6 +288,77 @@ private Q_SLOTS:
         const QWidget* last = fixture.find<QWidget>("memoryMore");
         QVERIFY2(std::abs(last->geometry().center().y() - find->geometry().center().y()) <= 2,
                  "the toolbar of the memory page has a second row");
+    }
+
+    /// Every dialog that opens without a change to a servo.
+    void dialogsFit_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<double>("size");
+        QTest::newRow("English") << "en" << 1.0;
+        QTest::newRow("Chinese") << "zh_CN" << 1.0;
+        QTest::newRow("English, 120 %") << "en" << 1.2;
+    }
+    void dialogsFit()
+    {
+        QFETCH(QString, language);
+        QFETCH(double, size);
+        QFont font = m_font;
+        font.setPointSizeF(m_font.pointSizeF() * size);
+        QApplication::setFont(font);
+        gui::MainWindowFixture fixture(language);
+        fixture.window->resize(1024, 700);
+        QVERIFY(fixture.ready(1));
+        QVERIFY(fixture.waitUntilIdle());
+        QStringList faults;
+        const auto check = [&](const QString& name) {
+            QDialog* dialog = nullptr;
+            const auto opened = [&] {
+                for (auto* one : fixture.window->findChildren<QDialog*>()) {
+                    if (one->isVisible())
+                        dialog = one;
+                }
+                return dialog != nullptr;
+            };
+            if (!QTest::qWaitFor(opened)) {
+                faults << name + QStringLiteral(": no dialog");
+                return;
+            }
+            QStringList cut;
+            if (!QTest::qWaitFor([&] { return (cut = elidedWidgets(*dialog)).isEmpty(); }, 1000))
+                faults << name + QStringLiteral(": ") + cut.join(QStringLiteral("; "));
+            if (!QRect(0, 0, 1024, 700).contains(QRect(QPoint(), dialog->size())))
+                faults << QStringLiteral("%1: %2 × %3")
+                              .arg(name)
+                              .arg(dialog->width())
+                              .arg(dialog->height());
+            dialog->reject();
+            QVERIFY(QTest::qWaitFor([&] {
+                return !fixture.window->findChildren<QDialog*>().contains(dialog) ||
+                       !dialog->isVisible();
+            }));
+        };
+        using ui::Command;
+        for (const Command command :
+             {Command::SetId, Command::SetBaud, Command::Center, Command::RestoreDefaults,
+              Command::Reboot, Command::Identify, Command::PreviousTests, Command::Record,
+              Command::Shortcuts, Command::About}) {
+            fixture.action(command)->trigger();
+            check(fixture.action(command)->text());
+        }
+        const std::pair<const char*, const char*> buttons[] = {{"history", "historyServer"},
+                                                               {"sweep", "sweepLimits"},
+                                                               {"step", "stepEarlier"},
+                                                               {"operate", "trendChannels"}};
+        for (const auto& [page, name] : buttons) {
+            fixture.window->findChild<ui::Pages*>()->open(QString::fromLatin1(page));
+            auto* button = fixture.find<QAbstractButton>(name);
+            QVERIFY2(button != nullptr, name);
+            QTRY_VERIFY2(button->isEnabled(), name);
+            button->click();
+            check(QString::fromLatin1(name));
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
     }
 
     void interactiveWidgetsHaveNames()
