@@ -224,7 +224,10 @@ void addGoal(DialState& view, const session::ServoEntry& entry, const catalog::M
     if (!raw)
         return;
     view.goal = double(*raw);
-    view.subtitle += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*raw));
+    // Without torque it is what is left of an earlier move: the servo goes nowhere.
+    const catalog::Register* torque = profile.byRole(Role::TorqueSwitch);
+    if (torque == nullptr || entry.displayedRaw(*torque) != 0)
+        view.subtitle += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*raw));
     if (const auto range = device::goalRange(entry.servo); range && !mode.limitsZero) {
         view.minGoal = range->min;
         view.maxGoal = range->max;

@@ -109,6 +109,11 @@ private Q_SLOTS:
             QTRY_VERIFY(fixture.workbench().polling().pollRate(ref).hz > 0);
             const auto& entry = *fixture.workbench().registry().servo(ref);
             QTRY_VERIFY(entry.servo.raw(catalog::Role::TorqueSwitch).has_value());
+            // Without torque a goal left from before is not on its way.
+            auto* dial = fixture.find<ui::PositionDial>("positionDial");
+            QTRY_VERIFY(dial->view().position.has_value());
+            QTRY_VERIFY2(!dial->view().subtitle.contains(QChar(0x2192)),
+                         qPrintable(dial->view().subtitle));
             QCOMPARE(entry.servo.raw(catalog::Role::TorqueSwitch), std::int64_t(0));
             QVERIFY(entry.writes.empty());
         }
