@@ -149,7 +149,7 @@ void SweepPage::connectAll()
         const auto& tested = m_test.servos();
         const auto place = std::find(tested.begin(), tested.end(), ref);
         if (place != tested.end())
-            m_results->showServo(int(place - tested.begin()));
+            m_results->chooseServo(int(place - tested.begin()));
     });
     connect(m_switchMode, &QCheckBox::toggled, this, &SweepPage::showState);
     connect(m_previewLabel, &QLabel::linkActivated, this, [this] {

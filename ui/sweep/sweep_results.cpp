@@ -107,7 +107,7 @@ void SweepResults::connectTest()
     });
     m_figures.setSingleShot(true);
     connect(&m_figures, &QTimer::timeout, this, &SweepResults::showMetrics);
-    connect(m_verdict, &VerdictBanner::chipClicked, this, &SweepResults::showServo);
+    connect(m_verdict, &VerdictBanner::chipClicked, this, &SweepResults::chooseServo);
     connect(m_emptyPreviousTests, &QPushButton::clicked, this,
             &SweepResults::previousTestsRequested);
     connect(m_all, &QToolButton::toggled, &m_verdictModel, &SweepVerdictModel::setShowAll);
@@ -142,6 +142,7 @@ void SweepResults::startRun()
     m_chart->setOrigin(m_test.startedAt());
     m_chart->setWidth(defaultWidth);
     m_chart->setFollowing(true);
+    m_isChosen = false;
     showServo(0);
     enableReports();
 }
@@ -149,11 +150,30 @@ void SweepResults::startRun()
 void SweepResults::finishRun()
 {
     m_figures.stop();
+    if (!m_isChosen)
+        showWorstServo();
     appendLegs();
     showMetrics();
     m_chart->zoomToFit();
     enableReports();
     retranslate();
+}
+
+void SweepResults::chooseServo(int index)
+{
+    m_isChosen = true;
+    showServo(index);
+}
+
+void SweepResults::showWorstServo()
+{
+    const auto& servos = m_test.run()->servos;
+    const Grade worst = m_test.run()->verdict();
+    const auto found = std::find_if(servos.begin(), servos.end(),
+                                    [worst](const auto& one) { return one.verdict == worst; });
+    const auto place = found != servos.end() ? found - servos.begin() : 0;
+    if (static_cast<std::size_t>(place) != m_servo)
+        showServo(static_cast<int>(place));
 }
 
 void SweepResults::showServo(int index)

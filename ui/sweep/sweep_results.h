@@ -38,8 +38,8 @@ public:
     void setComparison(const QString& text);
     std::size_t shownServo() const { return m_servo; }
     QString verdictText() const; ///< the verdict in a line, as it is shown
-    /// The figures of this servo of the test.
-    void showServo(int index);
+    /// The user wants to see this servo of the test. Otherwise the worst one is shown at the end.
+    void chooseServo(int index);
 
 Q_SIGNALS:
     void previousTestsRequested();
@@ -56,6 +56,8 @@ private:
     QWidget* buildFindings();
     QWidget* buildReport();
     void connectTest();
+    void showServo(int index);
+    void showWorstServo();
     void startRun();
     void finishRun();
     QString verdictReason() const;
@@ -76,6 +78,7 @@ private:
     SweepVerdictModel m_verdictModel;
     SweepLegsModel m_legsModel;
     std::size_t m_servo = 0;
+    bool m_isChosen = false; ///< by the user, in this run
     std::size_t m_legsTaken = 0;
     QTimer m_figures; ///< not after every leg anew
 

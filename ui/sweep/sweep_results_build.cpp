@@ -26,8 +26,9 @@ constexpr int chartStretch = 5;
 constexpr int findingsStretch = 5;
 constexpr int tableStretch = 5;
 constexpr int reportStretch = 2;
-constexpr int minReportWidth = 180; // the table needs the rest for its last column
-constexpr int minChartHeight = 250; // of its card, also before there is a chart
+constexpr int minReportWidth = 180;     // the table needs the rest for its last column
+constexpr int maxHistogramHeight = 240; // the chart and the table say more
+constexpr int minChartHeight = 250;     // of its card, also before there is a chart
 
 QTableView* table(const char* name, QAbstractItemModel& model, QWidget* parent)
 {
@@ -193,7 +194,9 @@ QWidget* SweepResults::buildReport()
     column->addWidget(m_saved);
     column->addWidget(m_comparison);
     column->addWidget(m_histogramTitle);
+    m_histogram->setMaximumHeight(maxHistogramHeight);
     column->addWidget(m_histogram, 1);
+    column->addStretch();
     area->setWidget(side);
     makeTransparent(area);
     return report;

@@ -702,6 +702,13 @@ private Q_SLOTS:
         QTRY_VERIFY(!fixture.find<QPushButton>("sweepReport_html")->isVisible()); // behind a tab
         QTRY_VERIFY(metrics->viewport()->rect().contains(
             metrics->visualRect(metrics->model()->index(0, grade))));
+        // Where no servo was chosen, the worst one is shown at the end.
+        QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
+        fixture.click("sweepRun");
+        QTRY_VERIFY(fixture.test().isRunning());
+        QTRY_COMPARE(int(results->shownServo()), 0);
+        QVERIFY(fixture.over());
+        QCOMPARE(int(results->shownServo()), 1);
     }
 
     void switchingFromWheelModeIsOffered()
