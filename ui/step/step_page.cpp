@@ -58,8 +58,10 @@ void StepPage::connectAll()
     connect(m_stop, &QPushButton::clicked, &m_test, &session::StepTest::stop);
     connect(m_accept, &QPushButton::clicked, this, &StepPage::accept);
     connect(m_back, &QPushButton::clicked, this, [this] {
-        m_gains->reset();
-        m_test.revert(m_selection.current());
+        if (m_gains->trial().empty())
+            m_test.revert(m_selection.current());
+        else
+            m_gains->reset();
     });
     connect(m_results, &StepResults::adviceRequested, this,
             [this](const results::StepAdvice& advice) {
@@ -202,11 +204,12 @@ void StepPage::showState()
     std::vector<results::StepGain> earlier;
     for (const device::WriteItem& item : m_test.previousValues(ref))
         earlier.push_back({item.key, item.raw});
-    m_back->setText(earlier.empty() ? tr("Discard") : tr("Restore old"));
+    const bool discards = earlier.empty() || !m_gains->trial().empty();
+    m_back->setText(discards ? tr("Discard") : tr("Restore old"));
     m_back->setAccessibleName(m_back->text());
-    m_back->setToolTip(earlier.empty() ? tr("Resets the values under Trial to the present values")
-                                       : tr("Writes the gains from before the last change: %1")
-                                             .arg(stepGainsText(earlier, profile)));
+    m_back->setToolTip(discards ? tr("Resets the values under Trial to the present values")
+                                : tr("Writes the gains from before the last change: %1")
+                                      .arg(stepGainsText(earlier, profile)));
     showProgress();
 }
 

@@ -396,8 +396,13 @@ QString SweepResults::verdictReason() const
                          (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy)
                                            : QString());
     const results::NoVerdictReason reason = results::sweepVerdict(run, *servo()).reason;
-    if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended)
-        sentences << text::localized(report::noVerdictReasonText(reason));
+    if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended) {
+        const QString sentence = text::localized(report::noVerdictReasonText(reason));
+        sentences
+            << (run.servos.size() == 1
+                    ? sentence
+                    : QStringLiteral("ID %1: %2").arg(servo()->parameters.servo.id).arg(sentence));
+    }
     if (!run.gaps.empty())
         sentences << tr("The test waited for %n bus interruption(s) to end.", nullptr,
                         static_cast<int>(run.gaps.size()));

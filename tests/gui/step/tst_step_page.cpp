@@ -169,6 +169,13 @@ private Q_SLOTS:
         fixture.workbench().link().powerCycle();
         QCOMPARE(fixture.now("position_p"), 36);
         QTRY_VERIFY(fixture.own<QPushButton>("stepBack")->toolTip().contains(QLatin1String("32")));
+        // Discarding other values to try writes nothing.
+        fixture.tried("position_p")->setValue(50);
+        QCOMPARE(fixture.own<QPushButton>("stepBack")->text(), QStringLiteral("Discard"));
+        fixture.click("stepBack");
+        QCOMPARE(fixture.tried("position_p")->value(), 36);
+        QCOMPARE(fixture.now("position_p"), 36);
+        QCOMPARE(fixture.own<QPushButton>("stepBack")->text(), QStringLiteral("Restore old"));
         fixture.click("stepBack");
         QTRY_COMPARE(*fixture.raw("position_p"), 32);
         QTRY_VERIFY(fixture.test().previousValues(fixture.selection().current()).empty());
