@@ -11,7 +11,6 @@ set -euo pipefail
 . "$SOURCE_DIR/packaging/checks.sh"
 cd -- "$SOURCE_DIR"
 export SERVODESK_DEEP_CHECK=1
-export QTEST_FUNCTION_TIMEOUT=3600000 # ms; Qt Test ends a test function after five minutes otherwise
 
 chapter "Packages"
 install_packages build test ci

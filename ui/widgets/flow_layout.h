@@ -24,6 +24,10 @@ public:
     QSize minimumSize() const override;
     void setGeometry(const QRect& rect) override;
 
+protected:
+    /// For a layout that places the items itself.
+    void setRect(const QRect& rect) { QLayout::setGeometry(rect); }
+
 private:
     /// Places the items, or only measures; the height they need.
     int arrange(const QRect& rect, bool measureOnly) const;

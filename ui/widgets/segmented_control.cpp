@@ -115,7 +115,7 @@ public:
             FlowLayout::setGeometry(rect);
             return;
         }
-        QLayout::setGeometry(rect);
+        setRect(rect);
         const std::vector<int> edges = columnEdges(rows, rect.width());
         const int columns = static_cast<int>(edges.size()) - 1;
         const int height = sizeHint().height();

@@ -2,6 +2,7 @@
 #include "session/tasks/emergency_stop.h"
 
 #include "device/motion/held_goal.h"
+#include "device/motion/motion.h"
 #include "jobs/stop_check.h"
 #include "session/workbench.h"
 
