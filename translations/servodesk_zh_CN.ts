@@ -1293,6 +1293,38 @@
         <source>Files</source>
         <translation>文件</translation>
     </message>
+    <message>
+        <source>This servo is not connected.</source>
+        <translation>此舵机未连接。</translation>
+    </message>
+    <message>
+        <source>Use Servo → Set ID or Set baud rate to change it back.</source>
+        <translation>请用“舵机 → 设置 ID”或“设置波特率”改回。</translation>
+    </message>
+    <message>
+        <source>This entry is an action, not a value that can be written back.</source>
+        <translation>此条目是操作，不是可以写回的值。</translation>
+    </message>
+    <message>
+        <source>The register holds the old value.</source>
+        <translation>寄存器中已是旧值。</translation>
+    </message>
+    <message>
+        <source>Undo this write?</source>
+        <translation>撤销此写入？</translation>
+    </message>
+    <message>
+        <source>ID %1 · %2: %3 is set from %4 to %5.</source>
+        <translation>ID %1 · %2：%3 从 %4 改为 %5。</translation>
+    </message>
+    <message>
+        <source>It was changed again after this write.</source>
+        <translation>此写入之后该值又被更改过。</translation>
+    </message>
+    <message>
+        <source>Undo this write</source>
+        <translation>撤销此写入</translation>
+    </message>
 </context>
 <context>
     <name>MemorySheet</name>
@@ -8178,6 +8210,41 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
 </context>
 <context>
+    <name>ui::AllowMovementButton</name>
+    <message>
+        <source>Turn torque on?</source>
+        <translation>打开扭矩？</translation>
+    </message>
+    <message>
+        <source>The emergency stop has turned torque off for %1. Torque is turned on again where the servos are now; nothing moves until you start a test.</source>
+        <translation>急停已让 %1 卸力。扭矩将在舵机当前位置重新打开；在您开始测试之前不会运动。</translation>
+    </message>
+    <message>
+        <source>Keep hands and objects away from the servos. Esc immediately turns torque off on all servos.</source>
+        <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
+    </message>
+    <message>
+        <source>Turn torque on</source>
+        <translation>打开扭矩</translation>
+    </message>
+    <message>
+        <source>Torque was not turned on.</source>
+        <translation>扭矩未打开。</translation>
+    </message>
+    <message>
+        <source>Wait until the search or test has ended, then click Allow movement again.</source>
+        <translation>请等搜索或测试结束，再点“允许运动”。</translation>
+    </message>
+    <message>
+        <source>Allow movement</source>
+        <translation>允许运动</translation>
+    </message>
+    <message>
+        <source>Turns torque on after the emergency stop; nothing moves yet</source>
+        <translation>急停后重新打开扭矩；此时不会运动</translation>
+    </message>
+</context>
+<context>
     <name>ui::AppearanceButtons</name>
     <message>
         <source>Switch between English and Chinese</source>
@@ -10054,34 +10121,6 @@ Retries: %9</source>
         <translation>请选择一次写入。</translation>
     </message>
     <message>
-        <source>This servo is not connected.</source>
-        <translation>此舵机未连接。</translation>
-    </message>
-    <message>
-        <source>Use Servo → Set ID or Set baud rate to change it back.</source>
-        <translation>请用“舵机 → 设置 ID”或“设置波特率”改回。</translation>
-    </message>
-    <message>
-        <source>This entry is an action, not a value that can be written back.</source>
-        <translation>此条目是操作，不是可以写回的值。</translation>
-    </message>
-    <message>
-        <source>The register holds the old value.</source>
-        <translation>寄存器中已是旧值。</translation>
-    </message>
-    <message>
-        <source>Undo this write?</source>
-        <translation>撤销此写入？</translation>
-    </message>
-    <message>
-        <source>ID %1 · %2: %3 is set from %4 to %5.</source>
-        <translation>ID %1 · %2：%3 从 %4 改为 %5。</translation>
-    </message>
-    <message>
-        <source>It was changed again after this write.</source>
-        <translation>此写入之后该值又被更改过。</translation>
-    </message>
-    <message>
         <source>Undo this write</source>
         <translation>撤销此写入</translation>
     </message>
@@ -10379,32 +10418,28 @@ Retries: %9</source>
         <translation>重试</translation>
     </message>
     <message>
-        <source>Connect again</source>
-        <translation>重新连接</translation>
-    </message>
-    <message>
         <source>The connection to %1 was lost.</source>
         <translation>与 %1 的连接已断开。</translation>
-    </message>
-    <message>
-        <source>Plug the adapter in again to continue. A write that was in progress is recorded in the journal and will be checked first.</source>
-        <translation>重新插入适配器后即可继续。正在写入的内容已记入写入日志，连接后首先检查。</translation>
-    </message>
-    <message>
-        <source>The adapter is available again as %1.</source>
-        <translation>适配器已重新出现在 %1。</translation>
-    </message>
-    <message>
-        <source>Reconnect to continue with the same servos; reconnecting writes nothing.</source>
-        <translation>重新连接即可继续使用其舵机；不写入任何内容。</translation>
     </message>
     <message>
         <source>Opens the port again with the settings above</source>
         <translation>按上方设置再次打开端口</translation>
     </message>
     <message>
-        <source>Opens the port again with the same settings and searches it for servos</source>
-        <translation>用相同设置重新打开端口并搜索</translation>
+        <source>Reconnect</source>
+        <translation>重新连接</translation>
+    </message>
+    <message>
+        <source>Opens the port again and asks the servos of the list whether they reply; writes nothing</source>
+        <translation>重新打开端口，询问列表中的舵机是否应答；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>ServoDesk keeps trying to reconnect; close this message to stop that. A write that was in progress is recorded in the journal and will be checked first.</source>
+        <translation>ServoDesk 会不断尝试重新连接，关闭此提示即停止。正在进行的写入已记在写入日志中，届时会先核对。</translation>
+    </message>
+    <message>
+        <source>Plug the adapter in again and ServoDesk reconnects automatically; close this message to stay disconnected. A write that was in progress is recorded in the journal and will be checked first.</source>
+        <translation>重新插上适配器后，ServoDesk 会自动重新连接；关闭此提示则保持断开。正在进行的写入已记在写入日志中，届时会先核对。</translation>
     </message>
 </context>
 <context>
@@ -12429,10 +12464,6 @@ Retries: %9</source>
         <translation>运行结束后切换回原模式；不会永久保存到舵机</translation>
     </message>
     <message>
-        <source>Held by the emergency stop. Click Allow movement to turn torque on; the servo holds its position until you click Measure or Try gains.</source>
-        <translation>舵机被急停锁定。点击“允许运动”打开扭矩；点击“测量”或“试用增益”之前，舵机保持当前位置。</translation>
-    </message>
-    <message>
         <source>First change a value under Trial.</source>
         <translation>请先修改“试用”列中的值。</translation>
     </message>
@@ -12461,14 +12492,6 @@ Retries: %9</source>
         <translation>写回上次更改之前的增益：%1</translation>
     </message>
     <message>
-        <source>Allow movement</source>
-        <translation>允许运动</translation>
-    </message>
-    <message>
-        <source>Turns torque on after the emergency stop; nothing moves yet</source>
-        <translation>急停后重新打开扭矩；此时不会运动</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>测量</translation>
     </message>
@@ -12487,6 +12510,10 @@ Retries: %9</source>
     <message>
         <source>Writes the values under Trial permanently</source>
         <translation>将“试用”列的值永久写入</translation>
+    </message>
+    <message>
+        <source>Blocked by the emergency stop, torque is off. Click Allow movement to turn torque on; nothing moves until you click Measure or Try gains.</source>
+        <translation>急停后已卸力，禁止运动。点“允许运动”打开扭矩；点“测量”或“试用增益”之前不会运动。</translation>
     </message>
 </context>
 <context>
@@ -12626,6 +12653,10 @@ Retries: %9</source>
     <message>
         <source>After</source>
         <translation>之后</translation>
+    </message>
+    <message>
+        <source>%1 (measured already)</source>
+        <translation>%1（已测量）</translation>
     </message>
 </context>
 <context>
@@ -13168,16 +13199,8 @@ Retries: %9</source>
         <translation>预热中，尚未开始测量</translation>
     </message>
     <message>
-        <source>Held by the emergency stop: %1. Click Allow movement to turn torque on; the servos hold their position until you click Run.</source>
-        <translation>被急停锁定：%1。点击“允许运动”打开扭矩；点击“运行”之前，舵机保持当前位置。</translation>
-    </message>
-    <message>
-        <source>Allow movement</source>
-        <translation>允许运动</translation>
-    </message>
-    <message>
-        <source>Turns torque on after the emergency stop; nothing moves yet</source>
-        <translation>急停后重新打开扭矩；此时不会运动</translation>
+        <source>Blocked by the emergency stop, torque is off: %1. Click Allow movement to turn torque on; nothing moves until you click Run.</source>
+        <translation>急停后已卸力，禁止运动：%1。点“允许运动”打开扭矩；点“运行”之前不会运动。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,6 +33,19 @@ constexpr std::array figureTexts{
     NamedText{"peak_current", QT_TRANSLATE_NOOP("StepText", "Peak current")},
     NamedText{"peak_load", QT_TRANSLATE_NOOP("StepText", "Peak load")},
 };
+
+/// Three digits that count: readings and responses scatter by more than the rest.
+double partsFor(double value)
+{
+    const double size = std::abs(value);
+    return size >= 100 ? 1 : size >= 10 ? 10 : 100;
+}
+
+QString number(double value, double parts)
+{
+    const double rounded = std::round(value * parts) / parts;
+    return QString::number(rounded == 0 ? 0 : rounded, 'g', QLocale::FloatingPointShortest);
+}
 } // namespace
 
 Text stepFigureText(const QString& key)
@@ -49,13 +63,19 @@ QString stepUnit(const results::StepFigure& figure, bool chinese)
 
 QString stepValue(std::optional<double> value)
 {
-    if (!value || !std::isfinite(*value))
-        return QStringLiteral("–");
-    // Three digits that count: readings and responses scatter by more than the rest.
-    const double size = std::abs(*value);
-    const double parts = size >= 100 ? 1 : size >= 10 ? 10 : 100;
-    const double rounded = std::round(*value * parts) / parts;
-    return QString::number(rounded == 0 ? 0 : rounded, 'g', QLocale::FloatingPointShortest);
+    return value && std::isfinite(*value) ? number(*value, partsFor(*value)) : QStringLiteral("–");
+}
+
+StepPairText stepPairText(std::optional<double> before, std::optional<double> after)
+{
+    if (!before || !after || !std::isfinite(*before) || !std::isfinite(*after))
+        return {stepValue(before), stepValue(after), QStringLiteral("–")};
+    const double parts = partsFor(std::max(std::abs(*before), std::abs(*after)));
+    const double change = (std::round(*after * parts) - std::round(*before * parts)) / parts;
+    const QString sign = change < 0   ? QStringLiteral("−")
+                         : change > 0 ? QStringLiteral("+")
+                                      : QString();
+    return {number(*before, parts), number(*after, parts), sign + number(std::abs(change), parts)};
 }
 
 Text stepChangeText(StepChange change)

@@ -11,6 +11,13 @@ catalog::Text stepFigureText(const QString& key); ///< an unknown key: the key i
 QString stepUnit(const results::StepFigure& figure, bool chinese);
 /// "5.25", "12.3", "3455"; a dash where nothing was measured.
 QString stepValue(std::optional<double> value);
+/// A pair and its difference with the same decimals, so that the three agree as they are shown.
+struct StepPairText {
+    QString before;
+    QString after;
+    QString difference; ///< "−17.1", "+0.5", "0"; a dash: not both were measured
+};
+StepPairText stepPairText(std::optional<double> before, std::optional<double> after);
 catalog::Text stepChangeText(results::StepChange change);    ///< "better"; Neither: "–"
 catalog::Text stepSymptomText(results::StepSymptom symptom); ///< "It overshoots: D is too low."
 catalog::Text stepRemedyText(results::StepRemedy remedy);    ///< "Raise D"

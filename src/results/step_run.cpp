@@ -106,6 +106,12 @@ StepFigures meanOf(const std::vector<StepResponse>& responses)
     return mean;
 }
 
+bool isSameMotion(const StepRun& one, const StepRun& other)
+{
+    const double way = std::abs(one.axis.to - one.axis.from);
+    return std::abs(way - std::abs(other.axis.to - other.axis.from)) <= 1;
+}
+
 std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& after)
 {
     std::vector<StepDifference> rows;

@@ -129,6 +129,9 @@ struct StepDifference {
     StepChange change = StepChange::NotMeasured;
 };
 
+/// A step of the same size.
+bool isSameMotion(const StepRun& one, const StepRun& other);
+
 /// In the order of stepFigures; those that neither run measured are left out.
 std::vector<StepDifference> compareSteps(const StepRun& before, const StepRun& after);
 

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/history_page.h"
 
-#include "device/write_meaning.h"
 #include "session/history/history_server_choice.h"
 #include "session/history/history_server_source.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
-#include "ui/editors/write_question.h"
 #include "ui/history/history_details.h"
 #include "ui/history/history_filter_bar.h"
 #include "ui/history/history_list_view.h"
 #include "ui/history/history_send_label.h"
 #include "ui/history/history_server_dialog.h"
+#include "ui/history/history_undo.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/note_dialog.h"
-#include "ui/widgets/question_dialog.h"
 
 #include <QDir>
 #include <QEvent>
@@ -144,7 +142,10 @@ void HistoryPage::connectAll()
             &HistoryPage::showState);
     connect(m_view, &QTableView::activated, this, &HistoryPage::openSelected);
     connect(m_open, &QPushButton::clicked, this, &HistoryPage::openSelected);
-    connect(m_undo, &QPushButton::clicked, this, &HistoryPage::undoWrite);
+    connect(m_undo, &QPushButton::clicked, this, [this] {
+        if (const HistoryLine* line = selectedLine(); line != nullptr && line->write)
+            askToUndo(this, m_workbench, *line->write, m_table.servoOf(*line));
+    });
     connect(m_ofServo, &QPushButton::clicked, this, [this] {
         if (const HistoryLine* line = selectedLine())
             m_filters->selectServo(line->servo);
@@ -232,76 +233,6 @@ const HistoryLine* HistoryPage::selectedLine() const
     return row ? &m_table.lineAt(*row) : nullptr;
 }
 
-/// The one in the list of servos that the entry is about; null: none.
-const session::ServoEntry* HistoryPage::connectedServo(const HistoryLine& line) const
-{
-    const history::HistoryServo* known = m_table.servoOf(line);
-    if (known == nullptr || m_workbench.link().state() != session::LinkState::Open)
-        return nullptr;
-    for (const session::ServoRef ref : m_workbench.registry().order()) {
-        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
-        const base::ServoIdentity now = entry->servo.identity();
-        if (now.id == known->identity.id && now.isSameKind(known->identity) &&
-            now.isSimulated() == known->identity.isSimulated())
-            return entry;
-    }
-    return nullptr;
-}
-
-QString HistoryPage::undoRefusal() const
-{
-    const HistoryLine* line = selectedLine();
-    if (line == nullptr || !line->write)
-        return tr("Select a write.");
-    const history::HistoryWrite& write = *line->write;
-    const session::ServoEntry* entry = connectedServo(*line);
-    const catalog::Register* reg =
-        entry != nullptr && entry->servo.profile ? entry->servo.profile->find(write.key) : nullptr;
-    if (reg == nullptr)
-        return tr("This servo is not connected.");
-    const device::WriteMeaning meaning = device::classify(*reg, write.oldRaw);
-    if (meaning.changesAddress())
-        return tr("Use Servo → Set ID or Set baud rate to change it back.");
-    if (meaning.procedure != device::WriteProcedure::Register || meaning.isMotion() ||
-        reg->access != catalog::Access::ReadWrite || !write.newRaw)
-        return tr("This entry is an action, not a value that can be written back.");
-    if (entry->displayedRaw(*reg) == write.oldRaw)
-        return tr("The register holds the old value.");
-    return {};
-}
-
-/// Always asks: the servo is out of sight here, and the value may have changed since.
-void HistoryPage::undoWrite()
-{
-    if (!undoRefusal().isEmpty())
-        return;
-    const HistoryLine line = *selectedLine();
-    const session::ServoEntry& entry = *connectedServo(line);
-    const catalog::Register& reg = *entry.servo.profile->find(line.write->key);
-    const auto now = entry.displayedRaw(reg);
-    auto question =
-        writeQuestion(entry, reg, line.write->oldRaw, line.write->temporary).value_or(Question{});
-    question.title = tr("Undo this write?");
-    const QString change = tr("ID %1 · %2: %3 is set from %4 to %5.")
-                               .arg(entry.servo.id)
-                               .arg(entry.servo.profile->modelName, line.title(),
-                                    now ? QString::number(*now) : QStringLiteral("–"),
-                                    QString::number(line.write->oldRaw));
-    QStringList sentences{change, question.text};
-    if (now && now != line.write->newRaw)
-        sentences.insert(1, tr("It was changed again after this write."));
-    sentences.removeAll(QString());
-    question.text = sentences.join(QLatin1Char('\n'));
-    question.acceptText = tr("Undo this write");
-    question.guard = this;
-    ask(this, question,
-        [this, ref = entry.ref, key = line.write->key, raw = line.write->oldRaw,
-         temporary = line.write->temporary] {
-            m_workbench.writes().write(ref,
-                                       {{{key, raw}}, temporary, device::Consent::confirmed()});
-        });
-}
-
 void HistoryPage::showState()
 {
     m_view->updateAfterChange();
@@ -339,13 +270,15 @@ void HistoryPage::showActions()
     m_label->setVisible(!isRemote() &&
                         (kind == HistoryKind::Servos || kind == HistoryKind::Snapshots));
     m_label->setEnabled(one);
-    const QString refusal = writes ? undoRefusal() : QString();
+    const HistoryLine* line = selectedLine();
+    const QString refusal = line != nullptr && line->write
+                                ? undoRefusal(m_workbench, *line->write, m_table.servoOf(*line))
+                                : tr("Select a write.");
     m_undo->setVisible(writes && !isRemote());
     m_undo->setEnabled(refusal.isEmpty());
     setButtonText(m_undo, tr("Undo this write"),
                   refusal.isEmpty() ? tr("Writes the old value to the servo again, after asking")
                                     : refusal);
-    const HistoryLine* line = selectedLine();
     m_ofServo->setVisible(kind != HistoryKind::Servos && kind != HistoryKind::Runs &&
                           kind != HistoryKind::Recordings);
     m_ofServo->setEnabled(line != nullptr && line->servo != 0);

@@ -58,11 +58,7 @@ private:
     QString countText() const;
     bool isStepResponseSelected() const;
     const HistoryLine* selectedLine() const; ///< null: none
-    const session::ServoEntry* connectedServo(const HistoryLine& line) const;
-    /// Why the selected write cannot be undone here; empty: it can.
-    QString undoRefusal() const;
     void showActions();
-    void undoWrite();
 
     void openSelected();
     void openSnapshot(std::int64_t number);

@@ -9,6 +9,7 @@
 #include "ui/step/step_results.h"
 #include "ui/step/step_runs_dialog.h"
 #include "ui/step/step_text.h"
+#include "ui/widgets/allow_movement_button.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/question_dialog.h"
 #include "ui/widgets/test_text.h"
@@ -51,10 +52,7 @@ void StepPage::connectAll()
     connect(m_switchMode, &QCheckBox::toggled, this, &StepPage::showState);
     connect(m_run, &QPushButton::clicked, this, [this] { run(false); });
     connect(m_try, &QPushButton::clicked, this, [this] { run(true); });
-    connect(m_allow, &QPushButton::clicked, this, [this] {
-        m_confirmed = false; // the next run asks again
-        m_workbench.emergencyStop().allowMovement(m_selection.current());
-    });
+    connect(m_allow, &AllowMovementButton::allowed, this, [this] { m_confirmed = false; });
     connect(m_stop, &QPushButton::clicked, &m_test, &session::StepTest::stop);
     connect(m_accept, &QPushButton::clicked, this, &StepPage::accept);
     connect(m_back, &QPushButton::clicked, this, [this] {
@@ -153,8 +151,9 @@ QString StepPage::blockedReason() const
     if (m_workbench.tasks().isTesting())
         return tr("Another test is running.");
     if (entry->stopped)
-        return tr("Held by the emergency stop. Click Allow movement to turn torque on; the servo "
-                  "holds its position until you click Measure or Try gains.");
+        return tr(
+            "Blocked by the emergency stop, torque is off. Click Allow movement to turn torque "
+            "on; nothing moves until you click Measure or Try gains.");
     if (otherMode() && !m_switchMode->isChecked())
         return tr("The servo is in a mode that does not use positions. Select the option to switch "
                   "modes automatically, or change the mode yourself.");
@@ -188,7 +187,7 @@ void StepPage::showState()
     m_stop->setEnabled(running);
     const bool open =
         m_workbench.link().state() == session::LinkState::Open && !m_workbench.tasks().isTesting();
-    m_allow->setVisible(!running && open && entry != nullptr && entry->stopped);
+    m_allow->showFor({ref});
     m_accept->setEnabled(!running && open && !m_gains->trial().empty());
     m_back->setEnabled(!running && open &&
                        (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step-response page: step, gains and values to try at the left; overlaid responses, figures
-// before and after, and advice at the right. A trial lasts as long as its run; Accept writes
-// permanently, Back writes the values from before. Opening it moves nothing; the first
+// before and after, and advice at the right. A trial lasts as long as its run; Keep gains
+// writes permanently, Restore old writes the gains from before. Opening it moves nothing; the first
 // run of a session asks. Earlier runs can be opened next to the measured ones. Owned by the window;
 // main thread.
 #pragma once
@@ -20,6 +20,7 @@ class QPushButton;
 class QScrollArea;
 
 namespace ui {
+class AllowMovementButton;
 class Banner;
 struct BannerText;
 class StepForm;
@@ -78,7 +79,7 @@ private:
     StepGains* m_gains = nullptr;
     QCheckBox* m_switchMode = nullptr;
     QLabel* m_reasonLabel = nullptr;
-    QPushButton* m_allow = nullptr; ///< only while an emergency stop holds the servo
+    AllowMovementButton* m_allow = nullptr;
     QPushButton* m_run = nullptr;
     QPushButton* m_try = nullptr;
     QPushButton* m_stop = nullptr;

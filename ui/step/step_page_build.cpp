@@ -5,6 +5,7 @@
 #include "ui/step/step_gains.h"
 #include "ui/step/step_page.h"
 #include "ui/step/step_results.h"
+#include "ui/widgets/allow_movement_button.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/floating_overlay.h"
 #include "ui/widgets/press_guard.h"
@@ -91,8 +92,8 @@ QWidget* StepPage::buildRun()
     m_switchMode = new QCheckBox(box);
     m_switchMode->setObjectName(QStringLiteral("stepSwitchMode"));
     m_switchMode->hide();
-    m_allow = button("stepAllow", box);
-    m_allow->hide();
+    m_allow = new AllowMovementButton(m_workbench, *m_banner, box);
+    m_allow->setObjectName(QStringLiteral("stepAllow"));
     m_run = button("stepRun", box);
     m_run->setProperty("mainAction", true);
     m_try = button("stepTry", box);
@@ -112,7 +113,7 @@ QWidget* StepPage::buildRun()
     grid->addWidget(m_stop, 4, 2);
     grid->addWidget(m_accept, 5, 0, 1, 2);
     grid->addWidget(m_back, 5, 2);
-    for (QWidget* mover : {m_allow, m_run, m_try})
+    for (QWidget* mover : {m_run, m_try})
         new PressGuard(mover);
     return box;
 }
@@ -121,8 +122,6 @@ void StepPage::retranslate()
 {
     setAccessibleName(tr("Step response"));
     m_gainsTitle->setText(tr("Gains"));
-    m_allow->setText(tr("Allow movement"));
-    m_allow->setToolTip(tr("Turns torque on after the emergency stop; nothing moves yet"));
     m_run->setText(tr("Measure"));
     m_run->setToolTip(tr("Makes the step with the servo's present gains: the servo will move"));
     m_try->setText(tr("Try gains"));
@@ -135,7 +134,7 @@ void StepPage::retranslate()
     m_switchMode->setToolTip(tr("Switches back after the run; nothing is stored permanently in "
                                 "the servo"));
     m_progress->setAccessibleName(tr("Progress of the run"));
-    for (QPushButton* one : {m_allow, m_run, m_try, m_stop, m_accept})
+    for (QPushButton* one : {m_run, m_try, m_stop, m_accept})
         one->setAccessibleName(one->text());
 }
 } // namespace ui

@@ -46,14 +46,12 @@ Tone toneOf(StepChange change)
     }
 }
 /// "−18.1 better", "unchanged", "+520".
-QString changeText(const results::StepDifference& one)
+QString changeText(const QString& amount, StepChange change)
 {
-    const QString word = text::localized(report::stepChangeText(one.change));
-    if (!one.difference || one.change == StepChange::Same || one.change == StepChange::NotMeasured)
+    const QString word = text::localized(report::stepChangeText(change));
+    if (change == StepChange::Same || change == StepChange::NotMeasured)
         return word;
-    const QString amount = (*one.difference < 0 ? QStringLiteral("−") : QStringLiteral("+")) +
-                           report::stepValue(std::abs(*one.difference));
-    return one.change == StepChange::Neither ? amount : amount + QLatin1Char(' ') + word;
+    return change == StepChange::Neither ? amount : amount + QLatin1Char(' ') + word;
 }
 } // namespace
 
@@ -254,18 +252,21 @@ void StepResults::fillRow(int row, const results::StepFigure& figure)
     const QString unit = report::stepUnit(figure, text::isUiChinese());
     const QString name = text::localized(report::stepFigureText(QString::fromLatin1(figure.key)));
     setCell(Figure, unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit));
-    setCell(After, report::stepValue(after.mean.*figure.member));
+    const auto& value = after.mean.*figure.member;
+    setCell(After, report::stepValue(value));
     if (before == nullptr)
         return;
-    setCell(Before, report::stepValue(before->mean.*figure.member));
+    const report::StepPairText pair = report::stepPairText(before->mean.*figure.member, value);
+    setCell(Before, pair.before);
+    setCell(After, pair.after);
     for (const results::StepDifference& one : results::compareSteps(*before, after)) {
         if (QLatin1StringView(one.figure.key) != QLatin1StringView(figure.key))
             continue;
-        setCell(Change, changeText(one), toneOf(one.change));
+        setCell(Change, changeText(pair.difference, one.change), toneOf(one.change));
     }
 }
 
-/// The advice, with a button that copies its value to Try.
+/// The advice, with a button that copies its value to Trial.
 QWidget* StepResults::adviceRow(const results::StepAdvice& advice)
 {
     auto* row = new QWidget(m_adviceBox);
@@ -283,6 +284,10 @@ QWidget* StepResults::adviceRow(const results::StepAdvice& advice)
     line->addWidget(words, 1);
     if (advice.key.isEmpty())
         return row;
+    if (jobs::wasMeasured(advice, m_test.runs())) {
+        words->setText(tr("%1 (measured already)").arg(sentence));
+        return row;
+    }
     auto* button = new QPushButton(tr("Use"), row);
     button->setObjectName(QStringLiteral("stepTake_") + advice.key);
     button->setAccessibleName(words->text());

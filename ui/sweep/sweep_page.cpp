@@ -13,6 +13,7 @@
 #include "ui/sweep/sweep_previews.h"
 #include "ui/sweep/sweep_results.h"
 #include "ui/sweep/sweep_servos.h"
+#include "ui/widgets/allow_movement_button.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/floating_overlay.h"
 #include "ui/widgets/press_guard.h"
@@ -109,9 +110,8 @@ QWidget* SweepPage::buildRun()
     m_run = new QPushButton(box);
     m_run->setObjectName(QStringLiteral("sweepRun"));
     m_run->setProperty("mainAction", true);
-    m_allow = new QPushButton(box);
+    m_allow = new AllowMovementButton(m_workbench, *m_banner, box);
     m_allow->setObjectName(QStringLiteral("sweepAllow"));
-    m_allow->hide();
     m_stop = new QPushButton(box);
     m_stop->setObjectName(QStringLiteral("sweepStop"));
     auto* buttons = new QHBoxLayout;
@@ -131,7 +131,6 @@ QWidget* SweepPage::buildRun()
     column->addWidget(m_switchMode);
     column->addLayout(buttons);
     new PressGuard(m_run);
-    new PressGuard(m_allow);
     return box;
 }
 
@@ -160,7 +159,7 @@ void SweepPage::connectAll()
         schedulePreview();
     });
     connect(m_run, &QPushButton::clicked, this, &SweepPage::run);
-    connect(m_allow, &QPushButton::clicked, this, &SweepPage::allowMovement);
+    connect(m_allow, &AllowMovementButton::allowed, this, [this] { m_consent.reset(); });
     connect(m_stop, &QPushButton::clicked, &m_test, &session::SweepTest::stop);
     connect(m_results, &SweepResults::previousTestsRequested, this,
             &SweepPage::previousTestsRequested);
@@ -233,25 +232,6 @@ void SweepPage::preview()
     showState();
 }
 
-/// The selected servos that an emergency stop holds.
-std::vector<session::ServoRef> SweepPage::servosHeldByStop() const
-{
-    std::vector<session::ServoRef> held;
-    for (const session::ServoRef ref : m_servos->selected()) {
-        if (m_workbench.registry().servo(ref)->stopped)
-            held.push_back(ref);
-    }
-    return held;
-}
-
-/// The next run asks again, as the first one did.
-void SweepPage::allowMovement()
-{
-    m_consent.reset();
-    for (const session::ServoRef ref : servosHeldByStop())
-        m_workbench.emergencyStop().allowMovement(ref);
-}
-
 /// The first selected servo that does not answer now, even if it was read before.
 std::optional<session::SweepPreview> SweepPage::silentServo() const
 {
@@ -296,13 +276,11 @@ QString SweepPage::blockedReason() const
         return tr("A search is running; the test can start when it has ended.");
     if (m_servos->selected().empty())
         return tr("Select a servo in the list, or select one below.");
-    QStringList held;
-    for (const session::ServoRef ref : servosHeldByStop())
-        held.append(QStringLiteral("ID %1").arg(m_workbench.registry().servo(ref)->servo.id));
+    const QString held = blockedByStopText(m_workbench.registry(), m_servos->selected());
     if (!held.isEmpty())
-        return tr("Held by the emergency stop: %1. Click Allow movement to turn torque on; the "
-                  "servos hold their position until you click Run.")
-            .arg(held.join(QStringLiteral(", ")));
+        return tr("Blocked by the emergency stop, torque is off: %1. Click Allow movement to turn "
+                  "torque on; nothing moves until you click Run.")
+            .arg(held);
     return m_form->inputError();
 }
 
@@ -322,8 +300,7 @@ void SweepPage::showState()
     m_run->setEnabled(!running && blockedReason().isEmpty() && !refused && !previews.empty() &&
                       !silentServo());
     m_stop->setEnabled(running);
-    m_allow->setVisible(!running && m_workbench.link().state() == session::LinkState::Open &&
-                        !servosHeldByStop().empty());
+    m_allow->showFor(m_servos->selected());
     m_progress->setVisible(running);
     m_progressLabel->setVisible(running);
     m_previewLabel->setVisible(!running);
@@ -455,8 +432,6 @@ void SweepPage::retranslate()
     setAccessibleName(tr("Sweep test"));
     m_run->setText(tr("Run"));
     m_run->setToolTip(tr("Starts the test: the servos will move"));
-    m_allow->setText(tr("Allow movement"));
-    m_allow->setToolTip(tr("Turns torque on after the emergency stop; nothing moves yet"));
     m_stop->setText(tr("Stop"));
     m_stop->setToolTip(
         tr("Ends the test; the servos hold their position or torque is turned off, as selected"));
@@ -465,7 +440,7 @@ void SweepPage::retranslate()
                                 "the servo"));
     m_progress->setAccessibleName(tr("Progress of the test"));
     for (QAbstractButton* button :
-         std::initializer_list<QAbstractButton*>{m_run, m_allow, m_stop, m_switchMode})
+         std::initializer_list<QAbstractButton*>{m_run, m_stop, m_switchMode})
         button->setAccessibleName(button->text());
 }
 

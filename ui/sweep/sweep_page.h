@@ -20,6 +20,7 @@ class QPushButton;
 class QScrollArea;
 
 namespace ui {
+class AllowMovementButton;
 class Banner;
 class SweepLeftoversBanner;
 class SweepPreviews;
@@ -51,8 +52,6 @@ private:
     void preview();
     void onPreviewsReceived();
     void onServoSelected();
-    std::vector<session::ServoRef> servosHeldByStop() const;
-    void allowMovement();
     std::optional<session::SweepPreview> silentServo() const;
     void run();
     void start();
@@ -83,7 +82,7 @@ private:
     QLabel* m_previewLabel = nullptr;
     QCheckBox* m_switchMode = nullptr;
     QPushButton* m_run = nullptr;
-    QPushButton* m_allow = nullptr; ///< only while an emergency stop holds a servo
+    AllowMovementButton* m_allow = nullptr;
     QPushButton* m_stop = nullptr;
     ThinProgress* m_progress = nullptr;
     QLabel* m_progressLabel = nullptr;

@@ -45,9 +45,15 @@ QString servoName(const results::SweepServo& servo)
         .arg(servo.parameters.servo.model);
 }
 
-/// "Overshoot, Hysteresis": what decided the verdict.
-QString reasonText(const results::SweepServo& servo)
+/// "Overshoot, Hysteresis": what decided the verdict; or why there is none. Empty: it has passed,
+/// or the end of the test says why.
+QString reasonText(const results::SweepRun& run, const results::SweepServo& servo)
 {
+    const results::NoVerdictReason none = results::sweepVerdict(run, servo).reason;
+    if (none != results::NoVerdictReason::None)
+        return none == results::NoVerdictReason::Ended
+                   ? QString()
+                   : text::localized(report::noVerdictReasonText(none));
     QStringList reasons;
     for (const results::VerdictLine& line : servo.lines) {
         if (line.grade == servo.verdict && (line.grade == Grade::Fail || line.grade == Grade::Warn))
@@ -60,13 +66,14 @@ QString reasonText(const results::SweepServo& servo)
 QString reasonText(const results::SweepRun& run)
 {
     if (run.servos.size() == 1)
-        return reasonText(run.servos.front());
+        return reasonText(run, run.servos.front());
     QStringList worst;
     for (const results::SweepServo& servo : run.servos) {
-        if (servo.verdict == run.verdict() && servo.verdict != Grade::Pass)
-            worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id) +
-                         (reasonText(servo).isEmpty() ? QString()
-                                                      : QStringLiteral(" — ") + reasonText(servo)));
+        if (servo.verdict != run.verdict() || servo.verdict == Grade::Pass)
+            continue;
+        const QString reason = reasonText(run, servo);
+        worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id) +
+                     (reason.isEmpty() ? QString() : QStringLiteral(" — ") + reason));
     }
     return worst.join(QStringLiteral("; "));
 }
@@ -252,11 +259,6 @@ void SweepResults::hideEmptyColumns()
     m_legsView->resizeColumnsToContents();
 }
 
-QString SweepResults::verdictText() const
-{
-    return m_verdict->text();
-}
-
 void SweepResults::showVerdict()
 {
     const results::SweepServo* tested = servo();
@@ -292,8 +294,9 @@ void SweepResults::showChips()
         else
             chips.push_back({report::gradeSign(tested.verdict) + QLatin1Char(' ') + id,
                              gradeTone(tested.verdict),
-                             QStringList{name, gradeText(tested.verdict), reasonText(tested)}
-                                 .join(QLatin1Char('\n'))
+                             QStringLiteral("%1: %2\n%3")
+                                 .arg(name, text::localized(report::gradeLabel(tested.verdict)),
+                                      reasonText(run, tested))
                                  .trimmed()});
     }
     m_verdict->setChips(chips.size() > 1 ? chips : std::vector<VerdictChip>(),
@@ -384,7 +387,7 @@ void SweepResults::retranslate()
     hideEmptyColumns();
 }
 
-/// What decided the verdict, how the test ended if it was not by itself, and why there is none.
+/// What decided the verdict or why there is none, and how the test ended if it was not by itself.
 QString SweepResults::verdictReason() const
 {
     const results::SweepRun& run = *m_test.run();
@@ -395,14 +398,6 @@ QString SweepResults::verdictReason() const
         sentences << text::localized(report::endText(run.end)) +
                          (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy)
                                            : QString());
-    const results::NoVerdictReason reason = results::sweepVerdict(run, *servo()).reason;
-    if (reason != results::NoVerdictReason::None && reason != results::NoVerdictReason::Ended) {
-        const QString sentence = text::localized(report::noVerdictReasonText(reason));
-        sentences
-            << (run.servos.size() == 1
-                    ? sentence
-                    : QStringLiteral("ID %1: %2").arg(servo()->parameters.servo.id).arg(sentence));
-    }
     if (!run.gaps.empty())
         sentences << tr("The test waited for %n bus interruption(s) to end.", nullptr,
                         static_cast<int>(run.gaps.size()));

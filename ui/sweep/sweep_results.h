@@ -37,7 +37,6 @@ public:
     /// with.
     void setComparison(const QString& text);
     std::size_t shownServo() const { return m_servo; }
-    QString verdictText() const; ///< the verdict in a line, as it is shown
     /// The user wants to see this servo of the test. Otherwise the worst one is shown at the end.
     void chooseServo(int index);
 

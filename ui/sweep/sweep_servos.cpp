@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sweep/sweep_servos.h"
 
-#include "report/sweep_text.h"
 #include "ui/common/widget_style.h"
 #include "ui/widgets/test_text.h"
 #include "ui/widgets/tone_delegate.h"

@@ -4,6 +4,7 @@
 #include "ui/widgets/flow_layout.h"
 
 #include <QAbstractButton>
+#include <QAccessible>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -110,11 +111,16 @@ VerdictBanner::VerdictBanner(QWidget* parent)
 
 void VerdictBanner::setVerdict(Tone tone, const QString& grade, const QString& reason)
 {
+    const bool isNew = grade != m_grade->text();
     m_tone = tone;
     m_grade->setText(grade);
     m_reason->setText(reason);
     m_reason->setToolTip(reason);
     setAccessibleName(text());
+    if (isNew && isVisible()) { // a screen reader says it, wherever the focus is
+        QAccessibleEvent alert(this, QAccessible::Alert);
+        QAccessible::updateAccessibility(&alert);
+    }
     update();
 }
 
@@ -134,7 +140,7 @@ void VerdictBanner::setChips(const std::vector<VerdictChip>& chips, int selected
         chip->setText(chips[i].text);
         chip->setTone(chips[i].tone);
         chip->setToolTip(chips[i].tip);
-        chip->setAccessibleName(chips[i].text);
+        chip->setAccessibleName(chips[i].tip);
         chip->setChecked(index == selected);
         chip->updateGeometry();
     }

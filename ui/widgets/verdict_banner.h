@@ -16,7 +16,7 @@ namespace ui {
 struct VerdictChip {
     QString text; ///< "✘ ID 2"
     Tone tone = Tone::Quiet;
-    QString tip{};
+    QString tip; ///< which servo, its grade and why, in words; also for screen readers
 };
 
 class VerdictBanner final : public QFrame {

@@ -42,9 +42,9 @@ QString comparisonText(const results::StepRun& before, const results::StepRun& a
                  translate("cli", "Change")});
     table.alignRight({1, 2, 3});
     for (const results::StepDifference& row : results::compareSteps(before, after)) {
+        const report::StepPairText pair = report::stepPairText(row.before, row.after);
         table.add({text::localized(report::stepFigureText(QString::fromLatin1(row.figure.key))),
-                   report::stepValue(row.before), report::stepValue(row.after),
-                   report::stepValue(row.difference),
+                   pair.before, pair.after, pair.difference,
                    report::stepUnit(row.figure, text::isUiChinese()),
                    text::localized(report::stepChangeText(row.change))});
     }

@@ -230,22 +230,19 @@ std::vector<results::StepAdvice> adviseStep(const results::StepRun& run,
     return StepAdvisor(run, profile).advices();
 }
 
-std::vector<results::StepAdvice> withoutTried(std::vector<results::StepAdvice> advice,
-                                              const std::vector<results::StepRun>& runs)
+bool wasMeasured(const results::StepAdvice& advice, const std::vector<results::StepRun>& runs)
 {
-    if (runs.empty())
-        return advice;
-    const auto wasMeasured = [&runs](const results::StepAdvice& one) {
-        std::vector<results::StepGain> gains = runs.back().gains;
-        for (results::StepGain& gain : gains)
-            gain.raw = gain.key == one.key ? one.proposed : gain.raw;
-        return std::any_of(runs.begin(), runs.end(),
-                           [&gains](const results::StepRun& run) { return run.gains == gains; });
-    };
-    std::erase_if(advice, [&](const results::StepAdvice& one) {
-        return !one.key.isEmpty() && wasMeasured(one);
+    if (advice.key.isEmpty() || runs.empty())
+        return false;
+    const results::StepRun& last = runs.back();
+    std::vector<results::StepGain> gains = last.gains;
+    for (results::StepGain& gain : gains)
+        gain.raw = gain.key == advice.key ? advice.proposed : gain.raw;
+    return std::any_of(runs.begin(), runs.end() - 1, [&](const results::StepRun& run) {
+        return run.end == results::SweepEnd::Finished &&
+               run.parameters.servo == last.parameters.servo && results::isSameMotion(run, last) &&
+               run.gains == gains;
     });
-    return advice;
 }
 
 catalog::ProfilePtr profileOf(const results::StepRun& run, const catalog::Catalog& catalog)

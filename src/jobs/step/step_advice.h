@@ -25,10 +25,9 @@ namespace jobs {
 std::vector<results::StepAdvice> adviseStep(const results::StepRun& run,
                                             const catalog::Profile& profile);
 
-/// Without what one of these runs has measured already: a value that was raised is not to be
-/// lowered again to where it came from.
-std::vector<results::StepAdvice> withoutTried(std::vector<results::StepAdvice> advice,
-                                              const std::vector<results::StepRun>& runs);
+/// Whether an earlier one of these runs has measured what is advised on the last one: completely,
+/// on the same servo, with the same step and the same gains. Advice must not go in circles.
+bool wasMeasured(const results::StepAdvice& advice, const std::vector<results::StepRun>& runs);
 
 /// By the model and firmware that the run names. Null for a model that the catalog does not know.
 catalog::ProfilePtr profileOf(const results::StepRun& run, const catalog::Catalog& catalog);

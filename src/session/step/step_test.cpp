@@ -19,12 +19,6 @@ using namespace std::chrono_literals;
 namespace {
 constexpr auto responseInterval = 50ms;
 
-bool isSameMotion(const results::StepRun& one, const results::StepRun& other)
-{
-    const double way = std::abs(one.axis.to - one.axis.from);
-    return std::abs(way - std::abs(other.axis.to - other.axis.from)) <= 1;
-}
-
 bool holds(const std::vector<device::WriteItem>& items,
            const std::vector<device::WriteItem>& wanted)
 {
@@ -175,7 +169,7 @@ void StepTest::finish(Live& live, const TaskCompletion& end)
         return;
     }
     m_runs.push_back(std::move(*live.run));
-    m_advice = jobs::withoutTried(std::move(live.advice), m_runs);
+    m_advice = std::move(live.advice);
     // The first one with the servo's own values stays: the others are compared with it.
     const auto first = m_runs.begin() + std::ptrdiff_t(m_openedNumbers.size());
     if (std::size_t(m_runs.end() - first) > maxRuns)
@@ -202,13 +196,13 @@ const results::StepRun* StepTest::previousRun() const
 {
     const std::size_t opened = m_openedNumbers.size();
     for (std::size_t i = std::min(opened, m_runs.size() - (opened > 0 ? 1 : 0)); i-- > 0;) {
-        if (isSameMotion(m_runs[i], m_runs.back()))
+        if (results::isSameMotion(m_runs[i], m_runs.back()))
             return &m_runs[i];
     }
     const results::StepRun* any = nullptr;
     for (std::size_t i = m_runs.size(); i-- > opened + 1;) {
         const results::StepRun& earlier = m_runs[i - 1];
-        if (!isSameMotion(earlier, m_runs.back()))
+        if (!results::isSameMotion(earlier, m_runs.back()))
             continue;
         if (earlier.spec.trial.empty())
             return &earlier;

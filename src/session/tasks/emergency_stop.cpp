@@ -149,15 +149,26 @@ void EmergencyStop::reportUnconfirmed()
     m_bench.emitEvent({.kind = Event::Kind::StopUnconfirmed, .stop = result});
 }
 
-void EmergencyStop::allowMovement(ServoRef ref)
+bool EmergencyStop::canAllowMovement() const
 {
+    return !m_bench.search().isSearching() && !m_bench.tasks().isTesting();
+}
+
+bool EmergencyStop::allowMovement(ServoRef ref, QObject* guard,
+                                  std::function<void(const TaskCompletion&)> done)
+{
+    if (!canAllowMovement())
+        return false;
     Task task;
     task.name = QStringLiteral("torque");
     task.effect = Effect::EnablesTorque;
     task.work = [](TaskContext& context) {
         return device::setTorque(context.device, context.servo, device::Torque::On);
     };
+    task.guard = guard;
+    task.done = std::move(done);
     m_bench.tasks().perform(ref, std::move(task));
+    return true;
 }
 
 /// After a stop only torque may be switched on.

@@ -25,9 +25,13 @@ public:
     explicit EmergencyStop(Workbench& bench);
 
     void trigger();
-    /// Turns torque on for a servo that is held: it keeps its position, and may be moved again. Ask
-    /// before: motion follows from here on.
-    void allowMovement(ServoRef ref);
+    /// False while a search or a test keeps the bus: torque would come on later, unexpectedly.
+    bool canAllowMovement() const;
+    /// Turns torque on for a servo that is blocked: it holds where it is, and may be moved again.
+    /// Ask before. False: nothing was begun, because it cannot be allowed now. `done` unless
+    /// `guard` has gone.
+    bool allowMovement(ServoRef ref, QObject* guard,
+                       std::function<void(const TaskCompletion&)> done);
 
     /// For the services of the workbench.
     void portOpened();  ///< a stop that found no port is reported again

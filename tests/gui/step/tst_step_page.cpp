@@ -235,7 +235,16 @@ private Q_SLOTS:
         fixture.workbench().emergencyStop().trigger();
         QTRY_VERIFY(allow->isVisible());
         QVERIFY(!fixture.own<QPushButton>("stepRun")->isEnabled());
+        // Not during a search: torque would come on when hands may be back on the servo.
+        fixture.workbench().search().start({.firstId = 20, .lastId = 25, .bauds = {}});
+        QTRY_VERIFY(!allow->isEnabled());
+        QVERIFY(!fixture.workbench().emergencyStop().allowMovement(fixture.selection().current(),
+                                                                   nullptr, {}));
+        QTRY_VERIFY(!fixture.workbench().search().isSearching());
+        QTRY_VERIFY(allow->isEnabled());
+        QCOMPARE(fixture.now("torque_switch"), 0);
         QTest::mouseClick(allow, Qt::LeftButton);
+        QTest::mouseClick(fixture.own<QPushButton>("questionYes"), Qt::LeftButton);
         QTRY_VERIFY(fixture.own<QPushButton>("stepRun")->isEnabled());
         QVERIFY(!allow->isVisible());
         QCOMPARE(fixture.now("torque_switch"), 1);

@@ -275,7 +275,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.now("torque_switch"), 0);
         QVERIFY(!fixture.test().run()->servos[0].legs.empty());
         // Until torque has been switched on again nothing moves, and it says so.
-        QTRY_VERIFY(fixture.text("sweepOutlook").contains(QStringLiteral("emergency stop: ID 1.")));
+        QTRY_VERIFY(fixture.text("sweepOutlook").contains(QStringLiteral("torque is off: ID 1.")));
         QVERIFY(!fixture.find<QPushButton>("sweepRun")->isEnabled());
         QCOMPARE(fixture.now("torque_switch"), 0);
         // Nor when it is asked to in another way; then the banner says so.
@@ -291,6 +291,11 @@ private Q_SLOTS:
         const qint64 place = fixture.now("present_position");
         QVERIFY(fixture.find<QPushButton>("sweepAllow")->isVisible());
         fixture.click("sweepAllow");
+        QVERIFY(gui::labelsOf(fixture.question()).contains(QStringLiteral("torque off for ID 1.")));
+        gui::click(fixture.question(), "questionNo");
+        QCOMPARE(fixture.now("torque_switch"), 0);
+        fixture.click("sweepAllow");
+        gui::click(fixture.question(), "questionYes");
         QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
         QVERIFY(!fixture.find<QPushButton>("sweepAllow")->isVisible());
         QCOMPARE(fixture.now("torque_switch"), 1);

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/allow_movement_button.h"
+
+#include "ui/widgets/banner.h"
+#include "ui/widgets/press_guard.h"
+#include "ui/widgets/question_dialog.h"
+
+#include <QEvent>
+#include <QPointer>
+
+#include <algorithm>
+
+namespace ui {
+AllowMovementButton::AllowMovementButton(session::Workbench& workbench, Banner& banner,
+                                         QWidget* parent)
+    : QPushButton(parent)
+    , m_workbench(workbench)
+    , m_banner(banner)
+{
+    new PressGuard(this);
+    connect(this, &QPushButton::clicked, this, &AllowMovementButton::askToAllow);
+    retranslate();
+    hide();
+}
+
+std::vector<session::ServoRef> AllowMovementButton::blocked() const
+{
+    std::vector<session::ServoRef> found;
+    std::copy_if(m_servos.begin(), m_servos.end(), std::back_inserter(found),
+                 [this](session::ServoRef ref) {
+                     const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+                     return entry != nullptr && entry->stopped;
+                 });
+    return found;
+}
+
+void AllowMovementButton::showFor(const std::vector<session::ServoRef>& servos)
+{
+    m_servos = servos;
+    setVisible(m_workbench.link().state() == session::LinkState::Open && !blocked().empty());
+    setEnabled(m_workbench.emergencyStop().canAllowMovement());
+}
+
+void AllowMovementButton::askToAllow()
+{
+    Question question;
+    question.title = tr("Turn torque on?");
+    question.text = tr("The emergency stop has turned torque off for %1. Torque is turned on again "
+                       "where the servos are now; nothing moves until you start a test.")
+                        .arg(blockedByStopText(m_workbench.registry(), m_servos));
+    question.risk = tr("Keep hands and objects away from the servos. Esc immediately turns torque "
+                       "off on all servos.");
+    question.acceptText = tr("Turn torque on");
+    question.guard = this;
+    ask(this, question, [this] { allow(); });
+}
+
+void AllowMovementButton::allow()
+{
+    if (!m_workbench.emergencyStop().canAllowMovement()) { // the question was open for a while
+        m_banner.showMessage([] {
+            return BannerText{Tone::Warn,
+                              tr("Torque was not turned on."),
+                              {},
+                              tr("Wait until the search or test has ended, then click Allow "
+                                 "movement again.")};
+        });
+        return;
+    }
+    Q_EMIT allowed();
+    for (const session::ServoRef ref : blocked())
+        m_workbench.emergencyStop().allowMovement(ref, this,
+                                                  [this](const session::TaskCompletion& end) {
+                                                      if (end.error)
+                                                          m_banner.showMessage(*end.error);
+                                                  });
+}
+
+void AllowMovementButton::retranslate()
+{
+    setText(tr("Allow movement"));
+    setAccessibleName(text());
+    setToolTip(tr("Turns torque on after the emergency stop; nothing moves yet"));
+}
+
+void AllowMovementButton::changeEvent(QEvent* event)
+{
+    QPushButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+QString blockedByStopText(const session::ServoRegistry& registry,
+                          const std::vector<session::ServoRef>& servos)
+{
+    QStringList ids;
+    for (const session::ServoRef ref : servos) {
+        const session::ServoEntry* entry = registry.servo(ref);
+        if (entry != nullptr && entry->stopped)
+            ids.append(QStringLiteral("ID %1").arg(entry->servo.id));
+    }
+    return ids.join(QStringLiteral(", "));
+}
+} // namespace ui
