@@ -12,6 +12,7 @@ AutoSelection::AutoSelection(session::Workbench& workbench, Selection& selection
     connect(registry, &session::ServoRegistry::servoRemoved, &selection, &Selection::remove);
     connect(registry, &session::ServoRegistry::servosCleared, this,
             [this] { m_selection.select(0); });
+    connect(registry, &session::ServoRegistry::servoChanged, this, &AutoSelection::onServoChanged);
     connect(&workbench.search(), &session::SearchService::searchChanged, this,
             &AutoSelection::onSearchChanged);
 }
@@ -44,5 +45,16 @@ void AutoSelection::onSearchChanged()
     const session::ServoEntry* shown = m_workbench.registry().servo(m_selection.current());
     if (shown != nullptr && shown->servo.profile && !shown->hasFullTable)
         m_workbench.writes().readTable(m_selection.current());
+}
+
+/// After a reconnect no search ends: a servo is read when it has proven to be there again.
+void AutoSelection::onServoChanged(session::ServoRef changed)
+{
+    const session::ServoEntry* entry = m_workbench.registry().servo(changed);
+    if (changed != m_selection.current() || entry == nullptr || !m_workbench.link().isReconnect())
+        return;
+    if (m_workbench.link().state() == session::LinkState::Open && entry->servo.profile &&
+        !entry->silent && !entry->hasFullTable && !entry->isReadingTable && !entry->readError)
+        m_workbench.writes().readTable(changed);
 }
 } // namespace ui

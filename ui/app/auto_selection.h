@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Selects the servo that the command line asks for when it is found, or the only servo that a
-// search finds; deselects servos that leave the list. Owned by the window; main thread.
+// search finds, and has it read; deselects servos that leave the list. Owned by the window; main
+// thread.
 #pragma once
 
 #include "session/workbench.h"
@@ -21,6 +22,7 @@ public:
 private:
     void onServoAdded(session::ServoRef added);
     void onSearchChanged();
+    void onServoChanged(session::ServoRef changed);
 
     session::Workbench& m_workbench;
     Selection& m_selection;

@@ -284,7 +284,7 @@ void MainWindow::updateCenter()
 void MainWindow::linkChanged()
 {
     const bool open = m_workbench.link().state() == session::LinkState::Open;
-    if (open && !m_wasOpen)
+    if (open && !m_wasOpen && !m_workbench.link().isReconnect())
         m_commands.action(Command::Search)->trigger();
     m_wasOpen = open;
     updateCenter();

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 namespace {
 /// By then the list of ports has been updated and shows only present ports.
-constexpr auto settleDelay = 1500ms;
+constexpr auto retryInterval = 1500ms;
 } // namespace
 
 LinkErrorBanner::LinkErrorBanner(session::LinkController& link, session::PortWatcher& ports,
@@ -31,16 +31,29 @@ LinkErrorBanner::LinkErrorBanner(session::LinkController& link, session::PortWat
     m_retry->setIcon(QIcon::fromTheme(QStringLiteral("view-refresh")));
     m_reconnect->setIcon(QIcon::fromTheme(QStringLiteral("network-connect")));
     connect(m_retry, &QAction::triggered, &m_bar, &ConnectBar::connectNow);
-    connect(m_reconnect, &QAction::triggered, this, &LinkErrorBanner::reconnect);
+    connect(m_reconnect, &QAction::triggered, this, [this] {
+        m_reportedFailure.reset();
+        m_retryTimer.start();
+        reconnectNow();
+    });
+    m_retryTimer.setInterval(retryInterval);
+    connect(&m_retryTimer, &QTimer::timeout, this, [this] {
+        m_replug.forgetOldPath();
+        m_backAs = m_replug.detect(m_ports);
+        reconnectIfBack();
+    });
     connect(&m_link, &session::LinkController::connectFailed, this,
             &LinkErrorBanner::connectFailed);
     connect(&m_link, &session::LinkController::linkChanged, this, &LinkErrorBanner::linkChanged);
     connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
-        detectAdapter();
+        if (m_retryTimer.isActive()) {
+            m_backAs = m_replug.detect(m_ports);
+            reconnectIfBack();
+        }
         detectBraille();
     });
     connect(&m_banner, &Banner::dismissed, this, [this] {
-        m_replug.stop();
+        stopWaiting();
         m_bannerIsOurs = false;
     });
     m_banner.installEventFilter(this);
@@ -49,6 +62,10 @@ LinkErrorBanner::LinkErrorBanner(session::LinkController& link, session::PortWat
 
 void LinkErrorBanner::connectFailed(const base::Error& error)
 {
+    if (m_link.state() == LinkState::Lost) {
+        reconnectFailed(error);
+        return;
+    }
     m_bannerIsOurs = true;
     m_banner.showMessage(error, {m_retry});
 }
@@ -56,35 +73,46 @@ void LinkErrorBanner::connectFailed(const base::Error& error)
 void LinkErrorBanner::linkChanged()
 {
     switch (m_link.state()) {
-    case LinkState::Opening:
-    case LinkState::Open:
-        m_replug.stop();
-        m_openKey = m_ports.adapterKey(m_link.lastRequest().name);
-        adapterSettled();
-        return;
     case LinkState::Lost:
         linkLost();
         return;
+    case LinkState::Opening:
+    case LinkState::Open:
+        m_openKey = m_ports.adapterKey(m_link.lastRequest().name);
+        break;
     case LinkState::Off:
     case LinkState::Closing:
-        return;
+        break;
     }
+    if (m_link.state() == LinkState::Open && m_link.isReconnect())
+        m_bar.setRequest(m_link.lastRequest()); // the adapter may have another name now
+    stopWaiting();
+    hideOurMessage();
 }
 
 /// The message about the port is out of date.
-void LinkErrorBanner::adapterSettled()
+void LinkErrorBanner::hideOurMessage()
 {
     if (m_bannerIsOurs)
         m_banner.hideMessage();
     m_bannerIsOurs = false;
 }
 
+void LinkErrorBanner::stopWaiting()
+{
+    m_retryTimer.stop();
+    m_replug.stop();
+    m_reportedFailure.reset();
+    m_backAs.clear();
+}
+
 void LinkErrorBanner::linkLost()
 {
     const QString port = m_link.lastRequest().name;
+    stopWaiting();
     m_bannerIsOurs = true;
-    m_newPath.clear();
     m_replug.start(m_ports, m_openKey, port);
+    m_retryTimer.start();
     m_banner.showMessage(
         [port] {
             const text::Description words =
@@ -94,45 +122,49 @@ void LinkErrorBanner::linkLost()
             const QString what = bridge || there ? tr("The connection to %1 was lost.").arg(port)
                                                  : tr("%1 was unplugged.").arg(port);
             const QString remedy =
-                tr("Plug the adapter in again to continue. A write that was in progress is "
-                   "recorded in the journal and will be checked first.");
-            return BannerText{Tone::Bad, what, words.cause, bridge ? words.remedy : remedy};
-        },
-        port.startsWith(QLatin1String("tcp:")) ? QList<QAction*>{m_retry} : QList<QAction*>{});
-    QTimer::singleShot(settleDelay, this, [this] {
-        m_replug.forgetOldPath();
-        detectAdapter();
-    });
-}
-
-void LinkErrorBanner::detectAdapter()
-{
-    const QString back = m_replug.detect(m_ports);
-    if (m_link.state() != LinkState::Lost || back == m_newPath)
-        return;
-    m_newPath = back;
-    if (back.isEmpty()) { // and gone again
-        linkLost();
-        return;
-    }
-    m_banner.showMessage(
-        [back] {
-            return BannerText{
-                Tone::Good,
-                tr("The adapter is available again as %1.").arg(back),
-                {},
-                tr("Reconnect to continue with the same servos; reconnecting writes nothing.")};
+                bridge
+                    ? tr("ServoDesk keeps trying to reconnect; close this message to stop that. "
+                         "A write that was in progress is recorded in the journal and will be "
+                         "checked first.")
+                    : tr("Plug the adapter in again and ServoDesk reconnects automatically; close "
+                         "this message to stay disconnected. A write that was in progress is "
+                         "recorded in the journal and will be checked first.");
+            return BannerText{Tone::Bad, what, words.cause, remedy};
         },
         {m_reconnect});
 }
 
-void LinkErrorBanner::reconnect()
+QString LinkErrorBanner::presentPath() const
 {
-    session::PortRequest request = m_link.lastRequest();
-    if (!m_newPath.isEmpty())
-        request.name = m_newPath;
-    m_bar.setRequest(request);
-    m_bar.connectNow();
+    if (!m_backAs.isEmpty())
+        return m_backAs;
+    const QString& port = m_link.lastRequest().name;
+    return port.startsWith(QLatin1String("tcp:")) ? port : QString();
+}
+
+void LinkErrorBanner::reconnectIfBack()
+{
+    if (m_link.state() == LinkState::Lost && !presentPath().isEmpty())
+        reconnectNow();
+}
+
+void LinkErrorBanner::reconnectNow()
+{
+    const QString path = presentPath();
+    m_link.reconnect(path.isEmpty() ? m_link.lastRequest().name : path);
+}
+
+/// The same failure is said once, not at every attempt. A port that another program has taken is
+/// left to it.
+void LinkErrorBanner::reconnectFailed(const base::Error& error)
+{
+    if (error.code == base::ErrorCode::PortBusy)
+        m_retryTimer.stop();
+    if (m_reportedFailure == error.code)
+        return;
+    m_reportedFailure = error.code;
+    m_bannerIsOurs = true;
+    m_banner.showMessage(error, {m_reconnect});
 }
 
 void LinkErrorBanner::detectBraille()
@@ -157,9 +189,9 @@ void LinkErrorBanner::retranslate()
 {
     m_retry->setText(tr("Try again"));
     m_retry->setToolTip(tr("Opens the port again with the settings above"));
-    m_reconnect->setText(tr("Connect again"));
-    m_reconnect->setToolTip(
-        tr("Opens the port again with the same settings and searches it for servos"));
+    m_reconnect->setText(tr("Reconnect"));
+    m_reconnect->setToolTip(tr("Opens the port again and asks the servos of the list whether they "
+                               "reply; writes nothing"));
 }
 
 /// A plain QObject gets language changes only through a widget.

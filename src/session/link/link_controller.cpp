@@ -61,11 +61,26 @@ void LinkController::connectTo(const PortRequest& request)
     if (request.name != m_request.name)
         m_bench.registry().clear();
     m_request = request;
+    m_isReconnect = false;
+    setState(LinkState::Opening);
+    open();
+}
+
+void LinkController::reconnect(const QString& portName)
+{
+    if (m_state != LinkState::Lost || m_connection || m_opening)
+        return;
+    m_request.name = portName;
+    m_isReconnect = true;
+    open();
+}
+
+void LinkController::open()
+{
     m_bench.recovery().reset();
     m_bench.presence().reset();
     m_opening = true;
-    setState(LinkState::Opening);
-    m_bench.backgroundThread().start([this, request] {
+    m_bench.backgroundThread().start([this, request = m_request] {
         auto result = std::make_shared<base::Result<std::unique_ptr<Connection>>>(
             m_bench.session().connect(request));
         m_bench.mainQueue().post([this, result] { portOpened(std::move(*result)); });
@@ -81,7 +96,8 @@ void LinkController::portOpened(base::Result<std::unique_ptr<Connection>> result
         return;
     }
     if (!result) {
-        setState(LinkState::Off);
+        if (!m_isReconnect)
+            setState(LinkState::Off);
         Q_EMIT connectFailed(result.error());
         return;
     }
@@ -94,6 +110,8 @@ void LinkController::portOpened(base::Result<std::unique_ptr<Connection>> result
     setState(LinkState::Open);
     m_bench.emitEvent({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
     m_bench.emergencyStop().portOpened();
+    if (m_isReconnect)
+        m_bench.presence().askAll();
 }
 
 void LinkController::powerCycle()

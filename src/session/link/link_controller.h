@@ -37,6 +37,11 @@ public:
 
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
+    /// Opens the lost port again, under the present name of its adapter. The list of servos stays,
+    /// and only those of the list are asked whether they reply. Does nothing unless the port is
+    /// lost and closed. It stays lost until it is open.
+    void reconnect(const QString& portName);
+    bool isReconnect() const { return m_isReconnect; } ///< that is how it was opened
     void powerCycle(); ///< simulated servos only
 
     /// For the services of the workbench.
@@ -50,6 +55,7 @@ Q_SIGNALS:
     void connectFailed(const base::Error& error);
 
 private:
+    void open();
     void portOpened(base::Result<std::unique_ptr<Connection>> result);
     void checkLink();
 
@@ -57,6 +63,7 @@ private:
     LinkState m_state = LinkState::Off;
     PortRequest m_request;
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
+    bool m_isReconnect = false;
     bool m_opening = false; ///< the opening of a port has not ended, needed or not
     QString m_portName;
     std::unique_ptr<Connection> m_connection;

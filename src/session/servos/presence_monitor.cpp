@@ -64,6 +64,17 @@ void PresenceMonitor::update()
     }
 }
 
+void PresenceMonitor::askAll()
+{
+    for (auto& [ref, known] : m_bench.registry().entries()) {
+        known.silent = known.answeredAgain = true;
+        known.hasFullTable = false; // another one of its kind may have been put in its place
+        known.readError.reset();
+    }
+    for (const ServoRef ref : std::vector(m_bench.registry().order()))
+        Q_EMIT m_bench.registry().servoChanged(ref);
+}
+
 /// A servo that answers after a silence is identified before it counts as the same.
 void PresenceMonitor::identifyReturned()
 {
@@ -110,6 +121,8 @@ void PresenceMonitor::reidentified(ServoRef ref, const base::Result<device::Serv
             m_bench.registry().changed(*known);
         }
     }
+    if (m_identifying.empty() && m_bench.link().isReconnect())
+        m_bench.recovery().checkOnce();
     m_bench.scheduleNext();
 }
 

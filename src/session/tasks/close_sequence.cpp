@@ -127,7 +127,8 @@ void CloseSequence::disconnectFrom(MotionOnClose moving, LockOnClose lock)
 
 void CloseSequence::closeNow()
 {
-    if (m_bench.link().state() == LinkState::Lost && !m_bench.link().connection()) {
+    if (m_bench.link().state() == LinkState::Lost && !m_bench.link().connection() &&
+        !m_bench.link().isOpening()) {
         m_pendingClose.reset();
         m_bench.link().setState(LinkState::Off);
         if (m_closing)

@@ -115,6 +115,8 @@ private Q_SLOTS:
     void failuresFollowTheLanguage();
     void closedMessagesStayClosed();
     void unpluggedAndBack();
+    void aClosedMessageEndsReconnecting();
+    void aPortTakenByAnotherProgramIsLeftToIt();
     void brailleServiceIsReported();
     void ratesAreFormatted();
 };
@@ -412,18 +414,69 @@ void TestConnectBar::unpluggedAndBack()
     QVERIFY(!fixture.banner.isHidden());
     QVERIFY2(fixture.labelText("bannerWhat").contains(QStringLiteral("was unplugged")),
              qPrintable(fixture.labelText("bannerWhat")));
-    QVERIFY(fixture.offer() == nullptr);
+    QCOMPARE(fixture.offer()->accessibleName(), QStringLiteral("Reconnect"));
     QCOMPARE(fixture.find<ui::Pill>("linkStatus")->text(), QStringLiteral("disconnected"));
 
     QTRY_VERIFY(fixture.ports.ports().empty());
     fixture.portList.plug(gui::adapter(after.path, serial));
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.offer() != nullptr, 5000);
-    QVERIFY(fixture.labelText("bannerWhat").contains(after.path));
-    QCOMPARE(fixture.workbench.link().state(), LinkState::Lost); // nothing is opened unasked
-    QCOMPARE(fixture.offer()->accessibleName(), QStringLiteral("Connect again"));
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Open, 5000);
+    QCOMPARE(fixture.workbench.link().lastRequest().name, after.path);
+    QCOMPARE(fixture.bar.request().name, after.path);
+    QVERIFY(fixture.banner.isHidden());
+    // No servo is known, so none is asked; opening a port tries whether its adapter echoes.
+    QByteArray sent = QByteArray::fromStdString(after.receive(8));
+    const QByteArray echoProbe = QByteArray::fromHex("fffffe04020001fa");
+    QVERIFY(sent.startsWith(echoProbe));
+    QCOMPARE(sent.replace(echoProbe, QByteArray()).toHex(), QByteArray());
+    QVERIFY(fixture.workbench.link().statistics().byId.empty());
+}
+
+void TestConnectBar::aClosedMessageEndsReconnecting()
+{
+    const QString serial = QStringLiteral("5A2F31");
+    PtyPair before;
+    PtyPair after;
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(before.path, serial));
+    QTRY_VERIFY(fixture.ports.find(before.path) != nullptr);
+    QVERIFY(fixture.connected(before.path));
+    before.dropConnection();
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 1000);
+    fixture.portList.unplug(before.path);
+    QTRY_VERIFY(fixture.ports.ports().empty());
+    fixture.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
+    fixture.portList.plug(gui::adapter(after.path, serial));
+    QTRY_VERIFY(fixture.ports.find(after.path) != nullptr);
+    QCOMPARE(fixture.workbench.link().state(), LinkState::Lost);
+    QVERIFY(!fixture.workbench.link().isOpening());
+}
+
+/// What another program has opened meanwhile is its own; the user may ask again.
+void TestConnectBar::aPortTakenByAnotherProgramIsLeftToIt()
+{
+    const QString serial = QStringLiteral("5A2F31");
+    PtyPair before;
+    PtyPair after;
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(before.path, serial));
+    QTRY_VERIFY(fixture.ports.find(before.path) != nullptr);
+    QVERIFY(fixture.connected(before.path));
+    before.dropConnection();
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 1000);
+    fixture.portList.unplug(before.path);
+    QTRY_VERIFY(fixture.ports.ports().empty());
+    session::Session other;
+    auto taken = other.connect({.name = after.path});
+    QVERIFY(taken.has_value());
+    QSignalSpy failed(&fixture.workbench.link(), &session::LinkController::connectFailed);
+    fixture.portList.plug(gui::adapter(after.path, serial));
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 5000);
+    QVERIFY(fixture.labelText("bannerMore").contains(QStringLiteral("Close the other program")));
+    QCOMPARE(fixture.offer()->accessibleName(), QStringLiteral("Reconnect"));
+    QVERIFY(!fixture.trouble.isWaiting());
+    taken->reset();
     fixture.offer()->click();
     QTRY_COMPARE(fixture.workbench.link().state(), LinkState::Open);
-    QCOMPARE(fixture.workbench.link().lastRequest().name, after.path);
     QVERIFY(fixture.banner.isHidden());
 }
 

@@ -562,6 +562,63 @@ private Q_SLOTS:
         QCOMPARE(fixture.at(1), ref);
     }
 
+    /// No search: strangers on the bus are not asked by a program that reconnects by itself.
+    void reconnectingAsksOnlyTheServosOfTheList()
+    {
+        SessionFixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@7"));
+        QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
+        const std::vector<ServoRef> known = fixture.workbench.registry().order();
+        QCOMPARE(known.size(), std::size_t(2));
+        session::LinkController& link = fixture.workbench.link();
+        link.reconnect(link.lastRequest().name); // it is open: nothing is to be done
+        QVERIFY(!link.isReconnect());
+        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
+        QTRY_COMPARE(link.state(), LinkState::Lost);
+        QTRY_VERIFY(link.connection() == nullptr);
+        std::set<ServoRef> doubted; // until it has replied
+        connect(&fixture.workbench.registry(), &session::ServoRegistry::servoChanged,
+                &fixture.workbench, [&](ServoRef ref) {
+                    if (link.state() == LinkState::Open && fixture.entry(ref).silent)
+                        doubted.insert(ref);
+                });
+        link.reconnect(link.lastRequest().name);
+        QCOMPARE(link.state(), LinkState::Lost); // until it is open
+        QTRY_COMPARE(link.state(), LinkState::Open);
+        QVERIFY(link.isReconnect());
+        QCOMPARE(fixture.workbench.registry().order(), known);
+        for (const ServoRef ref : known) {
+            QTRY_VERIFY(!fixture.entry(ref).silent);
+            QVERIFY(!fixture.entry(ref).hasFullTable); // another one may be in its place
+        }
+        QCOMPARE(doubted.size(), known.size());
+        for (const auto& [id, counters] : link.statistics().byId)
+            QVERIFY2(id == 1 || id == 2, qPrintable(QString::number(id)));
+        QVERIFY(!fixture.workbench.search().isSearching());
+        QCOMPARE(fixture.entry(known.front()).servo.id, 1);
+        QVERIFY(fixture.open(QStringLiteral("sim:demo"))); // as the user asks for it
+        QVERIFY(!link.isReconnect());
+    }
+
+    void aFailedReconnectLeavesThePortLost()
+    {
+        SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
+        session::LinkController& link = fixture.workbench.link();
+        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
+        QTRY_COMPARE(link.state(), LinkState::Lost);
+        QTRY_VERIFY(link.connection() == nullptr);
+        QSignalSpy failed(&link, &session::LinkController::connectFailed);
+        link.reconnect(QStringLiteral("/dev/ttyUSB77"));
+        QTRY_COMPARE(failed.count(), 1);
+        QCOMPARE(link.state(), LinkState::Lost);
+        QVERIFY(fixture.at(1) != 0);
+        // Closing in the middle of an attempt waits for it, and opens nothing.
+        link.reconnect(QStringLiteral("sim:sts3215@1"));
+        fixture.workbench.closing().disconnectFrom();
+        QTRY_COMPARE(link.state(), LinkState::Off);
+        QVERIFY(link.connection() == nullptr && !link.isOpening());
+    }
+
     /// Wherever in the write the cable is pulled: a servo that was not reached has refused nothing.
     void aLostLinkIsNoRefusal()
     {
