@@ -3,6 +3,7 @@
 
 #include "report/fonts.h"
 #include "text/language.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/theme.h"
 
 #include <QEvent>
@@ -61,6 +62,7 @@ HelpWindow::HelpWindow(QWidget* parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("help"));
+    rememberSize(*this);
     m_text->setObjectName(QStringLiteral("helpText"));
     m_text->document()->setDocumentMargin(margin);
     auto* column = new QVBoxLayout(this);

@@ -18,6 +18,7 @@
 #include "ui/app/stop_key.h"
 #include "ui/app/undo_button.h"
 #include "ui/app/undo_redo.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/connect/connect_bar.h"
 #include "ui/connect/link_error_banner.h"
 #include "ui/search/search_panel.h"
@@ -100,6 +101,7 @@ MainWindow::~MainWindow()
 void MainWindow::build(ThemeSwitch& theme, LanguageSwitch& language)
 {
     setObjectName(QStringLiteral("mainWindow"));
+    new DialogSizes(m_settings, this);
     setMinimumSize(1024, 700);
     resize(1280, 800);
     auto* top = new QToolBar(this);

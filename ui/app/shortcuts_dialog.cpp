@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/shortcuts_dialog.h"
 
+#include "ui/common/dialog_sizes.h"
+
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QTreeWidget>
@@ -21,6 +23,7 @@ ShortcutsDialog::ShortcutsDialog(const Commands& commands, QWidget* parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setObjectName(QStringLiteral("shortcutList"));
+    rememberSize(*this);
     setWindowTitle(tr("Keyboard shortcuts"));
     auto* list = new QTreeWidget(this);
     list->setObjectName(QStringLiteral("shortcuts"));

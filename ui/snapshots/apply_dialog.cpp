@@ -5,6 +5,7 @@
 #include "text/error_text.h"
 #include "text/notice_text.h"
 #include "text/restore_text.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/widget_style.h"
 #include "ui/snapshots/restore_text.h"
@@ -115,6 +116,7 @@ ApplyDialog::ApplyDialog(session::Workbench& workbench, session::Snapshots& snap
     , m_source(std::move(source))
 {
     setObjectName(QStringLiteral("applyDialog"));
+    rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     fillServos();
     build();

@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "text/restore_text.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
 
@@ -26,6 +27,7 @@ DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& p
     : QDialog(parent)
 {
     setObjectName(QStringLiteral("dryRunDialog"));
+    rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     m_id = plan.id;
     const auto value = [&](const jobs::RestoreStep& step, std::optional<std::int64_t> raw) {

@@ -4,6 +4,7 @@
 #include "catalog/value.h"
 #include "jobs/restore/restore_rows.h"
 #include "text/language.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
@@ -39,6 +40,7 @@ TemplateDialog::TemplateDialog(const snapshot::Snapshot& from, catalog::ProfileP
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("templateDialog"));
+    rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     m_summary->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("templateTable"));

@@ -2,6 +2,7 @@
 #include "ui/step/step_runs_dialog.h"
 
 #include "session/step/step_test.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/step/step_text.h"
 
 #include <QLabel>
@@ -16,6 +17,7 @@ StepRunsDialog::StepRunsDialog(session::HistoryService& historyService,
     , m_open(addButton("runsOpen"))
 {
     setObjectName(QStringLiteral("stepRunsDialog"));
+    rememberSize(*this);
     hideColumns({RunColumn::Verdict, RunColumn::Reference});
     connect(m_open, &QPushButton::clicked, this, &StepRunsDialog::openSelected);
     connect(m_table, &QTableView::activated, this, &StepRunsDialog::openSelected);

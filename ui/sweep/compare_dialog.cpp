@@ -5,6 +5,7 @@
 #include "report/sweep_compare_html.h"
 #include "report/sweep_compare_text.h"
 #include "text/language.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/widget_style.h"
 #include "ui/widgets/test_text.h"
@@ -97,6 +98,7 @@ CompareDialog::CompareDialog(session::HistoryService& historyService, session::S
     , m_close(new QPushButton(this))
 {
     setObjectName(QStringLiteral("compareDialog"));
+    rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     connect(m_save, &QPushButton::clicked, this, &CompareDialog::askForSavePath);

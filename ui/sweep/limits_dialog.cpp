@@ -2,6 +2,7 @@
 #include "ui/sweep/limits_dialog.h"
 
 #include "text/error_text.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
@@ -55,6 +56,7 @@ LimitsDialog::LimitsDialog(session::Settings& settings, const SweepLimits& limit
     , m_lines(new LimitsModel(this))
 {
     setObjectName(QStringLiteral("limitsDialog"));
+    rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     connectAll();

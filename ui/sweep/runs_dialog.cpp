@@ -5,6 +5,7 @@
 #include "report/sweep_html.h"
 #include "session/sweep/sweep_report.h"
 #include "text/language.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
 #include "ui/sweep/compare_dialog.h"
 
@@ -24,6 +25,7 @@ RunsDialog::RunsDialog(session::HistoryService& historyService, session::Setting
     , m_reference(addButton("runsReference"))
 {
     setObjectName(QStringLiteral("runsDialog"));
+    rememberSize(*this);
     connect(m_report, &QPushButton::clicked, this, &RunsDialog::openReport);
     connect(m_compare, &QPushButton::clicked, this, &RunsDialog::compare);
     connect(m_reference, &QPushButton::clicked, this, &RunsDialog::markReference);

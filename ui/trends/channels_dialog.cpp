@@ -3,6 +3,7 @@
 
 #include "catalog/units.h"
 #include "text/language.h"
+#include "ui/common/dialog_sizes.h"
 #include "ui/common/widget_text.h"
 
 #include <QColorDialog>
@@ -35,6 +36,7 @@ ChannelsDialog::ChannelsDialog(const session::ServoRegistry& registry,
     , m_curves(std::move(curves))
 {
     setObjectName(QStringLiteral("channelsDialog"));
+    rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     retranslate();

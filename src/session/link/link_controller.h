@@ -42,7 +42,7 @@ public:
     /// lost and closed. It stays lost until it is open.
     void reconnect(const QString& portName);
     bool isReconnect() const { return m_isReconnect; } ///< that is how it was opened
-    void powerCycle(); ///< simulated servos only
+    void powerCycle();                                 ///< simulated servos only
 
     /// For the services of the workbench.
     void setState(LinkState state);
