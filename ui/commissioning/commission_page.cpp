@@ -70,7 +70,7 @@ QWidget* CommissionPage::buildSetup()
         return made;
     };
     m_start = button("commissionStart");
-    m_start->setProperty("mainAction", true);
+    makeMainAction(m_start);
     new PressGuard(m_start);
     m_stop = button("commissionStop");
     m_plug = button("commissionPlug");

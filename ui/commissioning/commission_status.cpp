@@ -64,7 +64,7 @@ void CommissionStatus::build()
         return made;
     };
     m_continue = button("commissionContinue", CommissionAnswer::Continue);
-    m_continue->setProperty("mainAction", true);
+    makeMainAction(m_continue);
     m_same = button("commissionSame", CommissionAnswer::SameServo);
     m_aside = button("commissionAside", CommissionAnswer::Skip);
     answers->addWidget(m_same); // first: it is not always there, and must not move the others

@@ -2,13 +2,19 @@
 #include "ui/common/theme.h"
 
 #include "ui/common/system_theme.h"
+#include "ui/common/widget_style.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QIcon>
+#include <QListWidget>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QStyleOption>
+#include <QTreeView>
+
+#include <algorithm>
 
 namespace ui {
 namespace {
@@ -119,11 +125,17 @@ QPushButton[stopAction="true"]:hover { background: #d63c3c; }
 QPushButton[stopAction="true"]:pressed { background: #a32222; }
 QPushButton[stopAction="true"]:disabled { background: palette(button); color: @faint; }
 QHeaderView::section {
-    padding: 4px 6px 4px 3px; border: none; border-bottom: 1px solid palette(mid);
+    padding: 4px 5px; border: none; border-bottom: 1px solid palette(mid);
     background: palette(base); font-weight: 600;
 }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
 )";
+bool hasTableRows(const QWidget* widget)
+{
+    return qobject_cast<const QTreeView*>(widget) != nullptr ||
+           qobject_cast<const QListWidget*>(widget) != nullptr;
+}
+
 /// Fusion outlines a checkbox a little darker than the window, which is invisible on a dark one.
 class ProgramStyle final : public QProxyStyle {
 public:
@@ -137,6 +149,35 @@ public:
     {
         return hint == SH_DialogButtonLayout ? int(QDialogButtonBox::GnomeLayout)
                                              : QProxyStyle::styleHint(hint, option, widget, result);
+    }
+
+    int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                    const QWidget* widget) const override
+    {
+        switch (metric) {
+        case PM_LayoutLeftMargin:
+        case PM_LayoutTopMargin:
+        case PM_LayoutRightMargin:
+        case PM_LayoutBottomMargin:
+            if (qobject_cast<const QDialog*>(widget) != nullptr)
+                return dialogMargin;
+            break;
+        case PM_FocusFrameHMargin: // beside the text of a cell, which adds a pixel
+            return cellMargin - 1;
+        default:
+            break;
+        }
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+
+    /// Rows of lists and trees are as high as those of tables.
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override
+    {
+        QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+        if (type == CT_ItemViewItem && hasTableRows(widget))
+            size.setHeight(std::max(size.height(), option->fontMetrics.height() + rowPadding));
+        return size;
     }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

@@ -4,14 +4,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
+#include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTableView>
 
 namespace ui {
-namespace {
-constexpr int tableRowPadding = 10;
-}
-
 void makeCard(QWidget* panel)
 {
     panel->setProperty("card", true);
@@ -39,6 +37,13 @@ void makeEmptyState(QLabel* label)
     label->setForegroundRole(QPalette::PlaceholderText);
 }
 
+void makeMainAction(QPushButton* button)
+{
+    button->setProperty("mainAction", true);
+    button->style()->unpolish(button); // one of a button box has its looks already
+    button->style()->polish(button);
+}
+
 void styleTable(QTableView* table)
 {
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -51,6 +56,6 @@ void styleTable(QTableView* table)
     table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + tableRowPadding);
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowPadding);
 }
 } // namespace ui

@@ -5,12 +5,16 @@
 #pragma once
 
 class QLabel;
+class QPushButton;
 class QScrollArea;
 class QTableView;
 class QWidget;
 
 namespace ui {
-constexpr int cardMargin = 8; ///< inside a card, and between cards
+constexpr int cardMargin = 8;    ///< inside a card, and between cards
+constexpr int dialogMargin = 16; ///< around the content of a dialog
+constexpr int cellMargin = 5;    ///< at both sides of the text in a table, as in its header
+constexpr int rowPadding = 10;   ///< of a table, list or tree, above its text's height
 
 /// Gives the panel a card's ground, border and padding. Call it when the panel has its layout.
 void makeCard(QWidget* panel);
@@ -23,6 +27,9 @@ void makeHeading(QLabel* label);
 
 /// A sentence in the middle of a pane that has nothing to show yet.
 void makeEmptyState(QLabel* label);
+
+/// The one button of a card or dialog that does what it is there for.
+void makeMainAction(QPushButton* button);
 
 /// Whole rows are selected, every second row is tinted, there is no grid, and Tab leaves the table.
 /// Columns, editing and selection mode are the caller's.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect/port_dialog.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
 #include <QDialogButtonBox>
@@ -26,7 +27,7 @@ PortDialog::PortDialog(QWidget* parent)
     m_label->setBuddy(m_edit);
     m_label->setWordWrap(true);
     m_buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("portDialogOk"));
-    m_buttons->button(QDialogButtonBox::Ok)->setProperty("mainAction", true);
+    makeMainAction(m_buttons->button(QDialogButtonBox::Ok));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("portDialogCancel"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_label);

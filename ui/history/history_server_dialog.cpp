@@ -4,6 +4,7 @@
 #include "history/server/server_address.h"
 #include "session/history/history_server_choice.h"
 #include "text/error_text.h"
+#include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
 #include <QEvent>
@@ -42,7 +43,7 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     m_addressName->setBuddy(m_address);
     m_benchName->setBuddy(m_bench);
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("serverSave"));
-    m_buttons->button(QDialogButtonBox::Save)->setProperty("mainAction", true);
+    makeMainAction(m_buttons->button(QDialogButtonBox::Save));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("serverCancel"));
     auto* column = new QVBoxLayout(this);
     m_errorLabel->setObjectName(QStringLiteral("serverRefusal"));

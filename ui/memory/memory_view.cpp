@@ -193,7 +193,7 @@ void MemoryView::resizeColumns()
 {
     ensurePolished();
     horizontalHeader()->ensurePolished();
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
     for (int column = 0; column < memoryColumns; ++column)
         measureColumn(static_cast<MemoryColumn>(column), true);
     fitColumns();

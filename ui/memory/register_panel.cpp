@@ -77,7 +77,7 @@ void RegisterPanel::addButtons()
 {
     m_write = new QPushButton(m_body);
     m_write->setObjectName(QStringLiteral("writeValue"));
-    m_write->setProperty("mainAction", true);
+    makeMainAction(m_write);
     m_writeTemporarily = new QPushButton(m_body);
     m_writeTemporarily->setObjectName(QStringLiteral("writeTemporarily"));
     auto* row = new FlowLayout;

@@ -2,6 +2,7 @@
 #include "ui/operate/control_send.h"
 
 #include "device/motion/move_limits.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/flow_layout.h"
 #include "ui/widgets/press_guard.h"
@@ -24,7 +25,7 @@ ControlSend::ControlSend(QWidget* parent)
     m_method->select(0);
     m_execute->setObjectName(QStringLiteral("execute"));
     m_set->setObjectName(QStringLiteral("setGoal"));
-    m_set->setProperty("mainAction", true);
+    makeMainAction(m_set);
     for (QWidget* button : {m_execute, m_set})
         new PressGuard(button);
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);

@@ -66,7 +66,7 @@ void SearchPanel::build()
     setProperty("panel", true);
     setAttribute(Qt::WA_StyledBackground);
     m_search->setObjectName(QStringLiteral("searchButton"));
-    m_search->setProperty("mainAction", true);
+    makeMainAction(m_search);
     m_stop->setObjectName(QStringLiteral("stopSearchButton"));
     m_progress->setObjectName(QStringLiteral("searchProgress"));
     m_progress->setRange(0, permille);

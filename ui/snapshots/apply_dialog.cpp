@@ -30,7 +30,6 @@ using jobs::ApplyVerdict;
 namespace {
 constexpr int applyWidth = 760;
 constexpr int applyHeight = 520;
-constexpr int margin = 24;
 
 Tone toneOf(ApplyVerdict verdict)
 {
@@ -185,7 +184,7 @@ void ApplyDialog::build()
     m_otherModel->setVisible(m_source.bundle != nullptr);
     m_dangerous = check("applyDangerous");
     m_dangerous->setVisible(m_source.bundle != nullptr);
-    m_result = new TaskResult(applyWidth - margin, this);
+    m_result = new TaskResult(applyWidth - 2 * dialogMargin, this);
     auto* row = new QHBoxLayout;
     const auto button = [&](const char* name) {
         auto* made = new QPushButton(this);
@@ -196,7 +195,7 @@ void ApplyDialog::build()
     };
     m_dryRun = button("applyDryRun");
     m_write = button("applyWrite");
-    m_write->setProperty("mainAction", true);
+    makeMainAction(m_write);
     m_stop = button("applyStop");
     row->addStretch();
     m_save = button("applySave");

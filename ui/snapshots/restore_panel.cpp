@@ -6,6 +6,7 @@
 #include "session/snapshot/snapshots.h"
 #include "snapshot/factory_snapshot.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/apply_dialog.h"
 #include "ui/snapshots/compare_model.h"
@@ -94,7 +95,7 @@ void RestorePanel::build()
         return made;
     };
     m_write = button("restoreWrite");
-    m_write->setProperty("mainAction", true);
+    makeMainAction(m_write);
     m_dryRun = button("restoreDryRun");
     m_applyToSeveral = button("restoreSeveral");
     m_template = button("restoreTemplate");

@@ -2,6 +2,7 @@
 #include "ui/snapshots/snapshot_actions.h"
 
 #include "snapshot/factory_snapshot.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/snapshot_browser.h"
 #include "ui/snapshots/template_dialog.h"
@@ -62,7 +63,7 @@ void SnapshotActions::build()
     auto* row = new FlowLayout(this, 6);
     m_take = new QPushButton(this);
     m_take->setObjectName(QStringLiteral("snapshotTake"));
-    m_take->setProperty("mainAction", true);
+    makeMainAction(m_take);
     m_open = new QPushButton(this);
     m_open->setObjectName(QStringLiteral("snapshotOpen"));
     m_more = new QToolButton(this);

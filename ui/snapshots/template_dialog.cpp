@@ -49,7 +49,7 @@ TemplateDialog::TemplateDialog(const snapshot::Snapshot& from, catalog::ProfileP
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("templateSave"));
-    m_buttons->button(QDialogButtonBox::Save)->setProperty("mainAction", true);
+    makeMainAction(m_buttons->button(QDialogButtonBox::Save));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("templateCancel"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_summary);

@@ -95,7 +95,7 @@ QWidget* StepPage::buildRun()
     m_allow = new AllowMovementButton(m_workbench, *m_banner, box);
     m_allow->setObjectName(QStringLiteral("stepAllow"));
     m_run = button("stepRun", box);
-    m_run->setProperty("mainAction", true);
+    makeMainAction(m_run);
     m_try = button("stepTry", box);
     m_stop = button("stepStop", box);
     m_accept = button("stepAccept", box);

@@ -44,9 +44,7 @@ void StepRunsDialog::updateButtons()
     if (number != 0 && number == m_detailsOf)
         return;
     m_detailsOf = number;
-    m_hint->setText(m_model->rowCount() == 0
-                        ? emptyListText()
-                        : tr("Select one run to open it, or two to compare them."));
+    showHint(tr("Select one run to open it, or two to compare them."));
     if (number != 0)
         showDetails(number);
 }
@@ -59,7 +57,7 @@ void StepRunsDialog::showDetails(std::int64_t number)
                                   if (!run)
                                       showError(run.error());
                                   else if (number == m_detailsOf)
-                                      m_hint->setText(stepDetailsText(**run, m_catalog));
+                                      showHint(stepDetailsText(**run, m_catalog));
                               });
 }
 

@@ -23,7 +23,6 @@ namespace ui {
 namespace {
 constexpr int compareWidth = 900;
 constexpr int compareHeight = 640;
-constexpr int compareMargin = 24;
 constexpr int tableHeight = 150;
 
 results::SweepSide sideOf(const CompareSide& side)
@@ -93,7 +92,7 @@ CompareDialog::CompareDialog(session::HistoryService& historyService, session::S
     , m_figures(new QTableWidget(0, 8, this))
     , m_settingsTitle(new QLabel(this))
     , m_settingsTable(new QTableWidget(0, 4, this))
-    , m_result(new TaskResult(compareWidth - compareMargin, this))
+    , m_result(new TaskResult(compareWidth - 2 * dialogMargin, this))
     , m_save(new QPushButton(this))
     , m_close(new QPushButton(this))
 {

@@ -125,7 +125,7 @@ QLayout* LimitsDialog::buildButtons()
     m_save = button(this, "limitsSave");
     m_cancel = button(this, "limitsCancel");
     m_use = button(this, "limitsUse");
-    m_use->setProperty("mainAction", true);
+    makeMainAction(m_use);
     auto* row = new QHBoxLayout;
     row->addWidget(m_load);
     row->addWidget(m_save);

@@ -72,10 +72,8 @@ void RunsDialog::updateButtons()
                                   "model has one reference");
     setButtonText(m_reference, isReference ? tr("Clear reference") : tr("Mark as reference"),
                   isReference ? tr("Stops using this servo as the reference") : mark);
-    m_hint->setText(m_model->rowCount() == 0
-                        ? emptyListText()
-                        : tr("Select two rows to compare them. Servos have no serial number; they "
-                             "are identified by model, firmware, ID and label."));
+    showHint(tr("Select two rows to compare them. Servos have no serial number; they are "
+                "identified by model, firmware, ID and label."));
 }
 
 QString RunsDialog::deletionText() const

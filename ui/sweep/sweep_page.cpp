@@ -109,7 +109,7 @@ QWidget* SweepPage::buildRun()
     m_switchMode->hide();
     m_run = new QPushButton(box);
     m_run->setObjectName(QStringLiteral("sweepRun"));
-    m_run->setProperty("mainAction", true);
+    makeMainAction(m_run);
     m_allow = new AllowMovementButton(m_workbench, *m_banner, box);
     m_allow->setObjectName(QStringLiteral("sweepAllow"));
     m_stop = new QPushButton(box);

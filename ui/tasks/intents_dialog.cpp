@@ -26,7 +26,6 @@ using text::translate;
 namespace {
 constexpr int initialWidth = 880;
 constexpr int initialHeight = 420;
-constexpr int margin = 24;
 
 /// Settings of a test and a blinking LED have no change to finish: both actions restore them.
 bool isRollbackOnly(const base::Intent& intent)
@@ -94,7 +93,7 @@ IntentsDialog::IntentsDialog(Workbench& workbench, const std::vector<RecoveryRes
     , m_table(new QTableView(this))
     , m_otherPortText(new QLabel(this))
     , m_searchHere(new QPushButton(this))
-    , m_result(new TaskResult(initialWidth - margin, this))
+    , m_result(new TaskResult(initialWidth - 2 * dialogMargin, this))
     , m_finish(new QPushButton(this))
     , m_undo(new QPushButton(this))
     , m_forget(new QPushButton(this))

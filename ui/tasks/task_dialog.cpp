@@ -2,6 +2,7 @@
 #include "ui/tasks/task_dialog.h"
 
 #include "text/translate.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
 #include <QEvent>
@@ -85,7 +86,7 @@ void TaskDialog::buildButtons(QVBoxLayout* column)
     m_close->setObjectName(QStringLiteral("taskClose"));
     m_action = new QPushButton(this);
     m_action->setObjectName(QStringLiteral("taskAction"));
-    m_action->setProperty("mainAction", true);
+    makeMainAction(m_action);
     row->addWidget(m_stop);
     row->addStretch();
     row->addWidget(m_close);

@@ -3,6 +3,7 @@
 
 #include "ui/common/file_dialog.h"
 #include "ui/common/theme.h"
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
 #include <QCheckBox>
@@ -64,7 +65,7 @@ void RecordDialog::build()
     m_error->hide();
     auto* buttons = new QHBoxLayout;
     m_start = named(new QPushButton(this), "recordStart");
-    m_start->setProperty("mainAction", true);
+    makeMainAction(m_start);
     m_start->setDefault(true);
     m_cancel = named(new QPushButton(this), "recordCancel");
     buttons->addStretch();

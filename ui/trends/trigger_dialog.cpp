@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trends/trigger_dialog.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
 #include <QComboBox>
@@ -55,7 +56,7 @@ void TriggerDialog::build()
     auto* buttons = new QHBoxLayout;
     m_arm = new QPushButton(this);
     m_arm->setObjectName(QStringLiteral("triggerArm"));
-    m_arm->setProperty("mainAction", true);
+    makeMainAction(m_arm);
     m_arm->setDefault(true);
     m_cancel = new QPushButton(this);
     m_cancel->setObjectName(QStringLiteral("triggerCancel"));

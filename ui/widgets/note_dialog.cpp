@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/note_dialog.h"
 
+#include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
 #include <QDialogButtonBox>
@@ -32,6 +33,7 @@ NoteDialog::NoteDialog(const QString& label, const QString& note, QWidget* paren
     m_note->setTabChangesFocus(true);
     m_note->setFixedHeight(noteLines * fontMetrics().lineSpacing());
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("noteSave"));
+    makeMainAction(m_buttons->button(QDialogButtonBox::Save));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("noteCancel"));
     m_labelName->setBuddy(m_label);
     m_noteName->setBuddy(m_note);

@@ -20,7 +20,6 @@ namespace ui {
 namespace {
 constexpr int runsWidth = 940;
 constexpr int runsHeight = 520;
-constexpr int runsMargin = 24;
 } // namespace
 
 RunListDialog::RunListDialog(session::HistoryService& historyService, const QString& kind,
@@ -30,7 +29,7 @@ RunListDialog::RunListDialog(session::HistoryService& historyService, const QStr
     , m_model(new RunsModel(this))
     , m_hint(new QLabel(this))
     , m_table(new QTableView(this))
-    , m_result(new TaskResult(runsWidth - runsMargin, this))
+    , m_result(new TaskResult(runsWidth - 2 * dialogMargin, this))
     , m_kind(kind)
     , m_filter(new QLineEdit(this))
     , m_buttons(new QHBoxLayout)
@@ -134,6 +133,7 @@ void RunListDialog::fill(const base::Result<std::vector<history::TestRun>>& runs
     for (const int row : rows())
         selected.push_back(m_model->at(row));
     m_model->show(*runs);
+    m_hasList = true;
     for (const RunRow& one : selected) {
         if (const int row = m_model->rowOf(one); row >= 0)
             m_table->selectionModel()->select(
@@ -163,11 +163,20 @@ void RunListDialog::updateButtons()
     m_delete->setEnabled(chosen > 0);
 }
 
-QString RunListDialog::emptyListText() const
+/// In place of the list if there is nothing to list.
+void RunListDialog::showHint(const QString& hint)
 {
-    return m_filter->text().trimmed().isEmpty()
-               ? tr("No tests yet. All tests from the window and the command line are stored here.")
-               : tr("No test matches this filter.");
+    const bool empty = m_hasList && m_model->rowCount() == 0;
+    const QString why =
+        m_filter->text().trimmed().isEmpty()
+            ? tr("No tests yet. All tests from the window and the command line are stored here.")
+            : tr("No test matches this filter.");
+    m_table->setVisible(!empty);
+    m_hint->setText(empty ? why : hint);
+    m_hint->setAlignment(empty ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
+    m_hint->setForegroundRole(empty ? QPalette::PlaceholderText : QPalette::NoRole);
+    m_hint->setSizePolicy(QSizePolicy::Preferred,
+                          empty ? QSizePolicy::Expanding : QSizePolicy::Preferred);
 }
 
 void RunListDialog::showError(const base::Error& error)

@@ -33,7 +33,7 @@ protected:
     std::vector<int> rows() const; ///< the selected ones, from the top
     void query();                  ///< once at the end of the constructor of the class below
     void showError(const base::Error& error);
-    QString emptyListText() const;
+    void showHint(const QString& hint); ///< below the list
 
     virtual void retranslate();
     virtual void updateButtons(); ///< other rows, or another selection
@@ -59,6 +59,7 @@ private:
     QPushButton* m_delete;
     QPushButton* m_close;
     int m_queryId = 0; ///< only the latest list is shown
+    bool m_hasList = false;
     bool m_loaded = false;
 };
 } // namespace ui

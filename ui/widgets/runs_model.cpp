@@ -7,6 +7,14 @@
 namespace ui {
 using text::translate;
 
+namespace {
+int alignmentOf(RunColumn column)
+{
+    const bool number = column == RunColumn::Number || column == RunColumn::Servo;
+    return int(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft));
+}
+} // namespace
+
 void RunsModel::show(std::vector<history::TestRun> runs)
 {
     beginResetModel();
@@ -108,14 +116,15 @@ QVariant RunsModel::data(const QModelIndex& index, int role) const
         return toolTipText(index.row());
     if (role == toneRole && column == RunColumn::Verdict)
         return static_cast<int>(gradeTone(servo(index.row()).verdict));
-    if (role == Qt::TextAlignmentRole &&
-        (column == RunColumn::Number || column == RunColumn::Servo))
-        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::TextAlignmentRole)
+        return alignmentOf(column);
     return {};
 }
 
 QVariant RunsModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole)
+        return alignmentOf(static_cast<RunColumn>(section));
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
     switch (static_cast<RunColumn>(section)) {

@@ -6,6 +6,10 @@
 #include <QTableView>
 
 namespace ui {
+namespace {
+constexpr double minShare = 0.5; ///< of what its texts need
+}
+
 StretchFirstColumn::StretchFirstColumn(QTableView* table)
     : QObject(table)
     , m_table(table)
@@ -38,7 +42,7 @@ void StretchFirstColumn::distribute()
         others += header->isSectionHidden(column) ? 0 : header->sectionSize(column);
     const QAbstractItemView* view = m_table; // a table's own is not for everybody
     const int preferred = std::max(view->sizeHintForColumn(0), header->sectionSizeHint(0));
-    const bool room = m_table->viewport()->width() - others >= preferred;
+    const bool room = m_table->viewport()->width() - others >= minShare * preferred;
     const auto mode = room ? QHeaderView::Stretch : QHeaderView::ResizeToContents;
     if (header->sectionResizeMode(0) != mode)
         header->setSectionResizeMode(0, mode);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first column of a table takes the space the others leave, but never less than its text needs:
-// where the table is too narrow for all, it scrolls sideways. Main thread; lives as long as its
-// table.
+// The first column of a table takes the space the others leave. Where that is too little for its
+// texts, up to half of them is elided, so that the last columns stay in sight; in a narrower
+// table nothing is elided, and it scrolls sideways. Main thread; lives as long as its table.
 #pragma once
 
 #include <QObject>

@@ -13,8 +13,5 @@ void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
         for (const auto role : {QPalette::Text, QPalette::HighlightedText}) // the selection is pale
             option->palette.setColor(role, color);
     }
-    // Space between the text and the number at its left.
-    if (index.column() > 0 && (option->displayAlignment & Qt::AlignLeft) && !option->text.isEmpty())
-        option->text.prepend(QChar(0x2002));
 }
 } // namespace ui

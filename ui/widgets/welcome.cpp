@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/welcome.h"
 
+#include "ui/common/widget_style.h"
+
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -33,7 +35,7 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     setObjectName(QStringLiteral("welcome"));
     m_adapter->setObjectName(QStringLiteral("welcomeConnect"));
     m_simulation->setObjectName(QStringLiteral("welcomeSimulation"));
-    m_adapter->setProperty("mainAction", true);
+    makeMainAction(m_adapter);
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() * titleScale);
     m_title->setFont(large);

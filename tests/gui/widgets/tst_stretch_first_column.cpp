@@ -38,7 +38,17 @@ private Q_SLOTS:
         QVERIFY(m_table.columnWidth(0) > m_table.columnWidth(1));
     }
 
-    void theFirstColumnIsNeverElided()
+    void theLastColumnStaysInSight()
+    {
+        int others = 0;
+        for (int column = 1; column < columns; ++column)
+            others += m_table.columnWidth(column);
+        m_table.resize(1200 - m_table.viewport()->width() + others + needed() * 3 / 4, 200);
+        QTRY_COMPARE(sum(m_table), m_table.viewport()->width());
+        QVERIFY(m_table.columnWidth(0) < needed());
+    }
+
+    void aNarrowTableScrollsInstead()
     {
         m_table.resize(260, 200);
         QTRY_VERIFY(m_table.columnWidth(0) >= needed());
