@@ -47,14 +47,18 @@ struct TcpPort {
     QString port; ///< "tcp://127.0.0.1:…"
 };
 
-/// `flags` of the socket besides SOCK_CLOEXEC; `waiting`: connections before they are accepted.
-inline TcpPort listenOnLoopback(int flags = 0, int waiting = 1)
+/// `flags` of the socket besides SOCK_CLOEXEC; `waiting`: connections before they are accepted;
+/// `number`: of a port that was closed just now; 0: a free one.
+inline TcpPort listenOnLoopback(int flags = 0, int waiting = 1, quint16 number = 0)
 {
     TcpPort made;
     made.listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | flags, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(number);
+    const int on = 1;
+    setsockopt(made.listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     socklen_t size = sizeof address;
     if (bind(made.listener, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
         listen(made.listener, waiting) != 0 ||

@@ -4,6 +4,7 @@
 #include "gui/workbench_fixture.h"
 #include "session/connection.h"
 #include "sim/host/sim_link.h"
+#include "support/port_endpoints.h"
 #include "support/test_main.h"
 #include "text/language.h"
 #include "ui/connect/connect_bar.h"
@@ -116,6 +117,7 @@ private Q_SLOTS:
     void closedMessagesStayClosed();
     void unpluggedAndBack();
     void aClosedMessageEndsReconnecting();
+    void aBridgeIsTriedAgain();
     void aPortTakenByAnotherProgramIsLeftToIt();
     void brailleServiceIsReported();
     void ratesAreFormatted();
@@ -449,6 +451,26 @@ void TestConnectBar::aClosedMessageEndsReconnecting()
     QTRY_VERIFY(fixture.ports.find(after.path) != nullptr);
     QCOMPARE(fixture.workbench.link().state(), LinkState::Lost);
     QVERIFY(!fixture.workbench.link().isOpening());
+}
+
+/// It has no adapter whose return could be seen.
+void TestConnectBar::aBridgeIsTriedAgain()
+{
+    support::TcpPort bridge = support::listenOnLoopback();
+    Fixture fixture;
+    fixture.bar.setRequest({.name = bridge.port});
+    fixture.bar.connectNow();
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Open, 10000);
+    ::close(bridge.listener);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 10000);
+    QSignalSpy failed(&fixture.workbench.link(), &session::LinkController::connectFailed);
+    QTRY_VERIFY_WITH_TIMEOUT(failed.count() > 0, 10000);
+    QCOMPARE(fixture.workbench.link().state(), LinkState::Lost);
+    QVERIFY(!fixture.banner.isHidden());
+    bridge = support::listenOnLoopback(0, 1, bridge.number);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Open, 10000);
+    QVERIFY(fixture.banner.isHidden());
+    ::close(bridge.listener);
 }
 
 /// What another program has opened meanwhile is its own; the user may ask again.
