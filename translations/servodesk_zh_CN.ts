@@ -12278,6 +12278,10 @@ Retries: %9</source>
         <source>%1 vs. %2</source>
         <translation>%1 对比 %2</translation>
     </message>
+    <message>
+        <source>Snapshot of ID %1 · %2 saved: %3 registers.</source>
+        <translation>已保存快照：ID %1 · %2，%3 个参数。</translation>
+    </message>
 </context>
 <context>
     <name>ui::StepForm</name>

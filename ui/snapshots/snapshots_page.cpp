@@ -120,6 +120,7 @@ void SnapshotsPage::connectSession()
 {
     connect(&m_snapshots, &session::Snapshots::failed, this, &SnapshotsPage::showError);
     connect(&m_snapshots, &session::Snapshots::saved, this, &SnapshotsPage::showSaved);
+    connect(&m_snapshots, &session::Snapshots::snapshotTaken, this, &SnapshotsPage::showTaken);
     connect(&m_snapshots, &session::Snapshots::fileOpened, this,
             [this](const session::OpenedFile& file) { m_browser->add(file); });
     connect(&m_snapshots, &session::Snapshots::bundleTaken, this,
@@ -242,6 +243,17 @@ void SnapshotsPage::onRestored(const session::RestoreCompletion& end)
             {m_restore->saveResultAction()});
     }
     scheduleRefresh();
+}
+
+void SnapshotsPage::showTaken(const session::SharedSnapshot& snapshot)
+{
+    m_bannerShowsRestore = false;
+    m_banner->showMessage([snapshot] {
+        return BannerText{Tone::Good, tr("Snapshot of ID %1 · %2 saved: %3 registers.")
+                                          .arg(snapshot->servo.id)
+                                          .arg(snapshot->servo.model)
+                                          .arg(snapshot->registers.size())};
+    });
 }
 
 void SnapshotsPage::showSaved(const QString& path)

@@ -63,6 +63,7 @@ private:
     bool isOfOtherModel(const snapshot::Snapshot& table) const;
 
     void onRestored(const session::RestoreCompletion& end);
+    void showTaken(const session::SharedSnapshot& snapshot);
     void showSaved(const QString& path);
     void showError(const base::Error& error);
 

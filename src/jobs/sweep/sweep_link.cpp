@@ -81,10 +81,16 @@ void SweepLink::readUntil(Duration until, const std::function<bool()>& done)
         if (hasEnded() || done() || now() >= until)
             return;
         if (!m_context.bus.pauseUntil(std::min(until, now() + readInterval), &m_context.stop))
-            endRun(m_context.bus.emergencyCount() != m_emergencyCount ? SweepEnd::Emergency
-                                                                      : SweepEnd::Stopped);
+            endStopped();
         m_onRead();
     }
+}
+
+/// An emergency stop asks the job to stop as well.
+void SweepLink::endStopped()
+{
+    endRun(m_context.bus.emergencyCount() != m_emergencyCount ? SweepEnd::Emergency
+                                                              : SweepEnd::Stopped);
 }
 
 void SweepLink::drain()
@@ -210,7 +216,7 @@ bool SweepLink::canRetry(const base::Error& error)
         readUntil(now() + minGap, [] { return false; });
         return !hasEnded();
     case ErrorCode::Stopped:
-        endRun(SweepEnd::Stopped);
+        endStopped();
         return false;
     case ErrorCode::Preempted:
         endRun(SweepEnd::Emergency);

@@ -75,6 +75,7 @@ private:
     void handleSample(std::size_t i, const SweepSample& sample);
     void noteGap(base::Duration from, base::Duration span);
     void checkLink();
+    void endStopped();
     void endOnAlarm(std::size_t i);
     void endOnStall(std::size_t i);
     void endReplaced(int servo);

@@ -99,6 +99,7 @@ private Q_SLOTS:
     void stopWhileUnpluggedIsSentFirst();
     void theUserCanStop();
     void theEmergencyStopEndsTheTest();
+    void anEmergencyStopIsNoOrdinaryStop();
     void anHourWritesNoEprom();
     void warmUpIsNotMeasured();
     void limitsMoveDuringTheRun();
@@ -1076,6 +1077,33 @@ void TestSweep::theEmergencyStopEndsTheTest()
     QCOMPARE(done->end, SweepEnd::Emergency);
     QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
     QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+}
+
+/// As the window does it: the job is asked to stop as well, here while it waits for the answer to a
+/// read of the torque switch, which comes before every goal.
+void TestSweep::anEmergencyStopIsNoOrdinaryStop()
+{
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    jobs::SweepCallbacks watch;
+    int latestLeg = 0;
+    watch.onSample = [&](std::size_t, const jobs::SweepSample&, double, int leg) {
+        latestLeg = leg;
+    };
+    bool isStopped = false;
+    fixture.tap().onWait = [&] {
+        const base::Bytes& frame = fixture.tap().written.back();
+        const bool readsTorque = frame.size() > 6 && frame[4] == 0x02 && frame[5] == 40;
+        if (latestLeg < 2 || !readsTorque || std::exchange(isStopped, true))
+            return;
+        fixture.bus().requestEmergency();
+        fixture.stop().request();
+    };
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
+    QVERIFY(isStopped);
+    QVERIFY(done);
+    QCOMPARE(done->end, SweepEnd::Emergency);
 }
 
 void TestSweep::anHourWritesNoEprom()
