@@ -36,7 +36,7 @@ struct Event {
         Connected,
         Disconnected,
         LinkLost,
-        SearchEnded,     ///< missing
+        SearchEnded,     ///< found, elapsed, missing
         Replaced,        ///< `servo` answers where another one was, named by task
         TableSaved,      ///< path: before the first write of the session
         Written,         ///< report; or error: nothing was written
@@ -63,6 +63,8 @@ struct Event {
     device::Notices notices{};
     bool isUndo = false; ///< the write was an undo
     bool isRedo = false; ///< it was a redo
+    int found = 0;       ///< servos
+    base::Duration elapsed{};
     /// Expected by a search that has asked there, and silent: IDs.
     std::vector<int> missing{};
     StopResult stop{};

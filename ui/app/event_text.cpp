@@ -89,9 +89,9 @@ QString lockText(device::LockState lock)
     return {};
 }
 
-EventText written(const Event& event, const session::Workbench& workbench)
+EventText written(const Event& event, const session::ServoRegistry& registry)
 {
-    const session::ServoEntry* servo = workbench.registry().servo(event.servo);
+    const session::ServoEntry* servo = registry.servo(event.servo);
     if (event.error && !event.report)
         return failed(*event.error, servo);
     EventText eventText = good({});
@@ -121,18 +121,15 @@ EventText written(const Event& event, const session::Workbench& workbench)
     return eventText;
 }
 
-EventText searchEnded(const Event& event, const session::Workbench& workbench)
+EventText searchEnded(const Event& event)
 {
     if (event.error)
         return failed(*event.error);
-    const auto& report = workbench.search().lastReport();
-    if (!report)
-        return {};
     const QString line = text::translate("EventText", "Search ended after %1 s, %n servo(s) found",
-                                         nullptr, int(report->found.size()))
-                             .arg(double(report->elapsed.count()) / 1e6, 0, 'f', 1);
+                                         nullptr, event.found)
+                             .arg(double(event.elapsed.count()) / 1e6, 0, 'f', 1);
     if (event.missing.empty())
-        return report->found.empty() ? withWarning(line) : good(line);
+        return event.found == 0 ? withWarning(line) : good(line);
     QStringList missing;
     for (const int id : event.missing)
         missing << QString::number(id);
@@ -144,9 +141,9 @@ EventText searchEnded(const Event& event, const session::Workbench& workbench)
     return eventText;
 }
 
-EventText exchanged(const Event& event, const session::Workbench& workbench)
+EventText exchanged(const Event& event, const session::ServoRegistry& registry)
 {
-    const session::ServoEntry* servo = workbench.registry().servo(event.servo);
+    const session::ServoEntry* servo = registry.servo(event.servo);
     const QString model = servo != nullptr && servo->servo.profile
                               ? servo->servo.profile->modelName
                               : text::translate("EventText", "unknown model");
@@ -161,23 +158,22 @@ EventText exchanged(const Event& event, const session::Workbench& workbench)
     return eventText;
 }
 
-QString idsOf(const std::vector<session::ServoRef>& servos, const session::Workbench& workbench)
+QString idsOf(const std::vector<session::ServoRef>& servos, const session::ServoRegistry& registry)
 {
     QStringList ids;
     for (const session::ServoRef ref : servos) {
-        if (const session::ServoEntry* servo = workbench.registry().servo(ref))
+        if (const session::ServoEntry* servo = registry.servo(ref))
             ids << QString::number(servo->servo.id);
     }
     return ids.join(QStringLiteral(", "));
 }
 
 /// The result of reading the torque switches back.
-EventText stopChecked(const Event& event, const session::Workbench& workbench)
+EventText stopChecked(const Event& event, const session::ServoRegistry& registry)
 {
     const session::StopResult& stop = event.stop;
     const auto say = [&](const QString& eventText, const std::vector<session::ServoRef>& servos) {
-        return servos.empty() ? QStringList()
-                              : QStringList(eventText.arg(idsOf(servos, workbench)));
+        return servos.empty() ? QStringList() : QStringList(eventText.arg(idsOf(servos, registry)));
     };
     QStringList bad =
         say(text::translate("EventText", "TORQUE IS STILL ON: ID %1"), stop.stillOn) +
@@ -189,7 +185,7 @@ EventText stopChecked(const Event& event, const session::Workbench& workbench)
             stop.stillHeld);
     if (bad.isEmpty())
         return good(text::translate("EventText", "Emergency stop confirmed: torque is off, ID %1")
-                        .arg(idsOf(stop.off, workbench)));
+                        .arg(idsOf(stop.off, registry)));
     EventText eventText{text::translate("EventText", "Emergency stop check: %1")
                             .arg(bad.join(QStringLiteral("; "))),
                         {},
@@ -234,52 +230,52 @@ EventText stopNotSent(const Event& event)
             QStringLiteral("✗")};
 }
 
-EventText stopUnconfirmed(const Event& event, const session::Workbench& workbench)
+EventText stopUnconfirmed(const Event& event, const session::ServoRegistry& registry)
 {
     return {text::translate("EventText", "Emergency stop sent, but not confirmed yet: ID %1")
-                .arg(idsOf(event.stop.silent, workbench)),
+                .arg(idsOf(event.stop.silent, registry)),
             {text::translate("EventText", "Keep clear. If in doubt, turn off the power supply.")},
             Tone::Bad,
             QStringLiteral("!")};
 }
 
-EventText notLeft(const Event& event, const session::Workbench& workbench)
+EventText notLeft(const Event& event, const session::ServoRegistry& registry)
 {
     if (!event.moving.empty())
         return {text::translate("EventText", "Closing canceled: ID %1 could not be stopped.")
-                    .arg(idsOf(event.moving, workbench)),
+                    .arg(idsOf(event.moving, registry)),
                 {text::translate("EventText",
                                  "Press Esc to turn torque off, or turn off the power supply.")},
                 Tone::Bad,
                 QStringLiteral("✗")};
     return {text::translate("EventText", "Closing canceled: the EPROM of ID %1 is still unlocked.")
-                .arg(idsOf(event.unlocked, workbench)),
+                .arg(idsOf(event.unlocked, registry)),
             {text::translate("EventText", "Check the cable and try again. The unfinished write "
                                           "stays in the journal.")},
             Tone::Bad,
             QStringLiteral("✗")};
 }
 
-EventText disconnected(const Event& event, const session::Workbench& workbench)
+EventText disconnected(const Event& event, const session::ServoRegistry& registry)
 {
     EventText eventText = plain(text::translate("EventText", "Port closed: %1").arg(event.task));
     if (!event.halted.empty())
         eventText.message += text::translate("EventText", ". Stopped before closing: ID %1")
-                                 .arg(idsOf(event.halted, workbench));
+                                 .arg(idsOf(event.halted, registry));
     if (!event.moving.empty()) {
         eventText = {
             eventText.message + text::translate("EventText", ". STILL MOVING: ID %1")
-                                    .arg(idsOf(event.moving, workbench)),
+                                    .arg(idsOf(event.moving, registry)),
             {text::translate("EventText", "Turn off the power supply to stop the motion.")},
             Tone::Bad,
             QStringLiteral("✗")};
     }
     if (!event.locked.empty())
         eventText.message += text::translate("EventText", ". EPROM locked: ID %1")
-                                 .arg(idsOf(event.locked, workbench));
+                                 .arg(idsOf(event.locked, registry));
     if (!event.unlocked.empty()) {
         eventText.message += text::translate("EventText", ". EPROM STILL UNLOCKED: ID %1")
-                                 .arg(idsOf(event.unlocked, workbench));
+                                 .arg(idsOf(event.unlocked, registry));
         eventText.details << text::translate("EventText",
                                              "Connect again to finish or undo the write.");
         eventText.tone = Tone::Bad;
@@ -301,44 +297,44 @@ EventText moved(const Event& event)
                                   : text::translate("EventText", "goal sent: %1").arg(event.path)));
 }
 
-EventText ended(const Event& event, const session::Workbench& workbench)
+EventText ended(const Event& event, const session::ServoRegistry& registry)
 {
     if (event.error && event.error->code == base::ErrorCode::Preempted)
         return {}; // the stop has been reported
     if (event.error && event.error->code != base::ErrorCode::Stopped)
-        return failed(*event.error, workbench.registry().servo(event.servo));
+        return failed(*event.error, registry.servo(event.servo));
     return plain(
         event.error
             ? text::translate("EventText", "%1: stopped").arg(about(event, taskLabel(event.task)))
             : text::translate("EventText", "%1: ended").arg(about(event, taskLabel(event.task))));
 }
 
-EventText sentence(const Event& event, const session::Workbench& workbench)
+EventText sentence(const Event& event, const session::ServoRegistry& registry)
 {
     switch (event.kind) {
     case Event::Kind::Connected:
         return good(text::translate("EventText", "Connected: %1").arg(event.task));
     case Event::Kind::Disconnected:
-        return disconnected(event, workbench);
+        return disconnected(event, registry);
     case Event::Kind::Replaced:
-        return exchanged(event, workbench);
+        return exchanged(event, registry);
     case Event::Kind::CloseCanceled:
-        return notLeft(event, workbench);
+        return notLeft(event, registry);
     case Event::Kind::StopUnconfirmed:
-        return stopUnconfirmed(event, workbench);
+        return stopUnconfirmed(event, registry);
     case Event::Kind::LinkLost:
         return failed({base::ErrorCode::LinkLost, QStringLiteral("read"), event.task});
     case Event::Kind::SearchEnded:
-        return searchEnded(event, workbench);
+        return searchEnded(event);
     case Event::Kind::TableSaved:
         return plain(
             text::translate("EventText", "ID %1 · memory table saved before the first change: %2")
                 .arg(event.id)
                 .arg(QDir::toNativeSeparators(event.path)));
     case Event::Kind::Written:
-        return written(event, workbench);
+        return written(event, registry);
     case Event::Kind::Task:
-        return event.error ? failed(*event.error, workbench.registry().servo(event.servo))
+        return event.error ? failed(*event.error, registry.servo(event.servo))
                            : good(text::translate("EventText", "%1: done")
                                       .arg(about(event, taskLabel(event.task))));
     case Event::Kind::GoalSent:
@@ -347,16 +343,15 @@ EventText sentence(const Event& event, const session::Workbench& workbench)
         return plain(
             text::translate("EventText", "%1: running").arg(about(event, taskLabel(event.task))));
     case Event::Kind::Finished:
-        return ended(event, workbench);
+        return ended(event, registry);
     case Event::Kind::Stopped:
         return stopSent(event);
     case Event::Kind::StopNotSent:
         return stopNotSent(event);
     case Event::Kind::StopVerified:
-        return stopChecked(event, workbench);
+        return stopChecked(event, registry);
     case Event::Kind::Failed:
-        return event.error ? failed(*event.error, workbench.registry().servo(event.servo))
-                           : EventText{};
+        return event.error ? failed(*event.error, registry.servo(event.servo)) : EventText{};
     }
     return {};
 }
@@ -391,9 +386,9 @@ QString taskLabel(const QString& task)
     return task;
 }
 
-EventText describe(const Event& event, const session::Workbench& workbench)
+EventText describe(const Event& event, const session::ServoRegistry& registry)
 {
-    EventText eventText = sentence(event, workbench);
+    EventText eventText = sentence(event, registry);
     for (const base::Notice& notice : event.notices) {
         const QString about =
             notice.id >= 0 ? text::translate("EventText", "ID %1: ").arg(notice.id) : QString();

@@ -3,7 +3,8 @@
 // is. In the language of the installed translator. Pure; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/event.h"
+#include "session/servos/servo_registry.h"
 #include "ui/common/theme.h"
 
 #include <QStringList>
@@ -15,7 +16,7 @@ struct EventText {
     Tone tone = Tone::Quiet;
     QString symbol; ///< stands beside the color: "✓", "!", "✗", "·"
 };
-EventText describe(const session::Event& event, const session::Workbench& workbench);
+EventText describe(const session::Event& event, const session::ServoRegistry& registry);
 
 /// "set ID" for "set-id": the technical names of tasks and operations.
 QString taskLabel(const QString& task);

@@ -157,7 +157,7 @@ void MainWindow::buildDocks()
     addDockWidget(Qt::LeftDockWidgetArea, m_searchDock);
     m_logDock = new QDockWidget(this);
     m_logDock->setObjectName(QStringLiteral("logDock"));
-    m_log = new MessageLog(m_workbench, m_logDock);
+    m_log = new MessageLog(m_workbench.registry(), m_logDock);
     m_logDock->setWidget(m_log);
     addDockWidget(Qt::BottomDockWidgetArea, m_logDock);
     m_logDock->hide();
@@ -165,7 +165,7 @@ void MainWindow::buildDocks()
 
 void MainWindow::buildStatusBar()
 {
-    m_message = new MessageLine(m_workbench, this);
+    m_message = new MessageLine(m_workbench.registry(), this);
     auto* undoButton = new UndoButton(m_commands.action(Command::Undo), this);
     m_stop = new QPushButton(this);
     m_stop->setObjectName(QStringLiteral("stopButton"));
@@ -192,8 +192,9 @@ void MainWindow::connectCommands()
     on(Command::StopTask, [this] { m_workbench.tasks().stop(); });
     on(Command::ReadTable,
        [this] { m_workbench.writes().readTable(m_context.selection.current()); });
-    on(Command::Undo, [this] { undo(m_workbench, m_context.selection); });
-    on(Command::Redo, [this] { redo(m_workbench, m_context.selection, this); });
+    on(Command::Undo, [this] { undo(m_workbench.writes(), m_context.selection); });
+    on(Command::Redo,
+       [this] { redo(m_workbench.writes(), m_workbench.registry(), m_context.selection, this); });
     on(Command::MessageLog, [this](bool shown) { m_logDock->setVisible(shown); });
     on(Command::Help,
        [this] { showSingle<HelpWindow>(*this, [this] { return new HelpWindow(this); }); });

@@ -6,9 +6,9 @@
 #include <QLabel>
 
 namespace ui {
-MessageLine::MessageLine(const session::Workbench& workbench, QWidget* parent)
+MessageLine::MessageLine(const session::ServoRegistry& registry, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_symbol(new QLabel(this))
     , m_text(new QLabel(this))
 {
@@ -25,7 +25,7 @@ MessageLine::MessageLine(const session::Workbench& workbench, QWidget* parent)
 
 void MessageLine::show(const session::Event& event)
 {
-    if (describe(event, m_workbench).message.isEmpty())
+    if (describe(event, m_registry).message.isEmpty())
         return;
     m_event = event;
     fill();
@@ -34,7 +34,7 @@ void MessageLine::show(const session::Event& event)
 void MessageLine::fill()
 {
     m_eventText =
-        m_event ? describe(*m_event, m_workbench) : EventText{tr("Ready"), {}, Tone::Quiet, {}};
+        m_event ? describe(*m_event, m_registry) : EventText{tr("Ready"), {}, Tone::Quiet, {}};
     m_symbol->setText(m_eventText.symbol);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, tone(m_eventText.tone, palette()));

@@ -3,7 +3,6 @@
 // tooltip). Owned by the window; main thread.
 #pragma once
 
-#include "session/workbench.h"
 #include "ui/app/event_text.h"
 
 #include <QWidget>
@@ -15,7 +14,7 @@ class MessageLine final : public QWidget {
     Q_OBJECT
 
 public:
-    explicit MessageLine(const session::Workbench& workbench, QWidget* parent = nullptr);
+    explicit MessageLine(const session::ServoRegistry& registry, QWidget* parent = nullptr);
 
     void show(const session::Event& event);
 
@@ -27,7 +26,7 @@ private:
     void fill();
     void elide();
 
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     std::optional<session::Event> m_event; ///< kept, so that it can be worded in another language
     EventText m_eventText;
     QLabel* m_symbol;

@@ -10,9 +10,9 @@ namespace {
 constexpr std::size_t maxEvents = 1000;
 } // namespace
 
-MessageLog::MessageLog(const session::Workbench& workbench, QWidget* parent)
+MessageLog::MessageLog(const session::ServoRegistry& registry, QWidget* parent)
     : QPlainTextEdit(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
 {
     setObjectName(QStringLiteral("messageLog"));
     setReadOnly(true);
@@ -37,7 +37,7 @@ void MessageLog::add(const session::Event& event)
 
 void MessageLog::write(const session::Event& event)
 {
-    const EventText eventText = describe(event, m_workbench);
+    const EventText eventText = describe(event, m_registry);
     if (eventText.message.isEmpty())
         return;
     QString text = QStringLiteral("%1  %2  %3")

@@ -3,7 +3,8 @@
 // can be copied. The latest 1000 messages are kept. Owned by the window; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/event.h"
+#include "session/servos/servo_registry.h"
 
 #include <QPlainTextEdit>
 
@@ -14,7 +15,7 @@ class MessageLog final : public QPlainTextEdit {
     Q_OBJECT
 
 public:
-    explicit MessageLog(const session::Workbench& workbench, QWidget* parent = nullptr);
+    explicit MessageLog(const session::ServoRegistry& registry, QWidget* parent = nullptr);
 
     void add(const session::Event& event);
     QSize sizeHint() const override;
@@ -26,7 +27,7 @@ private:
     void write(const session::Event& event);
     void retranslate();
 
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     std::deque<session::Event> m_events;
 };
 } // namespace ui

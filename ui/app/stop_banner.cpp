@@ -41,7 +41,7 @@ void StopBanner::show(const session::Event& event)
         actions << m_commands.action(Command::TorqueOffAll);
     m_banner.showMessage(
         [this, event] {
-            const EventText words = describe(event, m_workbench);
+            const EventText words = describe(event, m_workbench.registry());
             return BannerText{Tone::Bad, words.message, {}, words.details.join(QLatin1Char(' '))};
         },
         actions);

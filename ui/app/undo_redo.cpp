@@ -5,11 +5,11 @@
 
 namespace ui {
 namespace {
-std::vector<Question> questionsOf(const session::Workbench& workbench,
+std::vector<Question> questionsOf(const session::ServoRegistry& registry,
                                   const session::UndoStep& step)
 {
     std::vector<Question> all;
-    const session::ServoEntry* entry = workbench.registry().servo(step.servo);
+    const session::ServoEntry* entry = registry.servo(step.servo);
     if (entry == nullptr || !entry->servo.profile)
         return all;
     for (const device::WriteItem& item : step.newItems) {
@@ -31,21 +31,21 @@ bool sameStep(const session::UndoStep& a, const session::UndoStep& b)
                                             b.newItems.begin(), b.newItems.end(), same);
 }
 
-void confirmFrom(session::Workbench& workbench, QWidget* parent, const session::UndoStep& step,
+void confirmFrom(session::WriteService& writes, QWidget* parent, const session::UndoStep& step,
                  std::vector<Question> questions)
 {
-    const session::UndoStep* next = workbench.writes().redoStep();
+    const session::UndoStep* next = writes.redoStep();
     if (next == nullptr || !sameStep(*next, step))
         return;
     if (questions.empty()) {
-        workbench.writes().redo(device::Consent::confirmed());
+        writes.redo(device::Consent::confirmed());
         return;
     }
     Question first = std::move(questions.front());
     questions.erase(questions.begin());
     first.guard = parent;
-    ask(parent, first, [&workbench, parent, step, questions = std::move(questions)] {
-        confirmFrom(workbench, parent, step, questions);
+    ask(parent, first, [&writes, parent, step, questions = std::move(questions)] {
+        confirmFrom(writes, parent, step, questions);
     });
 }
 
@@ -56,25 +56,26 @@ void selectServoOf(const session::UndoStep& step, Selection& selection)
 }
 } // namespace
 
-void undo(session::Workbench& workbench, Selection& selection)
+void undo(session::WriteService& writes, Selection& selection)
 {
-    const session::UndoStep* next = workbench.writes().undoStep();
+    const session::UndoStep* next = writes.undoStep();
     if (next == nullptr)
         return;
     selectServoOf(*next, selection);
-    workbench.writes().undo();
+    writes.undo();
 }
 
-void redo(session::Workbench& workbench, Selection& selection, QWidget* parent)
+void redo(session::WriteService& writes, const session::ServoRegistry& registry,
+          Selection& selection, QWidget* parent)
 {
-    const session::UndoStep* next = workbench.writes().redoStep();
+    const session::UndoStep* next = writes.redoStep();
     if (next == nullptr)
         return;
     selectServoOf(*next, selection);
-    const std::vector<Question> questions = questionsOf(workbench, *next);
+    const std::vector<Question> questions = questionsOf(registry, *next);
     if (questions.empty())
-        workbench.writes().redo(); // refuses dangerous registers that it has not read
+        writes.redo(); // refuses dangerous registers that it has not read
     else
-        confirmFrom(workbench, parent, *next, questions);
+        confirmFrom(writes, parent, *next, questions);
 }
 } // namespace ui

@@ -4,13 +4,15 @@
 // nothing before the last yes. Both return at once; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/servos/servo_registry.h"
+#include "session/writes/write_service.h"
 #include "ui/common/selection.h"
 
 class QWidget;
 
 namespace ui {
-void undo(session::Workbench& workbench, Selection& selection);
+void undo(session::WriteService& writes, Selection& selection);
 /// Repeats the step that is next now; if another one is next at the last yes, nothing happens.
-void redo(session::Workbench& workbench, Selection& selection, QWidget* parent);
+void redo(session::WriteService& writes, const session::ServoRegistry& registry,
+          Selection& selection, QWidget* parent);
 } // namespace ui

@@ -96,7 +96,7 @@ QWidget* CommissionPage::buildWork()
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins({});
     column->setSpacing(cardMargin);
-    m_status = new CommissionStatus(m_workbench, right);
+    m_status = new CommissionStatus(m_workbench.commissioning(), m_workbench.search(), right);
     m_batch = new CommissionBatchView(right);
     column->addWidget(m_status);
     column->addWidget(m_batch, 1);

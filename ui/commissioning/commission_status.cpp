@@ -25,10 +25,11 @@ constexpr double headlineScale = 1.4;
 constexpr int headlineLines = 2; ///< room for the longest one
 } // namespace
 
-CommissionStatus::CommissionStatus(session::Workbench& workbench, QWidget* parent)
+CommissionStatus::CommissionStatus(session::Commissioning& commissioning,
+                                   const session::SearchService& search, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
-    , m_commissioning(workbench.commissioning())
+    , m_commissioning(commissioning)
+    , m_search(search)
 {
     build();
     retranslate();
@@ -182,7 +183,7 @@ QString CommissionStatus::stoppedDetail() const
                   "baud rate; it is then checked and recorded in the batch. Nothing moves.");
     if (!m_commissioning.batch().pending.empty())
         return unfinishedText();
-    return m_workbench.search().isSearching()
+    return m_search.isSearching()
                ? tr("The servos in the list have changed. Searching the bus again.")
                : tr("Connect all servos to the bus and search to see them.");
 }

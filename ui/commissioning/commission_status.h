@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which servo is at hand, which step it is in and what the user does next, with the buttons that
-// answer the questions of commissioning. The workbench must outlive it; owned by the commissioning
-// page; main thread.
+// answer the questions of commissioning. Owned by the commissioning page; main thread.
 #pragma once
 
 #include "session/commission/commissioning.h"
+#include "session/search/search_service.h"
 
 #include <QWidget>
 
@@ -18,7 +18,8 @@ class CommissionStatus final : public QWidget {
     Q_OBJECT
 
 public:
-    CommissionStatus(session::Workbench& workbench, QWidget* parent);
+    CommissionStatus(session::Commissioning& commissioning, const session::SearchService& search,
+                     QWidget* parent);
 
     /// `hasEnded`: the line has run on the batch that is entered.
     void show(bool hasEnded);
@@ -40,8 +41,8 @@ private:
     QString unfinishedText() const;
     QString pendingQuestionText() const;
 
-    session::Workbench& m_workbench;
     session::Commissioning& m_commissioning;
+    const session::SearchService& m_search;
     bool m_hasEnded = false;
     QLabel* m_headline = nullptr;
     StepStrip* m_steps = nullptr;

@@ -133,8 +133,8 @@ void ControlPanel::buildContent(session::Settings& settings)
 
 void ControlPanel::connectControls()
 {
-    m_torqueConfirmation =
-        std::make_unique<TorqueConfirmation>(m_workbench, m_motion, *m_messages->hint());
+    m_torqueConfirmation = std::make_unique<TorqueConfirmation>(
+        m_workbench.link(), m_workbench.registry(), m_motion, *m_messages->hint());
     m_sender = new GoalSender(
         m_workbench, m_selection, m_motion,
         {*m_goal, *m_fields, *m_send, *m_messages, *m_result, *m_torqueConfirmation}, this);

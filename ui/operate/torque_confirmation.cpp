@@ -12,7 +12,7 @@ TorqueConfirmation::Targets TorqueConfirmation::currentTargets() const
 {
     Targets targets;
     for (const session::ServoRef ref : m_motion.servos()) {
-        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+        const session::ServoEntry* entry = m_registry.servo(ref);
         const catalog::Mode* mode =
             entry != nullptr && entry->servo.profile ? entry->servo.mode() : nullptr;
         targets.push_back({ref, mode != nullptr ? mode->key : QString()});
@@ -24,7 +24,7 @@ TorqueConfirmation::Targets TorqueConfirmation::currentTargets() const
 bool TorqueConfirmation::isUnchanged(const Targets& targets) const
 {
     const Targets now = currentTargets();
-    return m_workbench.link().state() == session::LinkState::Open &&
+    return m_link.state() == session::LinkState::Open &&
            std::equal(targets.begin(), targets.end(), now.begin(), now.end(),
                       [](const auto& before, const auto& after) {
                           return before.first == after.first &&
@@ -48,7 +48,7 @@ bool TorqueConfirmation::confirmEnergize(std::function<void()> action)
 {
     const auto& servos = m_motion.servos();
     const bool allOn = std::all_of(servos.begin(), servos.end(), [this](session::ServoRef ref) {
-        const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+        const session::ServoEntry* entry = m_registry.servo(ref);
         return entry != nullptr && entry->servo.profile &&
                entry->servo.raw(catalog::Role::TorqueSwitch) == 1;
     });

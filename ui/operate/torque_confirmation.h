@@ -4,8 +4,9 @@
 // by the control panel; main thread.
 #pragma once
 
+#include "session/link/link_controller.h"
 #include "session/motion/motion_controller.h"
-#include "session/workbench.h"
+#include "session/servos/servo_registry.h"
 
 #include <functional>
 #include <optional>
@@ -15,9 +16,10 @@ class TorqueHint;
 
 class TorqueConfirmation final {
 public:
-    TorqueConfirmation(const session::Workbench& workbench, const session::MotionController& motion,
-                       TorqueHint& hint)
-        : m_workbench(workbench)
+    TorqueConfirmation(const session::LinkController& link, const session::ServoRegistry& registry,
+                       const session::MotionController& motion, TorqueHint& hint)
+        : m_link(link)
+        , m_registry(registry)
         , m_motion(motion)
         , m_hint(hint)
     {}
@@ -36,7 +38,8 @@ private:
     Targets currentTargets() const;
     bool isUnchanged(const Targets& targets) const;
 
-    const session::Workbench& m_workbench;
+    const session::LinkController& m_link;
+    const session::ServoRegistry& m_registry;
     const session::MotionController& m_motion;
     TorqueHint& m_hint;
     std::optional<Targets> m_targets; ///< the hint was last shown for these

@@ -63,7 +63,7 @@ void LinkController::connectTo(const PortRequest& request)
     m_request = request;
     m_isReconnect = false;
     setState(LinkState::Opening);
-    open();
+    open(request);
 }
 
 void LinkController::reconnect(const QString& portName)
@@ -72,15 +72,18 @@ void LinkController::reconnect(const QString& portName)
         return;
     m_request.name = portName;
     m_isReconnect = true;
-    open();
+    PortRequest request = m_request;
+    if (m_lostBaud != 0) // that of the servos that were worked with
+        request.baud = m_lostBaud;
+    open(request);
 }
 
-void LinkController::open()
+void LinkController::open(const PortRequest& request)
 {
     m_bench.recovery().reset();
     m_bench.presence().reset();
     m_opening = true;
-    m_bench.backgroundThread().start([this, request = m_request] {
+    m_bench.backgroundThread().start([this, request] {
         auto result = std::make_shared<base::Result<std::unique_ptr<Connection>>>(
             m_bench.session().connect(request));
         m_bench.mainQueue().post([this, result] { portOpened(std::move(*result)); });
@@ -130,6 +133,7 @@ void LinkController::checkLink()
     }
     if (!m_connection || !m_connection->bus().lost())
         return;
+    m_lostBaud = m_connection->bus().baud();
     setState(LinkState::Lost);
     m_bench.search().stop();
     m_bench.tasks().clearQueue(base::ErrorCode::LinkLost);

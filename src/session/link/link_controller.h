@@ -37,9 +37,9 @@ public:
 
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
-    /// Opens the lost port again, under the present name of its adapter. The list of servos stays,
-    /// and only those of the list are asked whether they reply. Does nothing unless the port is
-    /// lost and closed. It stays lost until it is open.
+    /// Opens the lost port again, under the present name of its adapter, at its latest rate. The
+    /// list of servos stays, and only those of this rate are asked whether they reply. Does nothing
+    /// unless the port is lost and closed. It stays lost until it is open.
     void reconnect(const QString& portName);
     bool isReconnect() const { return m_isReconnect; } ///< that is how it was opened
     void powerCycle();                                 ///< simulated servos only
@@ -55,7 +55,7 @@ Q_SIGNALS:
     void connectFailed(const base::Error& error);
 
 private:
-    void open();
+    void open(const PortRequest& request);
     void portOpened(base::Result<std::unique_ptr<Connection>> result);
     void checkLink();
 
@@ -64,6 +64,7 @@ private:
     PortRequest m_request;
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
     bool m_isReconnect = false;
+    int m_lostBaud = 0;     ///< the port's rate when it was lost
     bool m_opening = false; ///< the opening of a port has not ended, needed or not
     QString m_portName;
     std::unique_ptr<Connection> m_connection;

@@ -170,6 +170,8 @@ void SearchService::searchEnded(const base::Result<jobs::ScanReport>& result,
     Event event{.kind = Event::Kind::SearchEnded, .notices = notices};
     if (result) {
         m_lastSearch = *result;
+        event.found = int(result->found.size());
+        event.elapsed = result->elapsed;
         event.missing = missingServos(*result);
         removeSilent(*result);
     } else {

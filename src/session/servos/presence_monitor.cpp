@@ -66,7 +66,10 @@ void PresenceMonitor::update()
 
 void PresenceMonitor::askAll()
 {
+    const bool anyBaud = !m_bench.link().canSetBaud();
     for (auto& [ref, known] : m_bench.registry().entries()) {
+        if (!anyBaud && known.servo.baud != m_bench.link().baud())
+            continue;
         known.silent = known.answeredAgain = true;
         known.hasFullTable = false; // another one of its kind may have been put in its place
         known.readError.reset();

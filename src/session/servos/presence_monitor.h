@@ -21,7 +21,7 @@ public:
     bool isIdentifying() const { return !m_identifying.empty(); }
     void reset() { m_counters.clear(); }
     void update(); ///< counts replies of the open port
-    /// The port was open before: no servo of the list counts as present until it has replied.
+    /// The port was open before: no servo of its rate counts as present until it has replied.
     void askAll();
     void identifyReturned();
     void replace(ServoRef ref, const jobs::FoundServo& now);

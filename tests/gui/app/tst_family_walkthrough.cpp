@@ -85,7 +85,7 @@ private Q_SLOTS:
         QStringList log; // for finding out what went wrong
         connect(&fixture.workbench(), &session::Workbench::eventOccurred, &fixture.workbench(),
                 [&](const session::Event& event) {
-                    const ui::EventText words = ui::describe(event, fixture.workbench());
+                    const ui::EventText words = ui::describe(event, fixture.workbench().registry());
                     log << words.message + QLatin1Char(' ') + words.details.join(QLatin1Char(' '));
                 });
         const auto before = fixture.entry().servo.raw(setting);

@@ -105,6 +105,23 @@ private Q_SLOTS:
         QTRY_VERIFY2(log->toPlainText().contains(words), qPrintable(log->toPlainText()));
     }
 
+    /// Also when it is worded anew, in another language.
+    void theLogKeepsWhatEachSearchFound()
+    {
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.connectTo(QStringLiteral("sim:sts3215@1,sts3215@2")));
+        auto* log = fixture.find<ui::MessageLog>("messageLog");
+        const auto has = [log](const char* words) {
+            return log->toPlainText().contains(QLatin1String(words));
+        };
+        QTRY_VERIFY2(has("2 servos found"), qPrintable(log->toPlainText()));
+        fixture.workbench().search().start({.firstId = 9, .lastId = 9, .bauds = {}});
+        QTRY_VERIFY2(has("0 servos found"), qPrintable(log->toPlainText()));
+        QEvent change(QEvent::LanguageChange);
+        QCoreApplication::sendEvent(log, &change);
+        QVERIFY2(has("2 servos found") && has("0 servos found"), qPrintable(log->toPlainText()));
+    }
+
     void theFirstStartOffersTheSimulatedBusInOneClick()
     {
         gui::MainWindowFixture fixture;

@@ -535,7 +535,7 @@ void TestIntentsDialog::unrecordedResultIsReported()
     event.report->id = 1;
     event.report->writes = {{text("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}};
     event.notices = {{base::NoticeCode::NotRecorded, 1, text("history.sqlite: disk full")}};
-    const ui::EventText words = ui::describe(event, fixture.workbench);
+    const ui::EventText words = ui::describe(event, fixture.workbench.registry());
     QVERIFY2(words.message.contains(text("20, kept")), qPrintable(words.message));
     QVERIFY2(words.message.contains(text("NOT RECORDED")), qPrintable(words.message));
     QVERIFY(words.details.join(QLatin1Char('\n')).contains(text("disk full")));
@@ -608,7 +608,7 @@ void TestIntentsDialog::anotherServoIsNotReportedDone()
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(task);
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✗")));
-    const ui::EventText words = ui::describe(*task, fixture.workbench);
+    const ui::EventText words = ui::describe(*task, fixture.workbench.registry());
     QCOMPARE(words.symbol, QStringLiteral("✗"));
     QVERIFY2(!words.message.contains(text("done")), qPrintable(words.message));
     QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));

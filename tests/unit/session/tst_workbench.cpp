@@ -599,6 +599,23 @@ private Q_SLOTS:
         QVERIFY(!link.isReconnect());
     }
 
+    /// A task may have changed it since the port was opened, for servos of another rate.
+    void reconnectingKeepsTheRate()
+    {
+        SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
+        session::LinkController& link = fixture.workbench.link();
+        QVERIFY(link.connection()->bus().setBaud(500'000));
+        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
+        QTRY_COMPARE(link.state(), LinkState::Lost);
+        QTRY_VERIFY(link.connection() == nullptr);
+        link.reconnect(link.lastRequest().name);
+        QTRY_COMPARE(link.state(), LinkState::Open);
+        QCOMPARE(link.baud(), 500'000);
+        QVERIFY(!link.lastRequest().baud);             // still "auto"
+        QVERIFY(!fixture.entry(fixture.at(1)).silent); // at 1 M: not asked, nothing is known
+    }
+
     void aFailedReconnectLeavesThePortLost()
     {
         SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
