@@ -46,15 +46,19 @@ LinkErrorBanner::LinkErrorBanner(session::LinkController& link, session::PortWat
             &LinkErrorBanner::connectFailed);
     connect(&m_link, &session::LinkController::linkChanged, this, &LinkErrorBanner::linkChanged);
     connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
+        noteAdapter();
         if (m_retryTimer.isActive()) {
             m_backAs = m_replug.detect(m_ports);
             reconnectIfBack();
         }
         detectBraille();
     });
+    connect(&m_banner, &Banner::messageReplaced, this, [this] { m_bannerIsOurs = false; });
     connect(&m_banner, &Banner::dismissed, this, [this] {
+        if (!std::exchange(m_bannerIsOurs, false))
+            return;
         stopWaiting();
-        m_bannerIsOurs = false;
+        m_link.cancelReconnect();
     });
     m_banner.installEventFilter(this);
     retranslate();
@@ -66,8 +70,8 @@ void LinkErrorBanner::connectFailed(const base::Error& error)
         reconnectFailed(error);
         return;
     }
-    m_bannerIsOurs = true;
     m_banner.showMessage(error, {m_retry});
+    m_bannerIsOurs = true;
 }
 
 void LinkErrorBanner::linkChanged()
@@ -90,6 +94,16 @@ void LinkErrorBanner::linkChanged()
     hideOurMessage();
 }
 
+/// The list of ports may come later than the port. Without its adapter the key is the name.
+void LinkErrorBanner::noteAdapter()
+{
+    const QString& name = m_link.lastRequest().name;
+    const QString key = m_ports.adapterKey(name);
+    const bool isOpen = m_link.state() == LinkState::Opening || m_link.state() == LinkState::Open;
+    if (isOpen && key != name)
+        m_openKey = key;
+}
+
 /// The message about the port is out of date.
 void LinkErrorBanner::hideOurMessage()
 {
@@ -110,7 +124,6 @@ void LinkErrorBanner::linkLost()
 {
     const QString port = m_link.lastRequest().name;
     stopWaiting();
-    m_bannerIsOurs = true;
     m_replug.start(m_ports, m_openKey, port);
     m_retryTimer.start();
     m_banner.showMessage(
@@ -132,6 +145,7 @@ void LinkErrorBanner::linkLost()
             return BannerText{Tone::Bad, what, words.cause, remedy};
         },
         {m_reconnect});
+    m_bannerIsOurs = true;
 }
 
 QString LinkErrorBanner::presentPath() const
@@ -154,17 +168,18 @@ void LinkErrorBanner::reconnectNow()
     m_link.reconnect(path.isEmpty() ? m_link.lastRequest().name : path);
 }
 
-/// The same failure is said once, not at every attempt. A port that another program has taken is
+/// The same failure is said once, not at every attempt, and never in place of another message, such
+/// as that of a stop that could not be sent. A port that another program has taken is
 /// left to it.
 void LinkErrorBanner::reconnectFailed(const base::Error& error)
 {
     if (error.code == base::ErrorCode::PortBusy)
         m_retryTimer.stop();
-    if (m_reportedFailure == error.code)
+    if (!m_bannerIsOurs || m_reportedFailure == error.code)
         return;
     m_reportedFailure = error.code;
-    m_bannerIsOurs = true;
     m_banner.showMessage(error, {m_reconnect});
+    m_bannerIsOurs = true;
 }
 
 void LinkErrorBanner::detectBraille()
@@ -176,13 +191,15 @@ void LinkErrorBanner::detectBraille()
     const bool idle = m_link.state() == LinkState::Off || m_link.state() == LinkState::Lost;
     if (taken.isEmpty() || !idle)
         return;
-    m_bannerIsOurs = true;
-    m_banner.showMessage([chip = taken.constFirst()] {
+    const bool waits = m_retryTimer.isActive();
+    const auto bannerText = [chip = taken.constFirst()] {
         const text::Description words =
             text::describe({base::ErrorCode::PortMissing, QStringLiteral("open"),
                             chip + QStringLiteral(", brltty")});
         return BannerText{Tone::Warn, words.message, words.cause, words.remedy};
-    });
+    };
+    m_banner.showMessage(bannerText, waits ? QList<QAction*>{m_reconnect} : QList<QAction*>{});
+    m_bannerIsOurs = true;
 }
 
 void LinkErrorBanner::retranslate()

@@ -34,6 +34,7 @@ private:
     void connectFailed(const base::Error& error);
     void linkChanged();
     void linkLost();
+    void noteAdapter();
     void detectBraille();
     QString presentPath() const; ///< where the lost adapter is now; empty: not there
     void reconnectIfBack();

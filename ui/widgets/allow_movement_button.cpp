@@ -52,12 +52,28 @@ void AllowMovementButton::askToAllow()
                        "off on all servos.");
     question.acceptText = tr("Turn torque on");
     question.guard = this;
-    ask(this, question, [this] { allow(); });
+    std::vector<AskedServo> asked;
+    for (const session::ServoRef ref : blocked())
+        asked.push_back({ref, m_workbench.registry().servo(ref)->stoppedAt});
+    ask(this, question, [this, asked] { allow(asked); });
 }
 
-void AllowMovementButton::allow()
+/// Only those that were named in the question, and not after another stop: it may have been open
+/// for a while.
+void AllowMovementButton::allow(const std::vector<AskedServo>& asked)
 {
-    if (!m_workbench.emergencyStop().canAllowMovement()) { // the question was open for a while
+    std::vector<session::ServoRef> servos;
+    for (const AskedServo& one : asked) {
+        const session::ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        if (entry != nullptr && entry->stopped && entry->stoppedAt == one.stoppedAt)
+            servos.push_back(one.servo);
+    }
+    const auto report = [this](const session::TaskCompletion& end) {
+        if (end.error)
+            m_banner.showMessage(*end.error);
+    };
+    if (servos.size() < asked.size() ||
+        !m_workbench.emergencyStop().allowMovement(servos, this, report)) {
         m_banner.showMessage([] {
             return BannerText{Tone::Warn,
                               tr("Torque was not turned on."),
@@ -68,12 +84,6 @@ void AllowMovementButton::allow()
         return;
     }
     Q_EMIT allowed();
-    for (const session::ServoRef ref : blocked())
-        m_workbench.emergencyStop().allowMovement(ref, this,
-                                                  [this](const session::TaskCompletion& end) {
-                                                      if (end.error)
-                                                          m_banner.showMessage(*end.error);
-                                                  });
 }
 
 void AllowMovementButton::retranslate()

@@ -28,9 +28,13 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    struct AskedServo {
+        session::ServoRef servo;
+        base::Duration stoppedAt;
+    };
     std::vector<session::ServoRef> blocked() const;
     void askToAllow();
-    void allow();
+    void allow(const std::vector<AskedServo>& asked);
     void retranslate();
 
     session::Workbench& m_workbench;

@@ -79,6 +79,7 @@ Banner::Banner(QWidget* parent)
 
 void Banner::showMessage(TextProvider textProvider, const QList<QAction*>& actions)
 {
+    Q_EMIT messageReplaced();
     m_textProvider = std::move(textProvider);
     while (QLayoutItem* item = m_buttons->takeAt(0)) {
         item->widget()->hide();

@@ -39,7 +39,8 @@ public:
     void hideMessage();
 
 Q_SIGNALS:
-    void dismissed(); ///< closed by the user
+    void messageReplaced(); ///< another one is about to be shown
+    void dismissed();       ///< closed by the user
 
 protected:
     void changeEvent(QEvent* event) override;

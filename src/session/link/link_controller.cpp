@@ -61,7 +61,7 @@ void LinkController::connectTo(const PortRequest& request)
     if (request.name != m_request.name)
         m_bench.registry().clear();
     m_request = request;
-    m_isReconnect = false;
+    m_isReconnect = m_isRenamed = false;
     setState(LinkState::Opening);
     open(request);
 }
@@ -70,12 +70,19 @@ void LinkController::reconnect(const QString& portName)
 {
     if (m_state != LinkState::Lost || m_connection || m_opening)
         return;
+    m_isRenamed |= portName != m_request.name;
     m_request.name = portName;
     m_isReconnect = true;
+    m_isCanceled = false;
     PortRequest request = m_request;
     if (m_lostBaud != 0) // that of the servos that were worked with
         request.baud = m_lostBaud;
     open(request);
+}
+
+void LinkController::cancelReconnect()
+{
+    m_isCanceled = m_opening && m_state == LinkState::Lost;
 }
 
 void LinkController::open(const PortRequest& request)
@@ -98,6 +105,8 @@ void LinkController::portOpened(base::Result<std::unique_ptr<Connection>> result
         m_bench.scheduleNext();
         return;
     }
+    if (m_isReconnect && std::exchange(m_isCanceled, false))
+        return;
     if (!result) {
         if (!m_isReconnect)
             setState(LinkState::Off);
@@ -107,14 +116,17 @@ void LinkController::portOpened(base::Result<std::unique_ptr<Connection>> result
     m_connection = std::move(*result);
     m_portName = m_connection->bus().portName();
     for (auto& [ref, known] : m_bench.registry().entries()) {
+        known.servo.port = m_portName; // after a reconnect it may be a new one
         m_connection->addStopTarget(known.servo);
         known.turns.reset();
     }
+    if (m_isReconnect)
+        m_bench.presence().askAll();
     setState(LinkState::Open);
     m_bench.emitEvent({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
     m_bench.emergencyStop().portOpened();
-    if (m_isReconnect)
-        m_bench.presence().askAll();
+    if (m_isReconnect) // under its old name the journal may have an interrupted write
+        m_bench.recovery().checkOnce(m_isRenamed);
 }
 
 void LinkController::powerCycle()
@@ -131,9 +143,11 @@ void LinkController::checkLink()
         m_bench.presence().update();
         m_bench.presence().identifyReturned();
     }
+    if (m_connection && !m_bench.search().isStarted())
+        m_lostBaud = m_connection->bus().baud();
     if (!m_connection || !m_connection->bus().lost())
         return;
-    m_lostBaud = m_connection->bus().baud();
+    m_isRenamed = false;
     setState(LinkState::Lost);
     m_bench.search().stop();
     m_bench.tasks().clearQueue(base::ErrorCode::LinkLost);

@@ -41,6 +41,7 @@ public:
     /// list of servos stays, and only those of this rate are asked whether they reply. Does nothing
     /// unless the port is lost and closed. It stays lost until it is open.
     void reconnect(const QString& portName);
+    void cancelReconnect(); ///< an attempt under way opens nothing any more
     bool isReconnect() const { return m_isReconnect; } ///< that is how it was opened
     void powerCycle();                                 ///< simulated servos only
 
@@ -64,8 +65,10 @@ private:
     PortRequest m_request;
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
     bool m_isReconnect = false;
-    int m_lostBaud = 0;     ///< the port's rate when it was lost
-    bool m_opening = false; ///< the opening of a port has not ended, needed or not
+    bool m_isCanceled = false;
+    bool m_isRenamed = false; ///< the reconnected port had another name when it was lost
+    int m_lostBaud = 0;       ///< the port's rate before it was lost, outside of searches
+    bool m_opening = false;   ///< the opening of a port has not ended, needed or not
     QString m_portName;
     std::unique_ptr<Connection> m_connection;
     QTimer m_timer;

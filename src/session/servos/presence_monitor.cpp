@@ -11,6 +11,10 @@ namespace {
 /// This number of requests in a row without an answer is no lost reply.
 constexpr std::uint64_t maxMissedReplies = 3;
 
+/// After a reconnect, servos may get their power later than the adapter.
+constexpr auto patience = std::chrono::seconds(20);
+constexpr auto askInterval = std::chrono::seconds(2);
+
 /// Proves nothing about which servo is there: the next attempt may.
 bool isTransient(base::ErrorCode code)
 {
@@ -66,14 +70,14 @@ void PresenceMonitor::update()
 
 void PresenceMonitor::askAll()
 {
-    const bool anyBaud = !m_bench.link().canSetBaud();
     for (auto& [ref, known] : m_bench.registry().entries()) {
-        if (!anyBaud && known.servo.baud != m_bench.link().baud())
-            continue;
-        known.silent = known.answeredAgain = true;
+        known.silent = true;
         known.hasFullTable = false; // another one of its kind may have been put in its place
+        known.snapshotPath.clear();
         known.readError.reset();
     }
+    m_askUntil = m_bench.now() + patience;
+    m_nextAsk = {};
     for (const ServoRef ref : std::vector(m_bench.registry().order()))
         Q_EMIT m_bench.registry().servoChanged(ref);
 }
@@ -81,6 +85,11 @@ void PresenceMonitor::askAll()
 /// A servo that answers after a silence is identified before it counts as the same.
 void PresenceMonitor::identifyReturned()
 {
+    if (m_bench.now() < m_askUntil && m_bench.now() >= m_nextAsk) {
+        m_nextAsk = m_bench.now() + askInterval;
+        for (auto& [ref, known] : m_bench.registry().entries())
+            known.answeredAgain |= known.silent;
+    }
     std::vector<ServoRef> heard;
     for (const auto& [ref, known] : m_bench.registry().entries()) {
         if (known.silent && known.answeredAgain)
@@ -124,8 +133,6 @@ void PresenceMonitor::reidentified(ServoRef ref, const base::Result<device::Serv
             m_bench.registry().changed(*known);
         }
     }
-    if (m_identifying.empty() && m_bench.link().isReconnect())
-        m_bench.recovery().checkOnce();
     m_bench.scheduleNext();
 }
 

@@ -19,9 +19,14 @@ public:
     explicit PresenceMonitor(Workbench& bench);
 
     bool isIdentifying() const { return !m_identifying.empty(); }
-    void reset() { m_counters.clear(); }
+    void reset()
+    {
+        m_counters.clear();
+        m_askUntil = {};
+    }
     void update(); ///< counts replies of the open port
-    /// The port was open before: no servo of its rate counts as present until it has replied.
+    /// The port was open before: no servo counts as present until it has replied. Those of the
+    /// port's rate are asked for a while, until they do.
     void askAll();
     void identifyReturned();
     void replace(ServoRef ref, const jobs::FoundServo& now);
@@ -38,5 +43,7 @@ private:
     Workbench& m_bench;
     std::map<int, ReplyCounters> m_counters; ///< by ID, when the bus was looked at last
     std::set<ServoRef> m_identifying;        ///< on the search thread
+    base::Duration m_askUntil{};
+    base::Duration m_nextAsk{};
 };
 } // namespace session

@@ -151,23 +151,25 @@ void EmergencyStop::reportUnconfirmed()
 
 bool EmergencyStop::canAllowMovement() const
 {
-    return !m_bench.search().isSearching() && !m_bench.tasks().isTesting();
+    return !m_bench.search().isSearching() && !m_bench.tasks().isBusy();
 }
 
-bool EmergencyStop::allowMovement(ServoRef ref, QObject* guard,
-                                  std::function<void(const TaskCompletion&)> done)
+bool EmergencyStop::allowMovement(const std::vector<ServoRef>& servos, QObject* guard,
+                                  const std::function<void(const TaskCompletion&)>& done)
 {
     if (!canAllowMovement())
         return false;
-    Task task;
-    task.name = QStringLiteral("torque");
-    task.effect = Effect::EnablesTorque;
-    task.work = [](TaskContext& context) {
-        return device::setTorque(context.device, context.servo, device::Torque::On);
-    };
-    task.guard = guard;
-    task.done = std::move(done);
-    m_bench.tasks().perform(ref, std::move(task));
+    for (const ServoRef ref : servos) {
+        Task task;
+        task.name = QStringLiteral("torque");
+        task.effect = Effect::EnablesTorque;
+        task.work = [](TaskContext& context) {
+            return device::setTorque(context.device, context.servo, device::Torque::On);
+        };
+        task.guard = guard;
+        task.done = done;
+        m_bench.tasks().perform(ref, std::move(task));
+    }
     return true;
 }
 

@@ -25,13 +25,14 @@ public:
     explicit EmergencyStop(Workbench& bench);
 
     void trigger();
-    /// False while a search or a test keeps the bus: torque would come on later, unexpectedly.
+    /// False while a search, a test or a task keeps the bus: torque would come on later,
+    /// unexpectedly.
     bool canAllowMovement() const;
-    /// Turns torque on for a servo that is blocked: it holds where it is, and may be moved again.
-    /// Ask before. False: nothing was begun, because it cannot be allowed now. `done` unless
-    /// `guard` has gone.
-    bool allowMovement(ServoRef ref, QObject* guard,
-                       std::function<void(const TaskCompletion&)> done);
+    /// Turns torque on for servos that are blocked: they hold where they are, and may be moved
+    /// again. Ask before. False: nothing was begun, because it cannot be allowed now. `done` for
+    /// each, unless `guard` has gone.
+    bool allowMovement(const std::vector<ServoRef>& servos, QObject* guard,
+                       const std::function<void(const TaskCompletion&)>& done);
 
     /// For the services of the workbench.
     void portOpened();  ///< a stop that found no port is reported again

@@ -86,10 +86,10 @@ RecoveryService::RecoveryService(Workbench& bench)
     : m_bench(bench)
 {}
 
-void RecoveryService::checkOnce()
+void RecoveryService::checkOnce(bool anyPort)
 {
     if (!std::exchange(m_checked, true))
-        findOpenIntents();
+        findOpenIntents(anyPort);
 }
 
 void RecoveryService::findOpenIntents(bool anyPort)

@@ -25,7 +25,7 @@ public:
     void discardIntent(const QString& uuid);
 
     /// For the services of the workbench.
-    void checkOnce(); ///< of this connection
+    void checkOnce(bool anyPort = false); ///< of this connection
     void reset() { m_checked = false; }
 
 Q_SIGNALS:

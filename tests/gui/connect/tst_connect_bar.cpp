@@ -463,10 +463,17 @@ void TestConnectBar::aBridgeIsTriedAgain()
     QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Open, 10000);
     ::close(bridge.listener);
     QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 10000);
+    // A message that came meanwhile, such as that a stop was not sent, is neither replaced nor does
+    // closing it end anything.
+    fixture.banner.showMessage({base::ErrorCode::PortPermission});
+    const QString other = fixture.labelText("bannerWhat");
     QSignalSpy failed(&fixture.workbench.link(), &session::LinkController::connectFailed);
     QTRY_VERIFY_WITH_TIMEOUT(failed.count() > 0, 10000);
     QCOMPARE(fixture.workbench.link().state(), LinkState::Lost);
     QVERIFY(!fixture.banner.isHidden());
+    QCOMPARE(fixture.labelText("bannerWhat"), other);
+    fixture.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
+    QVERIFY(fixture.trouble.isWaiting());
     bridge = support::listenOnLoopback(0, 1, bridge.number);
     QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Open, 10000);
     QVERIFY(fixture.banner.isHidden());

@@ -238,7 +238,7 @@ private Q_SLOTS:
         // Not during a search: torque would come on when hands may be back on the servo.
         fixture.workbench().search().start({.firstId = 20, .lastId = 25, .bauds = {}});
         QTRY_VERIFY(!allow->isEnabled());
-        QVERIFY(!fixture.workbench().emergencyStop().allowMovement(fixture.selection().current(),
+        QVERIFY(!fixture.workbench().emergencyStop().allowMovement({fixture.selection().current()},
                                                                    nullptr, {}));
         QTRY_VERIFY(!fixture.workbench().search().isSearching());
         QTRY_VERIFY(allow->isEnabled());

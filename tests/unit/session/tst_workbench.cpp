@@ -578,10 +578,10 @@ private Q_SLOTS:
         std::set<ServoRef> doubted; // until it has replied
         connect(&fixture.workbench.registry(), &session::ServoRegistry::servoChanged,
                 &fixture.workbench, [&](ServoRef ref) {
-                    if (link.state() == LinkState::Open && fixture.entry(ref).silent)
+                    if (link.connection() != nullptr && fixture.entry(ref).silent)
                         doubted.insert(ref);
                 });
-        link.reconnect(link.lastRequest().name);
+        link.reconnect(link.lastRequest().name + QStringLiteral(",sts3215@9"));
         QCOMPARE(link.state(), LinkState::Lost); // until it is open
         QTRY_COMPARE(link.state(), LinkState::Open);
         QVERIFY(link.isReconnect());
@@ -595,6 +595,7 @@ private Q_SLOTS:
             QVERIFY2(id == 1 || id == 2, qPrintable(QString::number(id)));
         QVERIFY(!fixture.workbench.search().isSearching());
         QCOMPARE(fixture.entry(known.front()).servo.id, 1);
+        QCOMPARE(fixture.entry(known.front()).servo.port, link.portName()); // for the journal
         QVERIFY(fixture.open(QStringLiteral("sim:demo"))); // as the user asks for it
         QVERIFY(!link.isReconnect());
     }
@@ -612,8 +613,29 @@ private Q_SLOTS:
         link.reconnect(link.lastRequest().name);
         QTRY_COMPARE(link.state(), LinkState::Open);
         QCOMPARE(link.baud(), 500'000);
-        QVERIFY(!link.lastRequest().baud);             // still "auto"
-        QVERIFY(!fixture.entry(fixture.at(1)).silent); // at 1 M: not asked, nothing is known
+        QVERIFY(!link.lastRequest().baud);            // still "auto"
+        QVERIFY(fixture.entry(fixture.at(1)).silent); // at 1 M: not asked
+    }
+
+    /// The adapter is back before the supply of the servos is.
+    void aReconnectedServoMayReplyLater()
+    {
+        SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
+        session::LinkController& link = fixture.workbench.link();
+        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
+        QTRY_COMPARE(link.state(), LinkState::Lost);
+        QTRY_VERIFY(link.connection() == nullptr);
+        connect(&link, &session::LinkController::linkChanged, &fixture.workbench, [&] {
+            if (link.connection() != nullptr)
+                fixture.withBus([](sim::VirtualBus& bus) { bus.unplug(0); });
+        });
+        link.reconnect(link.lastRequest().name);
+        QTRY_COMPARE(link.state(), LinkState::Open);
+        QTRY_VERIFY(link.statistics().byId[1].timeouts > 0);
+        QVERIFY(fixture.entry(fixture.at(1)).silent);
+        fixture.withBus([](sim::VirtualBus& bus) { bus.plug(0); });
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.entry(fixture.at(1)).silent, 20000); // nothing else asks
     }
 
     void aFailedReconnectLeavesThePortLost()
@@ -629,6 +651,10 @@ private Q_SLOTS:
         QTRY_COMPARE(failed.count(), 1);
         QCOMPARE(link.state(), LinkState::Lost);
         QVERIFY(fixture.at(1) != 0);
+        link.reconnect(QStringLiteral("sim:sts3215@1"));
+        link.cancelReconnect();
+        QTRY_VERIFY(!link.isOpening());
+        QCOMPARE(link.state(), LinkState::Lost);
         // Closing in the middle of an attempt waits for it, and opens nothing.
         link.reconnect(QStringLiteral("sim:sts3215@1"));
         fixture.workbench.closing().disconnectFrom();
