@@ -194,12 +194,12 @@ void ApplyDialog::build()
         return made;
     };
     m_dryRun = button("applyDryRun");
+    m_save = button("applySave");
+    row->addStretch();
+    m_stop = button("applyStop");
+    m_close = button("applyClose");
     m_write = button("applyWrite");
     makeMainAction(m_write);
-    m_stop = button("applyStop");
-    row->addStretch();
-    m_save = button("applySave");
-    m_close = button("applyClose");
     column->addWidget(m_summary);
     column->addWidget(m_table, 1);
     column->addWidget(m_rollBack);
