@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Allow movement", beside the button that starts a test: after an emergency stop it asks, then
 // turns torque on for the servos that are blocked; nothing moves by that. Hidden while there is
-// nothing to allow, disabled while a search or a test keeps the bus. A failure is shown in the
-// banner. Owned by its page; main thread.
+// nothing to allow, disabled while a search, a test or a task keeps the bus. A failure is shown in
+// the banner. Owned by its page; main thread.
 #pragma once
 
 #include "session/workbench.h"

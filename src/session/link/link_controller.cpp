@@ -62,6 +62,7 @@ void LinkController::connectTo(const PortRequest& request)
         m_bench.registry().clear();
     m_request = request;
     m_isReconnect = m_isRenamed = false;
+    m_lostBaud = 0;
     setState(LinkState::Opening);
     open(request);
 }

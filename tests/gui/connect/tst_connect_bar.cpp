@@ -36,6 +36,8 @@ struct Fixture : gui::WorkbenchFixture {
     ui::ConnectBar bar{workbench, commands, settings, ports};
     ui::LinkErrorBanner trouble{workbench.link(), ports, bar, banner};
 
+    const QString serial = QStringLiteral("5A2F31");
+
     Fixture() { bar.show(); }
 
     template <typename Widget>
@@ -56,6 +58,20 @@ struct Fixture : gui::WorkbenchFixture {
         find<QToolButton>("connectButton")->click();
         return QTest::qWaitFor([this] { return workbench.link().state() == LinkState::Open; },
                                10000);
+    }
+    /// An adapter that was in use, and is in the list of ports no more.
+    bool unplugged()
+    {
+        PtyPair adapter;
+        portList.plug(gui::adapter(adapter.path, serial));
+        if (!QTest::qWaitFor([&] { return ports.find(adapter.path) != nullptr; }) ||
+            !connected(adapter.path))
+            return false;
+        adapter.dropConnection();
+        portList.unplug(adapter.path);
+        return QTest::qWaitFor([this] {
+            return workbench.link().state() == LinkState::Lost && ports.ports().empty();
+        });
     }
     bool disconnected()
     {
@@ -403,24 +419,16 @@ void TestConnectBar::closedMessagesStayClosed()
 
 void TestConnectBar::unpluggedAndBack()
 {
-    const QString serial = QStringLiteral("5A2F31");
-    PtyPair before;
     PtyPair after;
     Fixture fixture;
-    fixture.portList.plug(gui::adapter(before.path, serial));
-    QTRY_VERIFY(fixture.ports.find(before.path) != nullptr);
-    QVERIFY(fixture.connected(before.path));
-    before.dropConnection();
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 1000);
-    fixture.portList.unplug(before.path);
+    QVERIFY(fixture.unplugged());
     QVERIFY(!fixture.banner.isHidden());
     QVERIFY2(fixture.labelText("bannerWhat").contains(QStringLiteral("was unplugged")),
              qPrintable(fixture.labelText("bannerWhat")));
     QCOMPARE(fixture.offer()->accessibleName(), QStringLiteral("Reconnect"));
     QCOMPARE(fixture.find<ui::Pill>("linkStatus")->text(), QStringLiteral("disconnected"));
 
-    QTRY_VERIFY(fixture.ports.ports().empty());
-    fixture.portList.plug(gui::adapter(after.path, serial));
+    fixture.portList.plug(gui::adapter(after.path, fixture.serial));
     QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Open, 5000);
     QCOMPARE(fixture.workbench.link().lastRequest().name, after.path);
     QCOMPARE(fixture.bar.request().name, after.path);
@@ -435,19 +443,11 @@ void TestConnectBar::unpluggedAndBack()
 
 void TestConnectBar::aClosedMessageEndsReconnecting()
 {
-    const QString serial = QStringLiteral("5A2F31");
-    PtyPair before;
     PtyPair after;
     Fixture fixture;
-    fixture.portList.plug(gui::adapter(before.path, serial));
-    QTRY_VERIFY(fixture.ports.find(before.path) != nullptr);
-    QVERIFY(fixture.connected(before.path));
-    before.dropConnection();
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 1000);
-    fixture.portList.unplug(before.path);
-    QTRY_VERIFY(fixture.ports.ports().empty());
+    QVERIFY(fixture.unplugged());
     fixture.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
-    fixture.portList.plug(gui::adapter(after.path, serial));
+    fixture.portList.plug(gui::adapter(after.path, fixture.serial));
     QTRY_VERIFY(fixture.ports.find(after.path) != nullptr);
     QCOMPARE(fixture.workbench.link().state(), LinkState::Lost);
     QVERIFY(!fixture.workbench.link().isOpening());
@@ -483,22 +483,14 @@ void TestConnectBar::aBridgeIsTriedAgain()
 /// What another program has opened meanwhile is its own; the user may ask again.
 void TestConnectBar::aPortTakenByAnotherProgramIsLeftToIt()
 {
-    const QString serial = QStringLiteral("5A2F31");
-    PtyPair before;
     PtyPair after;
     Fixture fixture;
-    fixture.portList.plug(gui::adapter(before.path, serial));
-    QTRY_VERIFY(fixture.ports.find(before.path) != nullptr);
-    QVERIFY(fixture.connected(before.path));
-    before.dropConnection();
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), LinkState::Lost, 1000);
-    fixture.portList.unplug(before.path);
-    QTRY_VERIFY(fixture.ports.ports().empty());
+    QVERIFY(fixture.unplugged());
     session::Session other;
     auto taken = other.connect({.name = after.path});
     QVERIFY(taken.has_value());
     QSignalSpy failed(&fixture.workbench.link(), &session::LinkController::connectFailed);
-    fixture.portList.plug(gui::adapter(after.path, serial));
+    fixture.portList.plug(gui::adapter(after.path, fixture.serial));
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 5000);
     QVERIFY(fixture.labelText("bannerMore").contains(QStringLiteral("Close the other program")));
     QCOMPARE(fixture.offer()->accessibleName(), QStringLiteral("Reconnect"));

@@ -22,6 +22,15 @@ struct SessionFixture {
         workbench.link().connectTo({.name = port});
         return QTest::qWaitFor([this] { return workbench.link().state() == LinkState::Open; });
     }
+    /// The port: it is lost and closed.
+    bool lose()
+    {
+        withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
+        return QTest::qWaitFor([this] {
+            return workbench.link().state() == LinkState::Lost &&
+                   workbench.link().connection() == nullptr;
+        });
+    }
     /// The few IDs in use, unless told otherwise.
     bool search(const jobs::ScanSpec& spec = {.firstId = 0, .lastId = 10, .bauds = {}})
     {

@@ -572,9 +572,7 @@ private Q_SLOTS:
         session::LinkController& link = fixture.workbench.link();
         link.reconnect(link.lastRequest().name); // it is open: nothing is to be done
         QVERIFY(!link.isReconnect());
-        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
-        QTRY_COMPARE(link.state(), LinkState::Lost);
-        QTRY_VERIFY(link.connection() == nullptr);
+        QVERIFY(fixture.lose());
         std::set<ServoRef> doubted; // until it has replied
         connect(&fixture.workbench.registry(), &session::ServoRegistry::servoChanged,
                 &fixture.workbench, [&](ServoRef ref) {
@@ -607,9 +605,7 @@ private Q_SLOTS:
         QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
         session::LinkController& link = fixture.workbench.link();
         QVERIFY(link.connection()->bus().setBaud(500'000));
-        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
-        QTRY_COMPARE(link.state(), LinkState::Lost);
-        QTRY_VERIFY(link.connection() == nullptr);
+        QVERIFY(fixture.lose());
         link.reconnect(link.lastRequest().name);
         QTRY_COMPARE(link.state(), LinkState::Open);
         QCOMPARE(link.baud(), 500'000);
@@ -623,9 +619,7 @@ private Q_SLOTS:
         SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
         session::LinkController& link = fixture.workbench.link();
-        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
-        QTRY_COMPARE(link.state(), LinkState::Lost);
-        QTRY_VERIFY(link.connection() == nullptr);
+        QVERIFY(fixture.lose());
         connect(&link, &session::LinkController::linkChanged, &fixture.workbench, [&] {
             if (link.connection() != nullptr)
                 fixture.withBus([](sim::VirtualBus& bus) { bus.unplug(0); });
@@ -643,9 +637,7 @@ private Q_SLOTS:
         SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.search({.firstId = 1, .lastId = 2, .bauds = {}}));
         session::LinkController& link = fixture.workbench.link();
-        fixture.withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
-        QTRY_COMPARE(link.state(), LinkState::Lost);
-        QTRY_VERIFY(link.connection() == nullptr);
+        QVERIFY(fixture.lose());
         QSignalSpy failed(&link, &session::LinkController::connectFailed);
         link.reconnect(QStringLiteral("/dev/ttyUSB77"));
         QTRY_COMPARE(failed.count(), 1);
