@@ -34,7 +34,7 @@ loads+=($!)
 for run in $(seq "$runs"); do
     began=$SECONDS
     rm -f -- "$BUILD_DIR/Testing/Temporary/LastTestsFailed.log"
-    ctest --test-dir "$BUILD_DIR" --no-tests=error --output-on-failure --parallel 5 "$@" \
+    ctest --test-dir "$BUILD_DIR" --no-tests=error --output-on-failure --parallel 6 "$@" \
         >"$scratch/log" 2>&1 || sed -n '/^Errors while running CTest/q; /\*\*\*/p; /^FAIL!/,/^   Loc/p' "$scratch/log"
     grep -qE '^[0-9]+% tests passed' "$scratch/log" || { cat -- "$scratch/log"; die "the tests did not run."; }
     cut -d: -f2 -- "$BUILD_DIR/Testing/Temporary/LastTestsFailed.log" >>"$scratch/failed" 2>/dev/null || true

@@ -22,7 +22,7 @@ step 2/3 "Building in $BUILD_DIR"
 configure_release "${options[@]}"
 cmake --build "$BUILD_DIR"
 step 3/3 "Tests"
-tests=(ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 5 "$@")
+tests=(ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 6 "$@")
 $times || exec "${tests[@]}"
 
 log=$(mktemp)

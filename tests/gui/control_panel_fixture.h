@@ -8,6 +8,7 @@
 #include "session/motion/motion_controller.h"
 #include "sim/host/sim_link.h"
 #include "support/temporary_data_folder.h"
+#include "support/waiting.h"
 #include "ui/app/program.h"
 #include "ui/common/commands.h"
 #include "ui/operate/control_panel.h"
@@ -36,15 +37,14 @@ public:
     bool connectTo(const QString& port)
     {
         workbench.link().connectTo({.name = port});
-        return QTest::qWaitFor(
-            [this] { return workbench.link().state() == session::LinkState::Open; }, 10000);
+        return support::waitFor(
+            [this] { return workbench.link().state() == session::LinkState::Open; });
     }
     bool search(int first, int last)
     {
         workbench.search().start({.firstId = first, .lastId = last, .bauds = {}});
-        return QTest::qWaitFor(
-            [this] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); },
-            30000);
+        return support::waitFor(
+            [this] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); });
     }
     session::ServoRef ref(int id) const
     {
@@ -69,8 +69,7 @@ public:
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy() && !drive.isBusy(); },
-                               20000);
+        return support::waitFor([this] { return !workbench.tasks().isBusy() && !drive.isBusy(); });
     }
     /// What the workbench knows has come into the widgets.
     bool shown()
@@ -114,15 +113,13 @@ public:
     {
         double before = degrees(id);
         base::Duration since = workbench.now();
-        return QTest::qWaitFor(
-            [&] {
-                const double now = degrees(id);
-                if (std::abs(now - before) > 0.05)
-                    since = workbench.now();
-                before = now;
-                return workbench.now() - since > std::chrono::milliseconds(250);
-            },
-            30000);
+        return support::waitFor([&] {
+            const double now = degrees(id);
+            if (std::abs(now - before) > 0.05)
+                since = workbench.now();
+            before = now;
+            return workbench.now() - since > std::chrono::milliseconds(250);
+        });
     }
     /// The list's copy of these registers, fresh.
     bool read()
@@ -181,7 +178,7 @@ public:
     QDialog* question()
     {
         QDialog* found = nullptr;
-        const bool open = QTest::qWaitFor([&] {
+        const bool open = support::waitFor([&] {
             for (QWidget* widget : QApplication::topLevelWidgets()) {
                 if (widget->isVisible() && widget->objectName() == QLatin1String("question"))
                     found = qobject_cast<QDialog*>(widget);

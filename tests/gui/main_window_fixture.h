@@ -5,6 +5,7 @@
 
 #include "gui/press_clock.h"
 #include "support/temporary_data_folder.h"
+#include "support/waiting.h"
 #include "ui/app/main_window.h"
 #include "ui/app/program.h"
 #include "ui/common/language_switch.h"
@@ -59,12 +60,10 @@ public:
     bool connectTo(const QString& port)
     {
         window->start({.port = session::PortRequest{.name = port}, .page = page});
-        return QTest::qWaitFor(
-            [this] {
-                return workbench().search().lastReport().has_value() &&
-                       !workbench().search().isSearching();
-            },
-            30000);
+        return support::waitFor([this] {
+            return workbench().search().lastReport().has_value() &&
+                   !workbench().search().isSearching();
+        });
     }
     bool choose(int id)
     {
@@ -76,9 +75,9 @@ public:
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor(
-            [this] { return !workbench().tasks().isBusy() && !workbench().search().isSearching(); },
-            20000);
+        return support::waitFor([this] {
+            return !workbench().tasks().isBusy() && !workbench().search().isSearching();
+        });
     }
     const session::ServoEntry& entry()
     {
@@ -111,7 +110,7 @@ public:
             found = find<QDialog>("question");
             return found != nullptr && found->isVisible();
         };
-        return QTest::qWaitFor(isOpen, 30'000) ? found : nullptr;
+        return support::waitFor(isOpen) ? found : nullptr;
     }
 
 private:

@@ -6,6 +6,7 @@
 #include "gui/dialogs.h"
 #include "sim/host/sim_link.h"
 #include "support/temporary_data_folder.h"
+#include "support/waiting.h"
 #include "ui/common/commands.h"
 #include "ui/tasks/servo_tasks.h"
 
@@ -25,15 +26,14 @@ public:
     bool connectTo(const QString& port)
     {
         workbench.link().connectTo({.name = port});
-        return QTest::qWaitFor(
+        return support::waitFor(
             [this] { return workbench.link().state() == session::LinkState::Open; });
     }
     bool search(int first, int last)
     {
         workbench.search().start({.firstId = first, .lastId = last, .bauds = {}});
-        return QTest::qWaitFor(
-            [this] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); },
-            30000);
+        return support::waitFor(
+            [this] { return !workbench.search().isSearching() && !workbench.tasks().isBusy(); });
     }
     bool choose(int id)
     {
@@ -52,7 +52,7 @@ public:
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy(); }, 20000);
+        return support::waitFor([this] { return !workbench.tasks().isBusy(); });
     }
 
     const session::ServoEntry& entry() { return *workbench.registry().servo(selection.current()); }
@@ -77,7 +77,7 @@ public:
     QDialog* dialog(const char* name)
     {
         QDialog* found = nullptr;
-        const bool shown = QTest::qWaitFor([&] {
+        const bool shown = support::waitFor([&] {
             for (QWidget* widget : QApplication::topLevelWidgets()) {
                 if (widget->isVisible() && widget->objectName() == QLatin1String(name))
                     found = qobject_cast<QDialog*>(widget);
@@ -106,13 +106,11 @@ inline QString resultOf(QDialog* dialog)
            QLatin1Char('\n') + textOf(dialog, "resultMore");
 }
 
-inline bool ended(QDialog* dialog, int within = 15000)
+inline bool ended(QDialog* dialog)
 {
-    return QTest::qWaitFor(
-        [dialog] {
-            const auto* stop = button(dialog, "taskStop");
-            return !resultOf(dialog).isEmpty() && (stop == nullptr || !stop->isVisible());
-        },
-        within);
+    return support::waitFor([dialog] {
+        const auto* stop = button(dialog, "taskStop");
+        return !resultOf(dialog).isEmpty() && (stop == nullptr || !stop->isVisible());
+    });
 }
 } // namespace gui

@@ -6,6 +6,7 @@
 #include "session/port_watcher.h"
 #include "session/settings.h"
 #include "support/temporary_data_folder.h"
+#include "support/waiting.h"
 #include "ui/app/program.h"
 #include "ui/common/commands.h"
 #include "ui/common/selection.h"
@@ -77,13 +78,13 @@ public:
         session::PortRequest request;
         request.name = port;
         workbench.link().connectTo(request);
-        return QTest::qWaitFor(
-            [this] { return workbench.link().state() == session::LinkState::Open; }, 10000);
+        return support::waitFor(
+            [this] { return workbench.link().state() == session::LinkState::Open; });
     }
     bool search(const jobs::ScanSpec& spec = {})
     {
         workbench.search().start(spec);
-        return QTest::qWaitFor([this] { return !workbench.search().isSearching(); }, 60000);
+        return support::waitFor([this] { return !workbench.search().isSearching(); });
     }
     session::ServoRef ref(int id) const
     {

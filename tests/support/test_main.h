@@ -4,7 +4,7 @@
 // macros below, in place of Qt's QTEST_MAIN and its kin.
 #pragma once
 
-#include <QtTest>
+#include "support/waiting.h"
 
 namespace support {
 using TestRun = int (*)(int argc, char** argv);

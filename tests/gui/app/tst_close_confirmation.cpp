@@ -22,7 +22,6 @@ using support::CliProgram;
 using support::SimProgram;
 
 namespace {
-constexpr int longTimeoutMs = 30'000;
 
 struct Fixture : gui::MainWindowFixture {
     Fixture()
@@ -41,13 +40,13 @@ struct Fixture : gui::MainWindowFixture {
         drive.setServos({selection().current()});
         const auto idle = [&] { return waitUntilIdle() && !drive.isBusy(); };
         drive.switchMode(QStringLiteral("speed"));
-        if (!QTest::qWaitFor(idle, longTimeoutMs))
+        if (!support::waitFor(idle))
             return false;
         drive.setTorque(device::Torque::On);
-        if (!QTest::qWaitFor(idle, longTimeoutMs))
+        if (!support::waitFor(idle))
             return false;
         drive.move({.goal = speedText()});
-        return QTest::qWaitFor([&] { return idle() && raw("goal_speed") == 800; }, longTimeoutMs);
+        return support::waitFor([&] { return idle() && raw("goal_speed") == 800; });
     }
     QString speedText()
     {
@@ -69,11 +68,11 @@ struct Fixture : gui::MainWindowFixture {
     }
     bool is(session::LinkState state)
     {
-        return QTest::qWaitFor([&] { return workbench().link().state() == state; }, longTimeoutMs);
+        return support::waitFor([&] { return workbench().link().state() == state; });
     }
     bool closed()
     {
-        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTimeoutMs);
+        return support::waitFor([this] { return !window->isVisible(); });
     }
     /// Read by another program after this one has closed the port.
     int remaining(const char* key)
@@ -197,22 +196,18 @@ private Q_SLOTS:
         session::MotionController& drive = fixture.context.workbench.motion();
         drive.setServos({fixture.selection().current()});
         drive.switchMode(QStringLiteral("speed"));
-        QTRY_VERIFY_WITH_TIMEOUT(!drive.isBusy() && !fixture.workbench().tasks().isBusy(),
-                                 longTimeoutMs);
+        QTRY_VERIFY(!drive.isBusy() && !fixture.workbench().tasks().isBusy());
         drive.setTorque(device::Torque::On);
-        QTRY_VERIFY_WITH_TIMEOUT(!drive.isBusy() && !fixture.workbench().tasks().isBusy(),
-                                 longTimeoutMs);
+        QTRY_VERIFY(!drive.isBusy() && !fixture.workbench().tasks().isBusy());
         drive.move({.goal = fixture.speedText()});
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.raw("goal_speed") == 800, longTimeoutMs);
+        QTRY_VERIFY(fixture.raw("goal_speed") == 800);
         fixture.workbench().link().connection()->simulation()->with(
             [](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
         fixture.window->close();
         QDialog* dialog = fixture.question();
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionYes");
-        QTRY_VERIFY_WITH_TIMEOUT(
-            fixture.bannerText().contains(QLatin1String("ID 1 could not be stopped")),
-            longTimeoutMs);
+        QTRY_VERIFY(fixture.bannerText().contains(QLatin1String("ID 1 could not be stopped")));
         QCOMPARE(fixture.workbench().link().state(), session::LinkState::Open);
         QVERIFY(fixture.window->isVisible());
         fixture.window->close();

@@ -12,7 +12,6 @@
 #include <QPushButton>
 
 namespace {
-constexpr int longTimeoutMs = 30'000;
 
 QString text(const char* latin)
 {
@@ -55,13 +54,12 @@ struct Fixture : gui::MainWindowFixture {
     QString line() { return find<QLabel>("messageText")->toolTip(); }
     bool closed()
     {
-        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTimeoutMs);
+        return support::waitFor([this] { return !window->isVisible(); });
     }
     bool isOff()
     {
-        return QTest::qWaitFor(
-            [this] { return workbench().link().state() == session::LinkState::Off; },
-            longTimeoutMs);
+        return support::waitFor(
+            [this] { return workbench().link().state() == session::LinkState::Off; });
     }
 };
 } // namespace
@@ -165,8 +163,7 @@ void TestCloseOpenWrites::aLockThatStaysOpenKeepsTheWindowOpen()
     QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionYes");
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.line().contains(text("the EPROM of ID 1 is still unlocked")),
-                             longTimeoutMs);
+    QTRY_VERIFY(fixture.line().contains(text("the EPROM of ID 1 is still unlocked")));
     QVERIFY(fixture.window->isVisible());
     QCOMPARE(fixture.workbench().link().state(), session::LinkState::Open);
     fixture.window->close();
@@ -187,13 +184,13 @@ void TestCloseOpenWrites::aLockClosedLaterIsNoLongerReported()
     gui::click(dialog, "questionYes");
     auto* banner = fixture.find<QWidget>("banner");
     QVERIFY(banner != nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longTimeoutMs);
+    QTRY_VERIFY(banner->isVisible());
     fixture.mute(false);
     QVERIFY(fixture.waitUntilIdle());
     fixture.workbench().recovery().recoverIntent(fixture.session.journal().open()->front().uuid,
                                                  jobs::RecoveryAction::Undo);
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.unfinished(), std::size_t(0), longTimeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longTimeoutMs);
+    QTRY_COMPARE(fixture.unfinished(), std::size_t(0));
+    QTRY_VERIFY(!banner->isVisible());
     fixture.window->close();
     QVERIFY(fixture.closed());
 }

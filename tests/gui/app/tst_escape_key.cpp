@@ -57,7 +57,7 @@ QWidget* openPopupOver(gui::MainWindowFixture& fixture, bool menu)
                 {.title = QStringLiteral("?"), .acceptText = QStringLiteral("yes")}, [] {});
     const auto shown = [&] { return menu ? first : QApplication::activeModalWidget(); };
     const bool opened =
-        QTest::qWaitFor([&] { return shown() != nullptr && shown()->isVisible(); }, 30'000);
+        support::waitFor([&] { return shown() != nullptr && shown()->isVisible(); });
     return opened ? shown() : nullptr;
 }
 } // namespace
@@ -235,7 +235,7 @@ private Q_SLOTS:
             return place && *place > 2150 && *place < 2900 && fixture.raw("moving") == 0 &&
                    (!overloaded || fixture.entry().servo.status != 0);
         };
-        QTRY_VERIFY_WITH_TIMEOUT(stands(), 30000);
+        QTRY_VERIFY(stands());
         QVERIFY(fixture.workbench().closing().isMotionPossible());
         const QPointer<QWidget> open = openPopupOver(fixture, menu);
         QVERIFY(open != nullptr);
@@ -367,7 +367,7 @@ private Q_SLOTS:
             loseRequests(1);
         QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
-        QTRY_VERIFY_WITH_TIMEOUT(isChecked(), 30'000);
+        QTRY_VERIFY(isChecked());
         if (lost)
             loseRequests(0);
         else

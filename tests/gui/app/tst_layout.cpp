@@ -227,7 +227,7 @@ private Q_SLOTS:
             return faults.isEmpty();
         };
         // A widget with a new text is resized in the next turn of the event loop.
-        QVERIFY2(QTest::qWaitFor(nothing), qPrintable(faults));
+        QVERIFY2(support::waitFor(nothing), qPrintable(faults));
     }
 
     void theDefaultWindowShowsEveryColumn_data()
@@ -320,12 +320,12 @@ private Q_SLOTS:
                 }
                 return dialog != nullptr;
             };
-            if (!QTest::qWaitFor(opened)) {
+            if (!support::waitFor(opened)) {
                 faults << name + QStringLiteral(": no dialog");
                 return;
             }
             QStringList cut;
-            if (!QTest::qWaitFor([&] { return (cut = elidedWidgets(*dialog)).isEmpty(); }, 1000))
+            if (!support::waitFor([&] { return (cut = elidedWidgets(*dialog)).isEmpty(); }))
                 faults << name + QStringLiteral(": ") + cut.join(QStringLiteral("; "));
             if (!QRect(0, 0, 1024, 700).contains(QRect(QPoint(), dialog->size())))
                 faults << QStringLiteral("%1: %2 × %3")
@@ -333,7 +333,7 @@ private Q_SLOTS:
                               .arg(dialog->width())
                               .arg(dialog->height());
             dialog->reject();
-            QVERIFY(QTest::qWaitFor([&] {
+            QVERIFY(support::waitFor([&] {
                 return !fixture.window->findChildren<QDialog*>().contains(dialog) ||
                        !dialog->isVisible();
             }));

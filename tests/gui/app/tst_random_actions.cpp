@@ -203,15 +203,13 @@ int openLocks(gui::MainWindowFixture& fixture)
 /// stays open when a servo could not be stopped.
 bool closesWindow(gui::MainWindowFixture& fixture)
 {
-    return QTest::qWaitFor(
-        [&] {
-            if (QWidget* modal = QApplication::activeModalWidget())
-                QTest::keyClick(modal, Qt::Key_Return);
-            else
-                fixture.window->close();
-            return !fixture.window->isVisible();
-        },
-        60'000);
+    return support::waitFor([&] {
+        if (QWidget* modal = QApplication::activeModalWidget())
+            QTest::keyClick(modal, Qt::Key_Return);
+        else
+            fixture.window->close();
+        return !fixture.window->isVisible();
+    });
 }
 
 QByteArray visibleDialogs()

@@ -112,7 +112,7 @@ private:
         QElapsedTimer since;
         since.start();
         auto last = places(*m_fixture.window, m_names);
-        (void)QTest::qWaitFor([&] {
+        (void)support::waitFor([&] {
             if (auto now = places(*m_fixture.window, m_names); now != last) {
                 last = std::move(now);
                 since.restart();
@@ -162,10 +162,10 @@ bool takeSnapshotAndChange(MainWindowFixture& fixture)
 {
     auto* snapshotTree = fixture.find<QTreeWidget>("shelfTree");
     auto* take = fixture.find<QPushButton>("snapshotTake");
-    if (!QTest::qWaitFor([&] { return take->isEnabled(); }, 20'000))
+    if (!support::waitFor([&] { return take->isEnabled(); }))
         return false;
     QTest::mouseClick(take, Qt::LeftButton);
-    if (!QTest::qWaitFor([&] { return snapshotTree->topLevelItemCount() > 0; }, 20'000))
+    if (!support::waitFor([&] { return snapshotTree->topLevelItemCount() > 0; }))
         return false;
     fixture.workbench().writes().write(fixture.selection().current(),
                                        {{{QStringLiteral("position_p"), 40}}});
@@ -173,7 +173,7 @@ bool takeSnapshotAndChange(MainWindowFixture& fixture)
         return false;
     snapshotTree->setCurrentItem(snapshotTree->topLevelItem(snapshotTree->topLevelItemCount() - 1));
     auto* restore = fixture.find<QPushButton>("restoreWrite");
-    return QTest::qWaitFor([&] { return restore->isEnabled(); }, 20'000);
+    return support::waitFor([&] { return restore->isEnabled(); });
 }
 
 /// The controls that are covered by a floating widget.
@@ -423,8 +423,7 @@ private Q_SLOTS:
         QTRY_VERIFY(
             fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning());
         QTest::mouseClick(fixture.find<QPushButton>("commissionPlug"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<QPushButton>("commissionContinue")->isVisible(),
-                                 30'000);
+        QTRY_VERIFY(fixture.find<QPushButton>("commissionContinue")->isVisible());
         const QStringList names{QStringLiteral("commissionStart"), QStringLiteral("commissionStop"),
                                 QStringLiteral("commissionContinue"),
                                 QStringLiteral("commissionAside")};

@@ -22,7 +22,6 @@
 #include <QTableView>
 
 namespace {
-constexpr int longTimeoutMs = 60'000;
 
 struct CommissionPageFixture {
     explicit CommissionPageFixture(const QString& language = QStringLiteral("en"))
@@ -40,9 +39,8 @@ struct CommissionPageFixture {
     bool open()
     {
         workbench().link().connectTo({.name = QStringLiteral("sim:line")});
-        return QTest::qWaitFor(
-            [this] { return workbench().link().state() == session::LinkState::Open; },
-            longTimeoutMs);
+        return support::waitFor(
+            [this] { return workbench().link().state() == session::LinkState::Open; });
     }
     template <typename Widget>
     Widget* own(const char* name)
@@ -53,7 +51,7 @@ struct CommissionPageFixture {
     {
         auto* button = own<QPushButton>(name);
         QVERIFY2(button != nullptr, name);
-        QTRY_VERIFY2_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), name, longTimeoutMs);
+        QTRY_VERIFY2(button->isVisible() && button->isEnabled(), name);
         QTest::mouseClick(button, Qt::LeftButton);
     }
     QString headline() { return own<QLabel>("commissionHeadline")->text(); }
@@ -80,8 +78,7 @@ struct CommissionPageFixture {
     }
     bool ends()
     {
-        return QTest::qWaitFor([this] { return !page->commissioning().isRunning(); },
-                               longTimeoutMs);
+        return support::waitFor([this] { return !page->commissioning().isRunning(); });
     }
     int idOf(std::size_t place)
     {
@@ -144,8 +141,7 @@ private Q_SLOTS:
             };
         });
         context.click("commissionContinue");
-        QTRY_VERIFY_WITH_TIMEOUT(context.headline().contains(QStringLiteral("same servo")),
-                                 longTimeoutMs);
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("same servo")));
         QTRY_VERIFY(
             context.own<QLabel>("commissionSum")->text().contains(QStringLiteral("1 unfinished")));
         const auto detail = [&] { return context.own<QLabel>("commissionDetail")->text(); };
@@ -153,7 +149,7 @@ private Q_SLOTS:
         QVERIFY2(detail().contains(QStringLiteral("IDs: 1, 7")), qPrintable(detail()));
         QSignalSpy found(&context.workbench().closing(), &session::CloseSequence::openWritesFound);
         context.workbench().closing().findOpenWrites();
-        QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, longTimeoutMs);
+        QTRY_COMPARE(found.size(), 1);
         const auto unfinished = found.front().front().value<session::OpenWrites>();
         QVERIFY(!unfinished.ids.empty());
         QCOMPARE(unfinished.unlockedElsewhere, QStringList{QStringLiteral("1 / 7")});
@@ -178,13 +174,12 @@ private Q_SLOTS:
         QVERIFY2(summary->text().contains(QStringLiteral("IDs to come: 7, 8, 9 … 253 (247)")),
                  qPrintable(summary->text()));
         context.click("commissionPlug");
-        QTRY_VERIFY_WITH_TIMEOUT(context.own<QPushButton>("commissionContinue")->isVisible(),
-                                 longTimeoutMs);
+        QTRY_VERIFY(context.own<QPushButton>("commissionContinue")->isVisible());
         QCOMPARE(steps->current(), 2); // write: waits for the click
         QCOMPARE(context.idOf(0), 1);  // nothing before the click
         QCOMPARE(context.rows(), 0);
         context.click("commissionContinue");
-        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QTRY_COMPARE(context.rows(), 1);
         QCOMPARE(context.idOf(0), 7);
         QTRY_VERIFY(context.headline().contains(QStringLiteral("Disconnect the servo: ID 7")));
         QCOMPARE(steps->current(), 4);
@@ -206,8 +201,7 @@ private Q_SLOTS:
         context.click("commissionCopy");
         QCOMPARE(QGuiApplication::clipboard()->text(), QString::fromUtf8("STS3215 · ID 7 · 1 M"));
         context.click("commissionUnplug");
-        QTRY_VERIFY_WITH_TIMEOUT(context.headline().contains(QStringLiteral("next servo")),
-                                 longTimeoutMs);
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
         context.click("commissionStop");
         QVERIFY(context.ends());
         QVERIFY(context.own<QSpinBox>("commissionFirstId")->isEnabled());
@@ -217,12 +211,11 @@ private Q_SLOTS:
         context.click("commissionStart");
         QTRY_COMPARE(context.rows(), 1);
         context.click("commissionPlug");
-        QTRY_VERIFY_WITH_TIMEOUT(context.own<QPushButton>("commissionContinue")->isVisible(),
-                                 longTimeoutMs);
+        QTRY_VERIFY(context.own<QPushButton>("commissionContinue")->isVisible());
         QVERIFY(
             context.own<QPushButton>("commissionContinue")->text().contains(QStringLiteral("8")));
         context.click("commissionAside");
-        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 2, longTimeoutMs);
+        QTRY_COMPARE(context.rows(), 2);
         QCOMPARE(context.idOf(1), 1);
         context.click("commissionStop");
         QVERIFY(context.ends());
@@ -256,14 +249,14 @@ private Q_SLOTS:
         QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
         context.click("commissionPlug");
         auto* same = context.own<QPushButton>("commissionSame");
-        QTRY_VERIFY_WITH_TIMEOUT(same->isVisible(), longTimeoutMs);
+        QTRY_VERIFY(same->isVisible());
         const QString words = context.own<QLabel>("commissionDetail")->text();
         QVERIFY2(words.contains(QStringLiteral("is unfinished")), qPrintable(words));
         QVERIFY2(words.contains(QStringLiteral("ID is 9")), qPrintable(words));
         QVERIFY2(words.contains(same->text()), qPrintable(words));
         QCOMPARE(context.idOf(0), 1);
         context.click("commissionSame");
-        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QTRY_COMPARE(context.rows(), 1);
         QCOMPARE(context.idOf(0), 9);
         QVERIFY(context.page->commissioning().batch().pending.empty());
         context.click("commissionStop");
@@ -276,8 +269,7 @@ private Q_SLOTS:
         QVERIFY(context.open());
         context.fill(7);
         context.own<QLineEdit>("commissionTemplate")->setText(QStringLiteral("/nowhere/t.json"));
-        QTRY_VERIFY_WITH_TIMEOUT(context.own<QFrame>("commissionBanner")->isVisible(),
-                                 longTimeoutMs);
+        QTRY_VERIFY(context.own<QFrame>("commissionBanner")->isVisible());
         QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
         QVERIFY(!QFile::exists(context.batchFile()));
     }
@@ -294,7 +286,7 @@ private Q_SLOTS:
         batch.rows = {row};
         QVERIFY(results::saveCommissionBatch(batch, context.batchFile()));
         context.fill(7);
-        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QTRY_COMPARE(context.rows(), 1);
         QCOMPARE(context.cell(0, 1), row.label);
         QVERIFY(!context.own<QFrame>("commissionBanner")->isVisible());
 
@@ -304,12 +296,11 @@ private Q_SLOTS:
         QVERIFY(state.open(QIODevice::WriteOnly) && state.write("{\"format\":") > 0);
         state.close();
         context.own<QLineEdit>("commissionBatch")->setText(broken);
-        QTRY_VERIFY_WITH_TIMEOUT(context.own<QFrame>("commissionBanner")->isVisible(),
-                                 longTimeoutMs);
+        QTRY_VERIFY(context.own<QFrame>("commissionBanner")->isVisible());
         QCOMPARE(context.rows(), 0);
         QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
         context.fill(7);
-        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QTRY_COMPARE(context.rows(), 1);
         QTRY_VERIFY(context.own<QPushButton>("commissionStart")->isEnabled());
     }
 
@@ -324,11 +315,10 @@ private Q_SLOTS:
         auto* too = context.own<QCheckBox>("commissionDangerous");
         QVERIFY(!too->isVisible());
         context.own<QLineEdit>("commissionTemplate")->setText(file);
-        QTRY_VERIFY_WITH_TIMEOUT(too->isVisible(), longTimeoutMs);
+        QTRY_VERIFY(too->isVisible());
         too->setChecked(true);
         const auto question = [&](const char* name) {
-            return QTest::qWaitFor([&] { return context.own<QPushButton>(name) != nullptr; },
-                                   longTimeoutMs);
+            return support::waitFor([&] { return context.own<QPushButton>(name) != nullptr; });
         };
         context.click("commissionStart");
         QVERIFY(question("questionNo"));

@@ -22,7 +22,7 @@ struct HistoryRecorderFixture : gui::WorkbenchFixture {
         historyService.query<T>(question, &historyService, [&](const base::Result<T>& answer) {
             found = answer.value_or(T());
         });
-        (void)QTest::qWaitFor([&] { return found.has_value(); }, 10'000);
+        (void)support::waitFor([&] { return found.has_value(); });
         return found.value_or(T());
     }
     std::vector<history::HistoryAlarm> alarms()

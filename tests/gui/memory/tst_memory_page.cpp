@@ -73,7 +73,6 @@ private Q_SLOTS:
 };
 
 namespace {
-constexpr int timeout = 20'000;
 const QString positionP = QStringLiteral("position_p");
 const QString unread = QStringLiteral("not read");
 
@@ -107,26 +106,23 @@ struct Fixture {
         session::PortRequest request;
         request.name = port;
         workbench.link().connectTo(request);
-        open = QTest::qWaitFor(
-            [this] { return workbench.link().state() == session::LinkState::Open; }, timeout);
+        open = support::waitFor(
+            [this] { return workbench.link().state() == session::LinkState::Open; });
         jobs::ScanSpec spec;
         spec.lastId = 8;
         workbench.search().start(spec);
-        found = QTest::qWaitFor(
-            [this] {
-                return !workbench.search().isSearching() && !workbench.registry().order().empty();
-            },
-            timeout);
+        found = support::waitFor([this] {
+            return !workbench.search().isSearching() && !workbench.registry().order().empty();
+        });
     }
 
     /// Chooses a servo and waits for its table.
     bool choose(std::size_t index = 0)
     {
         selection.select(workbench.registry().order().at(index));
-        return QTest::qWaitFor(
-                   [this] { return entry().hasFullTable && !workbench.tasks().isBusy(); },
-                   timeout) &&
-               QTest::qWaitFor([this] { return !state(lastKey()).contains(unread); }, timeout);
+        return support::waitFor(
+                   [this] { return entry().hasFullTable && !workbench.tasks().isBusy(); }) &&
+               support::waitFor([this] { return !state(lastKey()).contains(unread); });
     }
 
     const session::ServoEntry& entry() const
@@ -182,16 +178,16 @@ struct Fixture {
     QDialog* question() const { return page.findChild<QDialog*>(QStringLiteral("question")); }
     bool idle()
     {
-        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy() && !entry().writing(); },
-                               timeout);
+        return support::waitFor(
+            [this] { return !workbench.tasks().isBusy() && !entry().writing(); });
     }
     /// The servos are off for a moment, then everything is read again.
     bool powerCycle()
     {
         workbench.link().powerCycle();
         workbench.writes().readTable(selection.current());
-        return QTest::qWaitFor(
-            [this] { return !workbench.tasks().isBusy() && !entry().isReadingTable; }, timeout);
+        return support::waitFor(
+            [this] { return !workbench.tasks().isBusy() && !entry().isReadingTable; });
     }
     std::optional<std::int64_t> raw(const char* key) const
     {
@@ -258,11 +254,9 @@ void TestMemoryPage::savedSurvivesPowerOff()
     QVERIFY(fixture.choose());
     fixture.type(positionP, QStringLiteral("40"));
     QVERIFY(fixture.entry().writing());
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("… pending")) ||
-                                 fixture.state(positionP).startsWith(QStringLiteral("✓ kept")),
-                             timeout);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("✓ kept")),
-                             timeout);
+    QTRY_VERIFY(fixture.state(positionP).startsWith(QStringLiteral("… pending")) ||
+                fixture.state(positionP).startsWith(QStringLiteral("✓ kept")));
+    QTRY_VERIFY(fixture.state(positionP).startsWith(QStringLiteral("✓ kept")));
     QCOMPARE(fixture.shown(positionP, MemoryColumn::Value), QStringLiteral("40"));
     QVERIFY(fixture.shown(positionP, MemoryColumn::Name).contains(QStringLiteral("•")));
     QVERIFY(!fixture.entry().snapshotPath.isEmpty());
@@ -286,8 +280,7 @@ void TestMemoryPage::temporaryDoesNot()
     auto* button = fixture.child<QPushButton>("writeTemporarily");
     fixture.panel().ensureWidgetVisible(button);
     QTest::mouseClick(button, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("◷ temporary")),
-                             timeout);
+    QTRY_VERIFY(fixture.state(positionP).startsWith(QStringLiteral("◷ temporary")));
     QCOMPARE(fixture.raw("position_p"), 41);
     QVERIFY(fixture.powerCycle());
     QCOMPARE(fixture.raw("position_p"), before);
@@ -565,11 +558,11 @@ void TestMemoryPage::pollingFollowsTheVisibleRows()
     const auto voltageBefore = readAt(voltage);
     const auto modeBefore = readAt(mode);
     chooseRate("liveRate20");
-    QTRY_VERIFY_WITH_TIMEOUT(readAt(voltage) > voltageBefore, timeout);
+    QTRY_VERIFY(readAt(voltage) > voltageBefore);
     QCOMPARE(readAt(mode), modeBefore);                          // not in sight, so not asked
     fixture.child<QComboBox>("groupFilter")->setCurrentIndex(1); // EPROM
     fixture.goTo(QStringLiteral("operating_mode"));
-    QTRY_VERIFY_WITH_TIMEOUT(readAt(mode) > modeBefore, timeout);
+    QTRY_VERIFY(readAt(mode) > modeBefore);
     // The choice is remembered.
     QCOMPARE(fixture.settings.pageValue(QStringLiteral("memory/live_hz"), 0).toInt(), 20);
 }
@@ -581,10 +574,8 @@ void TestMemoryPage::historyShowsWrites()
     fixture.type(QStringLiteral("position_d"), QStringLiteral("33"));
     QVERIFY(fixture.idle());
     auto* list = fixture.child<QListView>("historyList");
-    QTRY_VERIFY_WITH_TIMEOUT(
-        list->model()->rowCount() > 0 &&
-            list->model()->index(0, 0).data().toString().contains(QStringLiteral("→ 33 ✓")),
-        timeout);
+    QTRY_VERIFY(list->model()->rowCount() > 0 &&
+                list->model()->index(0, 0).data().toString().contains(QStringLiteral("→ 33 ✓")));
     QVERIFY(list->isVisible());
 }
 
@@ -607,7 +598,7 @@ void TestMemoryPage::padlockShowsWhoOpenedIt()
     auto* close = fixture.child<QToolButton>("closeLock");
     QTRY_VERIFY(close->isVisible() && close->isEnabled());
     QTest::mouseClick(close, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(badge->lock(), ui::LockBadge::Lock::Closed, timeout);
+    QTRY_COMPARE(badge->lock(), ui::LockBadge::Lock::Closed);
     QVERIFY(!close->isVisible());
 }
 
@@ -688,9 +679,9 @@ void TestMemoryPage::aWriteToAMissingServoEnds()
     Fixture fixture;
     QVERIFY(fixture.choose());
     fixture.workbench.closing().disconnectFrom();
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench.link().state(), session::LinkState::Off, timeout);
+    QTRY_COMPARE(fixture.workbench.link().state(), session::LinkState::Off);
     fixture.type(positionP, QStringLiteral("44"));
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("✗ ")), timeout);
+    QTRY_VERIFY(fixture.state(positionP).startsWith(QStringLiteral("✗ ")));
     QVERIFY(!fixture.entry().writing());
     // What is on the screen is marked as old.
     QVERIFY(fixture.at(QStringLiteral("position_d"), MemoryColumn::Value)

@@ -49,7 +49,7 @@ struct Fixture : gui::WorkbenchFixture {
     {
         find<QPushButton>("searchButton")->click();
         return workbench.search().isSearching() &&
-               QTest::qWaitFor([this] { return !workbench.search().isSearching(); }, 60000);
+               support::waitFor([this] { return !workbench.search().isSearching(); });
     }
     QListView* list() const { return find<QListView>("servoList"); }
     QModelIndex index(int id) const
@@ -134,7 +134,7 @@ void TestSearchPanel::progressIsShownAndStops()
     fixture.find<QComboBox>("searchRates")->setCurrentIndex(2);
     fixture.find<QPushButton>("searchButton")->click();
     auto* bar = fixture.find<ui::ThinProgress>("searchProgress");
-    QTRY_VERIFY_WITH_TIMEOUT(bar->value() > bar->minimum() && bar->value() < bar->maximum(), 10000);
+    QTRY_VERIFY(bar->value() > bar->minimum() && bar->value() < bar->maximum());
     QVERIFY2(fixture.status().contains(QStringLiteral("left")), qPrintable(fixture.status()));
     auto* stop = fixture.find<QPushButton>("stopSearchButton");
     QVERIFY(stop->isEnabled());
@@ -244,7 +244,7 @@ void TestSearchPanel::widenTheSearchFromTheChecklist()
     QCOMPARE(fixture.workbench.search().lastSpec().bauds.size(),
              session::standardBaudRates().size());
     QCOMPARE(fixture.workbench.search().lastSpec().protocols.size(), base::allProtocols.size());
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.list()->model()->rowCount(), 6, 20000);
+    QTRY_COMPARE(fixture.list()->model()->rowCount(), 6);
     QVERIFY(!fixture.checklistShown());
     fixture.workbench.search().stop();
     QTRY_VERIFY(!fixture.workbench.search().isSearching());

@@ -67,7 +67,7 @@ struct SnapshotsPageFixture : gui::MainWindowFixture {
     {
         const std::size_t before = manual().size();
         click("snapshotTake");
-        if (!QTest::qWaitFor([&] { return manual().size() > before; }, 20'000))
+        if (!support::waitFor([&] { return manual().size() > before; }))
             return false;
         select(manual().front());
         return bannerText().contains(QStringLiteral("ID %1").arg(
@@ -176,7 +176,7 @@ private Q_SLOTS:
         fixture.workbench().link().connection()->simulation()->with([](sim::VirtualBus& bus) {
             bus.servo(1)->poke(QStringLiteral("max_temperature"), 60);
         });
-        QTRY_COMPARE_WITH_TIMEOUT(different->text(), QStringLiteral("≠ 1 differ"), 20000);
+        QTRY_COMPARE(different->text(), QStringLiteral("≠ 1 differ"));
         QVERIFY(fixture.rowOf("max_temperature") >= 0);
     }
 
@@ -201,13 +201,13 @@ private Q_SLOTS:
                 [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
         };
         lose(1);
-        QTRY_VERIFY_WITH_TIMEOUT(age->isVisible(), 30000);
-        QTRY_VERIFY2_WITH_TIMEOUT(age->text().startsWith(QStringLiteral("ID 1 · no reply · read ")),
-                                  qPrintable(age->text()), 30000);
+        QTRY_VERIFY(age->isVisible());
+        QTRY_VERIFY2(age->text().startsWith(QStringLiteral("ID 1 · no reply · read ")),
+                     qPrintable(age->text()));
         QCOMPARE(different->text(), QStringLiteral("= no differences at that time"));
-        QTRY_VERIFY_WITH_TIMEOUT(title().startsWith(QStringLiteral("ID 1 · ")), 30000);
+        QTRY_VERIFY(title().startsWith(QStringLiteral("ID 1 · ")));
         lose(0);
-        QTRY_VERIFY_WITH_TIMEOUT(!age->isVisible(), 30000);
+        QTRY_VERIFY(!age->isVisible());
         QTRY_COMPARE(title(), QStringLiteral("ID 1 now"));
         QCOMPARE(different->text(), QStringLiteral("= no differences"));
     }
@@ -371,7 +371,7 @@ private Q_SLOTS:
             };
         });
         fixture.click("restoreWrite");
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.bannerText().isEmpty(), 60'000);
+        QTRY_VERIFY(!fixture.bannerText().isEmpty());
         const QString message = fixture.bannerText();
         QVERIFY2(message.contains(QLatin1String("The old values could not be restored: Maximum")),
                  qPrintable(message));
@@ -572,8 +572,7 @@ private Q_SLOTS:
         QTRY_VERIFY(yes != nullptr);
         QTest::mouseClick(yes, Qt::LeftButton);
         for (int row = 0; row < 2; ++row)
-            QTRY_VERIFY_WITH_TIMEOUT(servos->item(row, 3)->text().startsWith(QStringLiteral("✔")),
-                                     20'000);
+            QTRY_VERIFY(servos->item(row, 3)->text().startsWith(QStringLiteral("✔")));
         QTRY_VERIFY(fixture.button("applySave")->isEnabled());
         for (const session::ServoRef ref : fixture.workbench().registry().order()) {
             fixture.selection().select(ref);
@@ -660,8 +659,7 @@ private Q_SLOTS:
         fixture.click("applyWrite");
         QTRY_VERIFY(fixture.find<QPushButton>("questionYes") != nullptr);
         QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(servos->item(0, 3)->text().startsWith(QStringLiteral("✔")),
-                                 20'000);
+        QTRY_VERIFY(servos->item(0, 3)->text().startsWith(QStringLiteral("✔")));
         QCOMPARE(fixture.now("position_p"), before);
     }
 

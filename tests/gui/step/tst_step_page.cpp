@@ -21,7 +21,6 @@
 #include <QTableWidget>
 
 namespace {
-constexpr int runTime = 40'000;
 
 /// The page beside the window, on the same bench.
 struct StepPageFixture : gui::MainWindowFixture {
@@ -69,8 +68,7 @@ struct StepPageFixture : gui::MainWindowFixture {
         click(name);
         if (auto* yes = own<QPushButton>("questionYes"))
             QTest::mouseClick(yes, Qt::LeftButton);
-        return QTest::qWaitFor([&] { return !test().isRunning() && test().runs().size() > runs; },
-                               runTime);
+        return support::waitFor([&] { return !test().isRunning() && test().runs().size() > runs; });
     }
     std::int64_t now(const char* key)
     {
@@ -191,10 +189,10 @@ private Q_SLOTS:
         fixture.tried("position_p")->setValue(20);
         fixture.click("stepTry");
         QTest::mouseClick(fixture.own<QPushButton>("questionYes"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.test().liveResponses().empty(), runTime);
+        QTRY_VERIFY(!fixture.test().liveResponses().empty());
         QVERIFY(!fixture.own<QLineEdit>("stepSize")->isEnabled());
         fixture.click("stepStop");
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.test().isRunning(), runTime);
+        QTRY_VERIFY(!fixture.test().isRunning());
         QCOMPARE(fixture.now("position_p"), 32);
         QCOMPARE(fixture.test().runs().back().end, results::SweepEnd::Stopped);
     }
@@ -210,10 +208,10 @@ private Q_SLOTS:
         fixture.own<QSpinBox>("stepRepeats")->setValue(20);
         fixture.tried("position_p")->setValue(12);
         fixture.click("stepTry");
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.test().liveResponses().empty(), runTime);
+        QTRY_VERIFY(!fixture.test().liveResponses().empty());
         fixture.workbench().link().connection()->simulation()->with(
             [](sim::VirtualBus& bus) { bus.config().faults.dropRequest = 1; });
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.test().isRunning(), runTime);
+        QTRY_VERIFY(!fixture.test().isRunning());
         QCOMPARE(fixture.test().runs().back().end, results::SweepEnd::LinkLost);
         QString message;
         for (const QLabel* label : fixture.own<QWidget>("stepBanner")->findChildren<QLabel*>())

@@ -34,7 +34,6 @@
 #include <QToolButton>
 
 namespace {
-constexpr int testTime = 40'000;
 
 struct SweepPageFixture : gui::MainWindowFixture {
     explicit SweepPageFixture(const QString& language = QStringLiteral("en"))
@@ -61,8 +60,8 @@ struct SweepPageFixture : gui::MainWindowFixture {
     }
     bool proposed()
     {
-        return QTest::qWaitFor(
-            [this] { return text("sweepOutlook").contains(QLatin1String(" s")); }, 10000);
+        return support::waitFor(
+            [this] { return text("sweepOutlook").contains(QLatin1String(" s")); });
     }
     /// A short one: a few hundred steps to and fro.
     void prepare(int cycles = 2, int delay = 700)
@@ -83,13 +82,12 @@ struct SweepPageFixture : gui::MainWindowFixture {
     }
     bool begun()
     {
-        return QTest::qWaitFor(
-            [this] { return test().run() != nullptr && !test().run()->servos[0].legs.empty(); },
-            testTime);
+        return support::waitFor(
+            [this] { return test().run() != nullptr && !test().run()->servos[0].legs.empty(); });
     }
     bool over()
     {
-        return QTest::qWaitFor([this] { return !test().isRunning(); }, testTime);
+        return support::waitFor([this] { return !test().isRunning(); });
     }
     std::int64_t now(const char* key)
     {
@@ -350,7 +348,7 @@ private Q_SLOTS:
         QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         wire->with([](sim::VirtualBus& bus) { bus.restoreLink(); });
         QVERIFY(fixture.over());
-        QTRY_VERIFY_WITH_TIMEOUT(proved, 15000);
+        QTRY_VERIFY(proved);
         QCOMPARE(fixture.now("torque_switch"), 0);
     }
 
@@ -367,20 +365,20 @@ private Q_SLOTS:
                 [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
         };
         lose(1);
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.find<ui::VerdictBanner>("sweepVerdict")->text(),
-                                  QStringLiteral("RUNNING: no reply"), 10000);
+        QTRY_COMPARE(fixture.find<ui::VerdictBanner>("sweepVerdict")->text(),
+                     QStringLiteral("RUNNING: no reply"));
         QVERIFY(fixture.test().isRunning());
         QVERIFY2(fixture.text("sweepProgressWords").startsWith(QLatin1String("No reply from ID 1")),
                  qPrintable(fixture.text("sweepProgressWords")));
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.entry().silent, 10000);
+        QTRY_VERIFY(fixture.entry().silent);
         QVERIFY(fixture.over());
         QCOMPARE(fixture.test().run()->end, results::SweepEnd::LinkLost);
         QTRY_VERIFY(fixture.find<QWidget>("sweepBanner")->isVisible());
         QTRY_VERIFY(fixture.text("sweepOutlook").contains(QLatin1String("no reply")));
         QVERIFY(!fixture.find<QPushButton>("sweepRun")->isEnabled());
         lose(0);
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.entry().silent, testTime);
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<QPushButton>("sweepRun")->isEnabled(), testTime);
+        QTRY_VERIFY(!fixture.entry().silent);
+        QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
         QVERIFY(!fixture.text("sweepOutlook").contains(QLatin1String("no reply")));
         QCOMPARE(fixture.find<QLineEdit>("sweepStart")->text(), QStringLiteral("1800"));
     }
@@ -402,7 +400,7 @@ private Q_SLOTS:
                          });
         const auto search = [&fixture] {
             fixture.workbench().search().start(fixture.workbench().search().lastSpec());
-            QTRY_VERIFY_WITH_TIMEOUT(!fixture.workbench().search().isSearching(), testTime);
+            QTRY_VERIFY(!fixture.workbench().search().isSearching());
         };
         search();
         QVERIFY(fixture.workbench().registry().order().empty());
@@ -411,12 +409,12 @@ private Q_SLOTS:
             bus.servo(1)->poke(QStringLiteral("torque_switch"), 0);
         });
         search(); // it enters the list anew
-        QTRY_VERIFY_WITH_TIMEOUT(!says("Torque could not be turned off"), testTime);
+        QTRY_VERIFY(!says("Torque could not be turned off"));
         QVERIFY(banner->isVisible() && says("Test settings are still in the servo"));
         fixture.workbench().recovery().findOpenIntents();
-        QTRY_VERIFY_WITH_TIMEOUT(!uuid.isEmpty(), testTime);
+        QTRY_VERIFY(!uuid.isEmpty());
         fixture.workbench().recovery().recoverIntent(uuid, jobs::RecoveryAction::Undo);
-        QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), testTime);
+        QTRY_VERIFY(!banner->isVisible());
     }
 
     /// The test had switched the mode, and the link is lost before it could be put back.
@@ -427,12 +425,12 @@ private Q_SLOTS:
         fixture.context.workbench.motion().setServos({fixture.selection().current()});
         fixture.context.workbench.motion().switchMode(QStringLiteral("speed"));
         auto* tick = fixture.find<QCheckBox>("sweepSwitchMode");
-        QTRY_VERIFY_WITH_TIMEOUT(tick->isVisible(), testTime);
+        QTRY_VERIFY(tick->isVisible());
         tick->setChecked(true);
         fixture.type("sweepStart", QStringLiteral("1800"));
         fixture.type("sweepEnd", QStringLiteral("2200"));
         fixture.find<QSpinBox>("sweepCycles")->setValue(50);
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<QPushButton>("sweepRun")->isEnabled(), testTime);
+        QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
         fixture.run();
         QVERIFY(fixture.begun());
         fixture.workbench().link().connection()->simulation()->with(
@@ -475,14 +473,13 @@ private Q_SLOTS:
         };
         lose(1);
         if (polled)
-            QTRY_VERIFY_WITH_TIMEOUT(fixture.entry().silent, testTime);
+            QTRY_VERIFY(fixture.entry().silent);
         else
             fixture.find<QSpinBox>("sweepCycles")->setValue(3); // the test is looked at anew
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.text("sweepOutlook").contains(QLatin1String("no reply")),
-                                 testTime);
+        QTRY_VERIFY(fixture.text("sweepOutlook").contains(QLatin1String("no reply")));
         QVERIFY(!fixture.find<QPushButton>("sweepRun")->isEnabled());
         lose(0);
-        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<QPushButton>("sweepRun")->isEnabled(), testTime);
+        QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
         QVERIFY(!fixture.text("sweepOutlook").contains(QLatin1String("no reply")));
     }
 
@@ -521,11 +518,11 @@ private Q_SLOTS:
                 [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
         };
         lose(1);
-        QTRY_VERIFY_WITH_TIMEOUT(seen > 0 && silent(), testTime);
+        QTRY_VERIFY(seen > 0 && silent());
         QVERIFY(blocked);
         QVERIFY(!run->isEnabled());
         lose(0);
-        QTRY_VERIFY_WITH_TIMEOUT(run->isEnabled() && !silent(), testTime);
+        QTRY_VERIFY(run->isEnabled() && !silent());
         QVERIFY(blocked);
     }
 
@@ -572,8 +569,7 @@ private Q_SLOTS:
         QVERIFY(fixture.test().isRunning());
         QCOMPARE(fixture.workbench().link().state(), session::LinkState::Open);
         answer("questionYes");
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.workbench().link().state(), session::LinkState::Off,
-                                  testTime);
+        QTRY_COMPARE(fixture.workbench().link().state(), session::LinkState::Off);
         QVERIFY(!fixture.test().isRunning());
         QCOMPARE(fixture.test().run()->end, results::SweepEnd::Stopped);
         QTRY_COMPARE(kept.size(), 1);

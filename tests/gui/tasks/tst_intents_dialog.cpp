@@ -67,7 +67,7 @@ bool hasNoOpenWrites(ServoTasksFixture& fixture)
                      &fixture.window,
                      [&](const session::OpenWrites& found) { unfinished = found; });
     fixture.workbench.closing().findOpenWrites();
-    const bool detected = QTest::qWaitFor([&] { return unfinished.has_value(); }, 20000);
+    const bool detected = support::waitFor([&] { return unfinished.has_value(); });
     return detected && unfinished->ids.empty() && unfinished->unlocked.empty();
 }
 } // namespace
@@ -489,7 +489,7 @@ void TestIntentsDialog::anInterruptedRecoveryReportsWhy()
         return !fixture.workbench.tasks().isBusy() &&
                gui::button(dialog, "intentFinish")->isEnabled();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(offered(), 30'000);
+    QTRY_VERIFY(offered());
     constexpr int framesUntilThirdRow = 3;
     const int before = cable.writes();
     if (cut) {
@@ -509,7 +509,7 @@ void TestIntentsDialog::anInterruptedRecoveryReportsWhy()
     QSignalSpy found(&fixture.workbench.recovery(), &session::RecoveryService::openIntentsFound);
     gui::click(dialog, "intentFinish");
     const auto working = [&] { return gui::resultOf(dialog).contains(text("Working")); };
-    QTRY_VERIFY_WITH_TIMEOUT(!working(), 60'000);
+    QTRY_VERIFY(!working());
     fixture.workbench.tasks().stopTest();
     QVERIFY(fixture.waitUntilIdle());
     const QString message = gui::resultOf(dialog);

@@ -316,7 +316,7 @@ void TestServoTasks::identifyRestoresTheLed()
         QTRY_VERIFY(ledOn());
     }
     gui::click(dialog, "taskStop");
-    QVERIFY(gui::ended(dialog, 1000));
+    QVERIFY(gui::ended(dialog));
     QVERIFY(gui::resultOf(dialog).contains(text("has been restored")));
     QVERIFY(gui::resultOf(dialog).contains(text("LED alarm condition"))); // not its key
     QCOMPARE(fixture.raw(1, "led_alarm_condition"), before);

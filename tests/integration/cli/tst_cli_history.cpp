@@ -125,13 +125,13 @@ void TestCliHistory::recoveryCommandsSaveASnapshotFirst()
     SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
     cli.setPort(sim.port());
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
-    QTRY_VERIFY_WITH_TIMEOUT(!savedSnapshots(cli).isEmpty(), 60'000);
+    QTRY_VERIFY(!savedSnapshots(cli).isEmpty());
     const auto begun = [&] {
         CliProgram& own = cli;
         QFile wal(own.dataFolder() + text("/history.sqlite-wal"));
         return wal.open(QIODevice::ReadOnly) && wal.readAll().contains("overload_torque");
     };
-    QTRY_VERIFY_WITH_TIMEOUT(begun(), 60'000);
+    QTRY_VERIFY(begun());
     cli.signal(SIGKILL);
     cli.finish();
     QCOMPARE(savedSnapshots(cli).size(), 1);

@@ -83,7 +83,7 @@ private:
 void TestCliRecover::killDuringWrite(CliProgram& cli, const char* command)
 {
     cli.start(words(command));
-    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
+    QTRY_VERIFY(hasOpenIntent(cli));
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
 }
@@ -223,7 +223,7 @@ void TestCliRecover::aChangeInProgressIsNotDiscarded()
     running.setPort(sim.port());
     QCOMPARE(running.run("mode 1 speed").exit, 0);
     running.start(words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 --switch-mode"));
-    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(running), 60'000);
+    QTRY_VERIFY(hasOpenIntent(running));
     CliProgram cli;
     cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), running.dataFolder());
     cli.setPort(sim.port());
@@ -307,7 +307,7 @@ void TestCliRecover::aFullDiskAtTheEndHidesNoWrite()
     SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
     cli.setPort(sim.port());
     cli.start(words(fourRegisters) << QStringLiteral("--json"));
-    QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
+    QTRY_VERIFY(hasOpenIntent(cli));
     // From here on, no file of this program can grow.
     const rlimit little{256, 256};
     QCOMPARE(prlimit(pid_t(cli.process().processId()), RLIMIT_FSIZE, &little, nullptr), 0);

@@ -32,7 +32,6 @@ using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr int timeoutMs = 60'000; ///< only a hung program ever needs it
 
 QString utf8(const char* words)
 {
@@ -95,7 +94,7 @@ void TestHistorySender::newEntriesAreSent()
     connect(&sender, &HistorySender::stateChanged, this,
             [&] { phases.append(sender.state().phase); });
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     QVERIFY(phases.contains(Phase::Sending));
     QVERIFY(sender.state().upToDate.isValid());
     QCOMPARE(sender.state().pending, std::optional<std::int64_t>(0));
@@ -106,7 +105,7 @@ void TestHistorySender::newEntriesAreSent()
     history_example::write(bench.journal, 4, 1);
     sender.notifyChanged();
     QCOMPARE(int(sender.state().phase), int(Phase::Waiting));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     verifyCopied(bench);
 }
 
@@ -115,10 +114,10 @@ void TestHistorySender::changesOfOtherProgramsAreSentToo()
     Bench bench;
     HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     history_example::write(bench.journal, 4, 1); // nobody pokes
     const QString count = utf8("SELECT count(*) FROM servodesk.writes");
-    QTRY_COMPARE_WITH_TIMEOUT(m_pg.query(m_database, count), utf8("2"), timeoutMs);
+    QTRY_COMPARE(m_pg.query(m_database, count), utf8("2"));
 }
 
 void TestHistorySender::serverComesUpLater()
@@ -129,12 +128,12 @@ void TestHistorySender::serverComesUpLater()
     {
         HistorySender sender(bench.path, shortSenderTimes());
         sender.setServer(address(), utf8("Bench 1"));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
+        QTRY_COMPARE(int(sender.state().phase), int(Phase::Failed));
         QCOMPARE(serverErrorKind(*sender.state().error), utf8("away"));
         QVERIFY(sender.state().nextTry.isValid());
         QVERIFY(!sender.state().pending);
         QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+        QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
         QVERIFY(!sender.state().error);
         verifyCopied(bench);
     }
@@ -145,12 +144,12 @@ void TestHistorySender::serverComesUpLater()
         sender.setServer(address(), utf8("Bench 1"));
         history_example::write(bench.journal, 1, 99);
         sender.notifyChanged();
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
+        QTRY_COMPARE(int(sender.state().phase), int(Phase::Failed));
     }
     QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     verifyCopied(bench);
 }
 
@@ -164,12 +163,12 @@ void TestHistorySender::aRestartedServerMissesNothing()
             history_example::write(bench.journal, 1 + i % 3, i);
         sender.notifyChanged();
         m_pg.kill();
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
+        QTRY_COMPARE(int(sender.state().phase), int(Phase::Failed));
         history_example::write(bench.journal, 1, round);
         QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+        QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     }
-    QTRY_COMPARE_WITH_TIMEOUT(everything(*browse()), everything(*bench.open()), timeoutMs);
+    QTRY_COMPARE(everything(*browse()), everything(*bench.open()));
 }
 
 void TestHistorySender::aHungServerIsAnError()
@@ -178,14 +177,14 @@ void TestHistorySender::aHungServerIsAnError()
     history_example::fill(bench);
     HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     m_pg.suspend();
     history_example::write(bench.journal, 1, 1);
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::Failed));
     QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     QCOMPARE(sender.state().pending, std::optional<std::int64_t>(1));
     m_pg.resume();
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     verifyCopied(bench);
 }
 
@@ -216,10 +215,10 @@ void TestHistorySender::servoWritesDoNotWait()
     // The server has not said a word yet, and everything is done and written down.
     QCOMPARE(history_example::writes(*bench.open()).size(), qsizetype(52));
     QVERIFY(bench.journal.open().value().empty());
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::Failed));
     QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     verifyCopied(bench);
 }
 
@@ -244,10 +243,10 @@ void TestHistorySender::shutdownDoesNotWait()
         sender->setServer(silent.address() + utf8(" connect_timeout=100000"), utf8("Bench 1"));
     } else {
         sender->setServer(address(), utf8("Bench 1"));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::UpToDate), timeoutMs);
+        QTRY_COMPARE(int(sender->state().phase), int(Phase::UpToDate));
         m_pg.suspend();
         history_example::write(bench.journal, 1, 1);
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::Sending), timeoutMs);
+        QTRY_COMPARE(int(sender->state().phase), int(Phase::Sending));
     }
     sender.reset();
     m_pg.resume();
@@ -261,7 +260,7 @@ void TestHistorySender::switchingServersMidway()
     HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(silent.address(), utf8("Bench 1"));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
     verifyCopied(bench);
     sender.setServer(QString(), QString());
     QCOMPARE(int(sender.state().phase), int(Phase::Off));
@@ -282,15 +281,15 @@ void TestHistorySender::theWindowBrowses()
         std::make_unique<session::HistoryServerSource>(address()));
     std::optional<std::vector<history::HistoryBench>> benches;
     historyService.benches(this, [&](const auto& found) { benches = found.value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(benches.has_value(), timeoutMs);
+    QTRY_VERIFY(benches.has_value());
     QCOMPARE(benches->size(), std::size_t(2));
 
     std::optional<std::int64_t> count;
     historyService.countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(16), timeoutMs);
+    QTRY_COMPARE(count, std::optional<std::int64_t>(16));
     historyService.selectBench(benches->at(1).number);
     historyService.countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(2), timeoutMs);
+    QTRY_COMPARE(count, std::optional<std::int64_t>(2));
     historyService.selectBench(benches->at(0).number);
 
     session::SharedSnapshot snapshot;
@@ -298,7 +297,7 @@ void TestHistorySender::theWindowBrowses()
         historyService.loadSnapshot(found.value().front().number, this,
                                     [&](const auto& loaded) { snapshot = loaded.value(); });
     });
-    QTRY_VERIFY_WITH_TIMEOUT(snapshot != nullptr, timeoutMs);
+    QTRY_VERIFY(snapshot != nullptr);
     const auto log = one.open();
     QCOMPARE(*snapshot, log->log().snapshot(log->log().snapshots().value().front().number).value());
     session::SharedRun run;
@@ -306,23 +305,23 @@ void TestHistorySender::theWindowBrowses()
         historyService.load(found.value().front().number, this,
                             [&](const auto& loaded) { run = loaded.value(); });
     });
-    QTRY_VERIFY_WITH_TIMEOUT(run != nullptr, timeoutMs);
+    QTRY_VERIFY(run != nullptr);
     QCOMPARE(run->servos.size(), sweep_example::run().servos.size());
 
     QSignalSpy failed(&historyService, &session::HistoryService::failed);
     historyService.setNote(1, utf8("mine"));
-    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, timeoutMs);
+    QTRY_COMPARE(failed.count(), 1);
 
     // Gone and back again: said, and then forgotten.
     m_pg.stop();
     std::optional<base::Error> trouble;
     historyService.countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
-    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), timeoutMs);
+    QTRY_VERIFY(trouble.has_value());
     QCOMPARE(serverErrorKind(*trouble), utf8("away"));
     QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     count.reset();
     historyService.countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(14), timeoutMs);
+    QTRY_COMPARE(count, std::optional<std::int64_t>(14));
 }
 
 void TestHistorySender::browsingAHungServer()
@@ -335,11 +334,11 @@ void TestHistorySender::browsingAHungServer()
         std::make_unique<session::HistoryServerSource>(address(), 200ms));
     std::optional<std::int64_t> count;
     historyService->countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(count.has_value(), timeoutMs);
+    QTRY_VERIFY(count.has_value());
     m_pg.suspend();
     std::optional<base::Error> trouble;
     historyService->countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
-    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), timeoutMs);
+    QTRY_VERIFY(trouble.has_value());
     QCOMPARE(serverErrorKind(*trouble), utf8("hung"));
     historyService->countWrites({}, this, [](const auto&) { QFAIL("nobody is there any more"); });
     historyService.reset();

@@ -109,10 +109,10 @@ private Q_SLOTS:
     {
         const SimProgram sim(words("--servos smsmb@1"));
         QVERIFY2(write(sim, 128, QStringLiteral("3000 1 10 50")), "position, torque, ramp, speed");
-        QTRY_VERIFY_WITH_TIMEOUT(qAbs(registerOf(sim, 257) - 3000) < 8, timeoutMs);
+        QTRY_VERIFY(qAbs(registerOf(sim, 257) - 3000) < 8);
         QVERIFY(write(sim, 128, QStringLiteral("2500")));
         QCOMPARE(registerOf(sim, 128), 2500);
-        QTRY_VERIFY_WITH_TIMEOUT(qAbs(registerOf(sim, 257) - 2500) < 8, timeoutMs);
+        QTRY_VERIFY(qAbs(registerOf(sim, 257) - 2500) < 8);
         QVERIFY(write(sim, 129, QStringLiteral("0")));
         QCOMPARE(registerOf(sim, 129), 0);
     }

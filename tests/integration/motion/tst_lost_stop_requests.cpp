@@ -40,7 +40,7 @@ public:
     bool stop()
     {
         fixture.workbench.emergencyStop().trigger();
-        return QTest::qWaitFor([this] { return check.has_value(); }, 30'000);
+        return support::waitFor([this] { return check.has_value(); });
     }
 
     bytes::Bus servos;

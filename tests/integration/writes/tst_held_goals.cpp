@@ -26,8 +26,8 @@ struct StoredMoveFixture {
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor(
-            [this] { return !drive.isBusy() && !fixture.workbench.tasks().isBusy(); }, 20'000);
+        return support::waitFor(
+            [this] { return !drive.isBusy() && !fixture.workbench.tasks().isBusy(); });
     }
     bool hold()
     {

@@ -5,6 +5,7 @@
 #include "session/workbench.h"
 #include "sim/host/sim_link.h"
 #include "support/temporary_data_folder.h"
+#include "support/waiting.h"
 
 #include <QtTest>
 
@@ -20,13 +21,13 @@ struct SessionFixture {
     bool open(const QString& port)
     {
         workbench.link().connectTo({.name = port});
-        return QTest::qWaitFor([this] { return workbench.link().state() == LinkState::Open; });
+        return support::waitFor([this] { return workbench.link().state() == LinkState::Open; });
     }
     /// The port: it is lost and closed.
     bool lose()
     {
         withBus([](sim::VirtualBus& bus) { bus.cutLink(); });
-        return QTest::qWaitFor([this] {
+        return support::waitFor([this] {
             return workbench.link().state() == LinkState::Lost &&
                    workbench.link().connection() == nullptr;
         });
@@ -35,7 +36,7 @@ struct SessionFixture {
     bool search(const jobs::ScanSpec& spec = {.firstId = 0, .lastId = 10, .bauds = {}})
     {
         workbench.search().start(spec);
-        return QTest::qWaitFor([this] { return !workbench.search().isSearching(); }, 30000);
+        return support::waitFor([this] { return !workbench.search().isSearching(); });
     }
     ServoRef at(int id, base::Protocol protocol = base::Protocol::Feetech) const
     {
@@ -59,7 +60,7 @@ struct SessionFixture {
     }
     bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !workbench.tasks().isBusy(); }, 10000);
+        return support::waitFor([this] { return !workbench.tasks().isBusy(); });
     }
     bool write(ServoRef ref, const QString& key, std::int64_t raw, bool temporary = false)
     {

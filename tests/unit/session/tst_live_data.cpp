@@ -34,7 +34,7 @@ struct LiveDataFixture : SessionFixture {
             subscription.parts.push_back({ref, keys, {}});
         subscription.period = std::chrono::milliseconds(5);
         workbench.polling().subscribe(QStringLiteral("test"), subscription);
-        return QTest::qWaitFor([&] { return scope.store().count() > 40; });
+        return support::waitFor([&] { return scope.store().count() > 40; });
     }
     LiveData scope;
 };

@@ -212,7 +212,7 @@ private Q_SLOTS:
         const base::Duration begun = fixture.workbench.now();
         QTRY_VERIFY(fixture.entry(ref).lastSeen > begun + 500ms);
         reads = false;
-        QVERIFY(QTest::qWaitFor([&] { return fixture.workbench.now() > begun + 1500ms; }));
+        QVERIFY(support::waitFor([&] { return fixture.workbench.now() > begun + 1500ms; }));
         const base::Duration recorder = fixture.entry(ref).lastSeen;
         fixture.workbench.tasks().stop();
         QVERIFY(fixture.waitUntilIdle());

@@ -96,7 +96,7 @@ void TestServoJournal::anotherSimulatedBusIsExcluded()
     QVERIFY(fixture.write(fixture.at(1), positionP, 40));
     QTRY_COMPARE(fixture.entry(fixture.at(1)).history.size(), std::size_t(1));
     fixture.workbench.closing().disconnectFrom();
-    QVERIFY(QTest::qWaitFor([&] { return fixture.workbench.link().state() == LinkState::Off; }));
+    QVERIFY(support::waitFor([&] { return fixture.workbench.link().state() == LinkState::Off; }));
     QVERIFY(fixture.open(text("sim:sts3215@1,sts3215@9")) && fixture.search());
     const ServoRef other = fixture.at(1);
     fixture.workbench.writes().loadHistory(other);

@@ -629,7 +629,7 @@ private Q_SLOTS:
         QTRY_VERIFY(link.statistics().byId[1].timeouts > 0);
         QVERIFY(fixture.entry(fixture.at(1)).silent);
         fixture.withBus([](sim::VirtualBus& bus) { bus.plug(0); });
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.entry(fixture.at(1)).silent, 20000); // nothing else asks
+        QTRY_VERIFY(!fixture.entry(fixture.at(1)).silent); // nothing else asks
     }
 
     void aFailedReconnectLeavesThePortLost()
