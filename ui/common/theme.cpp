@@ -89,6 +89,8 @@ QStatusBar::item { border: none; }
 QMenuBar { background: palette(alternate-base); }
 QMenuBar::item { background: transparent; padding: 4px 8px; }
 QMenuBar::item:selected { background: palette(highlight); color: palette(highlighted-text); }
+QDockWidget { font-weight: 600; }
+QDockWidget::title { background: palette(alternate-base); padding: 6px 8px 4px 8px; }
 QWidget[panel="true"] { background: palette(alternate-base); }
 QWidget[card="true"] {
     background: palette(base); border: 1px solid palette(mid); border-radius: 6px;

@@ -10,6 +10,7 @@ ControlMode::ControlMode(QWidget* parent)
     : SegmentedControl(parent)
 {
     setObjectName(QStringLiteral("controlMode"));
+    setArrowsSelect(false); // a choice opens the preview
     connect(this, &SegmentedControl::chosen, this, [this](int index) {
         showMode(); // the servo decides which one it is in
         const QString& key = m_profile->modes[static_cast<std::size_t>(index)].key;

@@ -4,8 +4,10 @@
 #include "ui/widgets/flow_layout.h"
 
 #include <QButtonGroup>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QRadioButton>
 #include <QStyle>
 
 #include <algorithm>
@@ -18,12 +20,13 @@ constexpr int besideText = 9;
 constexpr int aboveText = 5;
 constexpr double corner = 4;
 
-class Segment final : public QAbstractButton {
+/// A radio button for screen readers.
+class Segment final : public QRadioButton {
 public:
-    explicit Segment(QWidget* parent)
-        : QAbstractButton(parent)
+    explicit Segment(SegmentedControl& control)
+        : QRadioButton(&control)
+        , m_control(control)
     {
-        setCheckable(true);
         setFocusPolicy(Qt::StrongFocus);
         setAttribute(Qt::WA_Hover);
     }
@@ -37,6 +40,20 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
+    bool hitButton(const QPoint& position) const override { return rect().contains(position); }
+
+    void keyPressEvent(QKeyEvent* event) override
+    {
+        const int key = event->key();
+        const bool back = key == Qt::Key_Left || key == Qt::Key_Up;
+        if (m_control.arrowsSelect() || (!back && key != Qt::Key_Right && key != Qt::Key_Down)) {
+            QRadioButton::keyPressEvent(event);
+            return;
+        }
+        if (QAbstractButton* next = m_control.segment(group()->id(this) + (back ? -1 : 1)))
+            next->setFocus(Qt::TabFocusReason);
+    }
+
     void paintEvent(QPaintEvent*) override
     {
         QPainter painter(this);
@@ -96,6 +113,8 @@ private:
         }
         return path;
     }
+
+    const SegmentedControl& m_control;
 };
 
 /// One row of natural widths; where that has no room, as few rows as fit, as a grid that fills the
@@ -171,7 +190,7 @@ SegmentedControl::SegmentedControl(QWidget* parent)
 
 QAbstractButton* SegmentedControl::addSegment(const QString& objectName)
 {
-    auto* button = new Segment(this);
+    auto* button = new Segment(*this);
     button->setObjectName(objectName);
     m_group->addButton(button, static_cast<int>(m_group->buttons().size()));
     layout()->addWidget(button);

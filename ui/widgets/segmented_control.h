@@ -22,6 +22,11 @@ public:
     /// Removes all segments.
     void clear();
 
+    /// Arrow keys select, as in any group of radio buttons, unless a choice has consequences: then
+    /// they move the focus, and the space bar selects.
+    void setArrowsSelect(bool select) { m_arrowsSelect = select; }
+    bool arrowsSelect() const { return m_arrowsSelect; }
+
     /// -1: none is selected.
     int selected() const;
     /// Sends no signal. -1 deselects all.
@@ -32,5 +37,6 @@ Q_SIGNALS:
 
 private:
     QButtonGroup* m_group;
+    bool m_arrowsSelect = true;
 };
 } // namespace ui

@@ -5,6 +5,8 @@
 #include "support/test_main.h"
 #include "ui/widgets/segmented_control.h"
 
+#include <QAccessible>
+#include <QApplication>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -44,6 +46,30 @@ private Q_SLOTS:
         QCOMPARE(m_control->selected(), 1);
         QVERIFY(m_control->segment(1)->hasFocus());
         QCOMPARE(chosen.count(), 1);
+    }
+
+    void arrowKeysMayOnlyMoveTheFocus()
+    {
+        m_control->setArrowsSelect(false);
+        m_control->segment(0)->setFocus();
+        QSignalSpy chosen(m_control.get(), &SegmentedControl::chosen);
+        for (int i = 0; i < 3; ++i) // past the last one, too
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+        QVERIFY(m_control->segment(2)->hasFocus());
+        QCOMPARE(chosen.count(), 0);
+        QCOMPARE(m_control->selected(), 0);
+        QTest::keyClick(m_control->segment(2), Qt::Key_Space);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(m_control->selected(), 2);
+    }
+
+    void screenReadersSeeRadioButtons()
+    {
+        const QAccessibleInterface* segment =
+            QAccessible::queryAccessibleInterface(m_control->segment(1));
+        QVERIFY(segment != nullptr);
+        QCOMPARE(segment->role(), QAccessible::RadioButton);
+        QVERIFY(!segment->state().checked);
     }
 
     void tabGoesToTheSelectedOne()
