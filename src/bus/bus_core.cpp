@@ -138,7 +138,8 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
         if (outcome.attempts == 1)
             m_statistics.count(StatisticsCollector::Event::Retried, countedId);
         ++outcome.attempts;
-        auto attempt = m_exchange.run(request, frame, transaction.timeout, replyDelay(), interrupt);
+        const Duration timeout = attemptTimeout(transaction, outcome, attempts);
+        auto attempt = m_exchange.run(request, frame, timeout, replyDelay(), interrupt);
         if (!attempt)
             return tl::unexpected(withContext(attempt.error(), request, outcome.attempts));
         if (const auto exception = exceptionIn(*attempt))
@@ -166,6 +167,21 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
         error.code = ErrorCode::Uncertain;
     }
     return tl::unexpected(withContext(std::move(error), request, refused ? 0 : outcome.attempts));
+}
+
+/// A computer that is busy may hold back every reply for longer than a few prompt attempts take, so
+/// silence is only believed when the last one has waited as long as any adapter may be late.
+Duration BusCore::attemptTimeout(const Transaction& transaction, const Outcome& outcome,
+                                 int attempts) const
+{
+    const bool silent =
+        std::all_of(outcome.faults.begin(), outcome.faults.end(),
+                    [](const Fault& fault) { return fault.kind == FaultKind::Timeout; });
+    const bool last = attempts > 1 && outcome.attempts == attempts;
+    if (transaction.timeout > 0us || !last || !silent ||
+        transaction.priority == Priority::Emergency)
+        return transaction.timeout;
+    return std::max(m_lateReplyGuard.timeout(), LateReplyGuard::maxLateness);
 }
 
 /// On a link that has shown nothing yet silence says nothing either: its adapter may be slower than

@@ -116,6 +116,52 @@ private Q_SLOTS:
         QVERIFY2(fixture.transact(Request::ping(1), 0), "now patient enough");
     }
 
+    /// As on a computer that is busy for a moment, on a link that has been prompt until then.
+    void aStallIsNoSilence_data()
+    {
+        QTest::addColumn<Duration>("stall");
+        QTest::addColumn<bool>("answered");
+        QTest::newRow("shorter than the attempts") << Duration(90ms) << true;
+        QTest::newRow("longer than prompt attempts") << Duration(200ms) << true;
+        QTest::newRow("later than any adapter") << Duration(600ms) << false;
+    }
+    void aStallIsNoSilence()
+    {
+        QFETCH(const Duration, stall);
+        QFETCH(const bool, answered);
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(fixture.transact(Request::ping(1), 2));
+        const Duration began = fixture.script.clock.now();
+        fixture.script.latency = stall;
+        const auto outcome = fixture.transact(Request::read(1, 56, 2), 2);
+        QCOMPARE(outcome.has_value(), answered);
+        if (answered)
+            QCOMPARE(outcome->data(), tableBytes(1, 56, 2));
+        else
+            QCOMPARE(outcome.error().code, ErrorCode::NoReply);
+        // An absent servo costs no more than this.
+        QVERIFY(fixture.script.clock.now() - began < 400ms);
+    }
+
+    /// A search and an emergency stop ask many that are not there.
+    void onlyTheLastAttemptIsPatient()
+    {
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(fixture.transact(Request::ping(1), 2));
+        const auto silence = [&](int retries, Duration timeout) {
+            const Duration began = fixture.script.clock.now();
+            (void)fixture.transact(Request::ping(9), retries, timeout);
+            return fixture.script.clock.now() - began;
+        };
+        QVERIFY(silence(0, {}) < 60ms);
+        QVERIFY(fixture.core->listen(300ms));
+        QVERIFY(silence(2, 20ms) < 150ms);
+        QVERIFY(fixture.core->listen(300ms));
+        QVERIFY(silence(2, {}) > 250ms);
+    }
+
     void repliesInTimeAreMeasuredToo()
     {
         BusFixture fixture;
