@@ -2891,20 +2891,12 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>测试内容</translation>
     </message>
     <message>
-        <source>Servos</source>
-        <translation>舵机</translation>
-    </message>
-    <message>
         <source>Servo</source>
         <translation>舵机</translation>
     </message>
     <message>
         <source>Verdict</source>
         <translation>结论</translation>
-    </message>
-    <message>
-        <source>Identity</source>
-        <translation>标识</translation>
     </message>
     <message>
         <source>Date</source>
@@ -2985,10 +2977,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>Timing</source>
         <translation>节奏</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
     </message>
     <message>
         <source>Cycles</source>
@@ -3258,10 +3246,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>moving flag wrong</source>
         <translation>运动标志错误</translation>
-    </message>
-    <message>
-        <source>Peak</source>
-        <translation>峰值</translation>
     </message>
     <message>
         <source>Bus</source>
@@ -3586,6 +3570,14 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message>
         <source>Fail</source>
         <translation>不合格</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Shows the worst %1 of %2 legs. The HTML report shows more, the CSV and JSON files contain all.</source>
+        <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列得更多，CSV 和 JSON 文件包含全部。</translation>
     </message>
 </context>
 <context>

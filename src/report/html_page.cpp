@@ -16,19 +16,30 @@ body { font-family: "ServoDesk Text", "ServoDesk Signs", "Noto Sans", "Noto Sans
 h1 { font-size: 24px; margin: 8px 0; }
 h2 { font-size: 19px; margin: 28px 0 8px; border-bottom: 1px solid #d0d7de; }
 h3 { font-size: 15px; margin: 18px 0 6px; }
-table { border-collapse: collapse; margin: 6px 0 12px; }
+table { border-collapse: collapse; margin: 6px 0 12px; width: auto; }
 th, td { border: 1px solid #d0d7de; padding: 3px 8px; text-align: left; vertical-align: top; }
 th { background: #f3f5f7; font-weight: 600; }
 td.n { text-align: right; font-variant-numeric: tabular-nums; }
 .verdict { font-weight: 700; white-space: nowrap; }
-.overall { font-size: 24px; border: 2px solid #57606a; border-radius: 6px; padding: 8px 16px;
-  display: inline-block; margin: 4px 0; }
+.pass { color: #1a7f37; } .warn { color: #8a5a00; } .fail { color: #b3261e; } .none { color: #57606a; }
+.overall { font-size: 24px; border: 1px solid; border-left-width: 8px; border-radius: 6px;
+  padding: 8px 16px; margin: 8px 0; }
 .simulated { display: inline-block; border: 2px dashed #8a5a00; color: #8a5a00; font-weight: 700;
   padding: 4px 12px; margin: 8px 0; }
 .user { white-space: pre-wrap; overflow-wrap: anywhere; }
 .wide { overflow-x: auto; }
 svg { max-width: 100%; height: auto; }
 summary { cursor: pointer; font-weight: 600; }
+@media screen and (prefers-color-scheme: dark) {
+  body { color: #e6e8ec; background: #202329; }
+  h2 { border-color: #4b515c; }
+  th, td { border-color: #4b515c; }
+  th { background: #2f333b; }
+  .pass { color: #57c278; } .warn { color: #f0b04c; } .fail { color: #ff8a80; }
+  .none { color: #a3abb8; }
+  .simulated { color: #f0b04c; border-color: #f0b04c; }
+  svg { border-radius: 6px; }
+}
 @media print {
   body { margin: 0; max-width: none; font-size: 11px; }
   .switch { display: none; }
@@ -49,20 +60,40 @@ body { font-size: 8pt; color: #1f2328; }
 h1 { font-size: 16pt; }
 h2 { font-size: 12pt; }
 h3 { font-size: 9pt; }
-td, th { font-size: 7pt; }
+td, th { font-size: 7pt; padding-left: 3px; padding-right: 3px; }
 .many td, .many th { font-size: 6pt; }
 th { background-color: #f3f5f7; }
 .verdict { font-weight: 700; }
+.pass { color: #1a7f37; }
+.warn { color: #8a5a00; }
+.fail { color: #b3261e; }
+.none { color: #57606a; }
 .overall { font-size: 14pt; }
 .simulated { color: #8a5a00; font-weight: 700; font-size: 10pt; }
 .user { white-space: pre-wrap; }
 )";
 
-/// Also if a span of one language comes first.
+/// A browser goes by the style sheet instead.
+const char* const paperTable = "width=\"100%\" border=\"1\" cellspacing=\"0\" cellpadding=\"1\" "
+                               "style=\"border-collapse: collapse; border-color: #d0d7de\"";
+
+/// Or a limit, or the dash in place of one. Also if a span of one language comes first.
 bool isNumber(const QString& cell)
 {
-    static const QRegularExpression number(QStringLiteral("^(<[^>]*>)*-?\\d"));
+    static const QRegularExpression number(QStringLiteral("^(<[^>]*>)*(-?\\d|–$|&[lg]t; \\d)"));
     return number.match(cell).hasMatch();
+}
+
+QString withoutZeros(double value, int decimals)
+{
+    QString text = QString::number(value, 'f', decimals);
+    if (decimals > 0) {
+        while (text.endsWith(u'0'))
+            text.chop(1);
+        if (text.endsWith(u'.'))
+            text.chop(1);
+    }
+    return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
 }
 
 QString radio(const char* language, const char* name, bool checked)
@@ -103,12 +134,24 @@ QString userText(const QString& text)
 
 QString figure(double value)
 {
-    QString text = QString::number(value, 'f', 2);
-    while (text.endsWith(u'0'))
-        text.chop(1);
-    if (text.endsWith(u'.'))
-        text.chop(1);
-    return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
+    const double size = std::abs(value);
+    return withoutZeros(value, size >= 999.5 ? 0 : size >= 9.995 ? 1 : 2);
+}
+
+QString exactNumber(double value)
+{
+    return withoutZeros(value, 3);
+}
+
+QString localTime(const QDateTime& at)
+{
+    const QDateTime local = at.toLocalTime();
+    QString text = local.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) + QStringLiteral(" UTC");
+    const int minutes = local.offsetFromUtc() / 60;
+    if (minutes != 0)
+        text += (minutes < 0 ? QStringLiteral("-") : QStringLiteral("+")) +
+                QTime(0, 0).addSecs(std::abs(minutes) * 60).toString(QStringLiteral("HH:mm"));
+    return text;
 }
 
 QString HtmlWriter::span(const char* element, const catalog::Text& text) const
@@ -154,10 +197,9 @@ QString HtmlWriter::optional(std::optional<double> value, const catalog::Text& o
 
 QString table(const QStringList& headings, const std::vector<QStringList>& rows, bool isWide)
 {
-    QString text = QStringLiteral("<div class=\"wide\"><table%1 border=\"1\" cellspacing=\"0\" "
-                                  "cellpadding=\"%2\">\n<thead><tr>")
-                       .arg(isWide ? QStringLiteral(" class=\"many\"") : QString())
-                       .arg(isWide ? 2 : 3);
+    QString text =
+        QStringLiteral("<div class=\"wide\"><table%1 %2>\n<thead><tr>")
+            .arg(isWide ? QStringLiteral(" class=\"many\"") : QString(), QLatin1String(paperTable));
     for (const QString& heading : headings)
         text += QStringLiteral("<th>") + heading + QStringLiteral("</th>");
     text += QStringLiteral("</tr></thead>\n<tbody>\n");
@@ -173,10 +215,16 @@ QString table(const QStringList& headings, const std::vector<QStringList>& rows,
     return text + QStringLiteral("</tbody></table></div>\n");
 }
 
+QString sideBySide(const QString& left, const QString& right)
+{
+    return QStringLiteral("<table width=\"100%\"><tr><td width=\"50%\">") + left +
+           QStringLiteral("</td><td width=\"50%\">") + right +
+           QStringLiteral("</td></tr></table>\n");
+}
+
 QString keyValueTable(const std::vector<QStringList>& rows)
 {
-    QString text =
-        QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\"><tbody>\n");
+    QString text = QStringLiteral("<table %1><tbody>\n").arg(QLatin1String(paperTable));
     for (const QStringList& row : rows)
         text += QStringLiteral("<tr><th align=\"left\">") + row.value(0) +
                 QStringLiteral("</th><td>") + row.value(1) + QStringLiteral("</td></tr>\n");

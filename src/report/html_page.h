@@ -7,6 +7,7 @@
 
 #include "catalog/register.h"
 
+#include <QDateTime>
 #include <QStringList>
 
 #include <optional>
@@ -18,8 +19,12 @@ QString escaped(const QString& text);
 /// Text that a person entered, escaped and marked.
 QString userText(const QString& text);
 
-/// Two decimals at most, with a point: "3047.75", "8.1", "12".
+/// A measured value with the digits that mean something: "4193", "158.6", "54.6", "0.98".
 QString figure(double value);
+/// A value that somebody set, as exactly as it was entered: "8", "12.5", "0.125".
+QString exactNumber(double value);
+/// Of this computer, with its zone: "2026-11-27 12:35:06 UTC+08:00".
+QString localTime(const QDateTime& at);
 
 enum class ReportLanguage : std::uint8_t { Both, English, Chinese };
 
@@ -47,6 +52,8 @@ private:
 /// columns, so paper uses smaller letters.
 QString table(const QStringList& headings, const std::vector<QStringList>& rows,
               bool isWide = false);
+/// Two parts beside each other, on paper.
+QString sideBySide(const QString& left, const QString& right);
 /// Two columns, names and values.
 QString keyValueTable(const std::vector<QStringList>& rows);
 

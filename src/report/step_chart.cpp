@@ -79,10 +79,10 @@ QString frame(const HtmlWriter& htmlWriter, const ChartAxis& x, const ChartAxis&
     QString marks;
     for (double at = 0; at <= x.high; at += x.step)
         marks += svgLine(x.at(at), plotTop, x.at(at), plotBottom, grid) +
-                 svgText(x.at(at), plotBottom + 16, "middle", figure(at));
+                 svgText(x.at(at), plotBottom + 16, "middle", exactNumber(at));
     for (double at = std::ceil(y.low / y.step) * y.step; at <= y.high; at += y.step)
         marks += svgLine(plotLeft, y.at(at), plotRight, y.at(at), grid) +
-                 svgText(plotLeft - 6, y.at(at) + 4, "end", figure(at));
+                 svgText(plotLeft - 6, y.at(at) + 4, "end", exactNumber(at));
     return marks +
            svgText((plotLeft + plotRight) / 2, height - 10, "middle",
                    htmlWriter.htmlInSvg(translate("StepText", "ms after the goal"))) +

@@ -20,8 +20,8 @@ QString head(const HtmlWriter& htmlWriter, const StepRun& run)
         {htmlWriter.htmlText(words.id), QString::number(servo.id)},
         {htmlWriter.htmlText(words.date), escaped(run.at.toLocalTime().toString(Qt::ISODate))},
         {htmlWriter.htmlText(words.port), escaped(run.port)},
-        {htmlWriter.htmlText(words.from), figure(run.axis.from)},
-        {htmlWriter.htmlText(words.to), figure(run.axis.to)},
+        {htmlWriter.htmlText(words.from), exactNumber(run.axis.from)},
+        {htmlWriter.htmlText(words.to), exactNumber(run.axis.to)},
         {htmlWriter.htmlText(words.sampling), figure(run.sampleRate) + QStringLiteral(" Hz")},
         {htmlWriter.htmlText(words.program), escaped(run.program)}};
     if (!run.spec.operatorName.isEmpty())

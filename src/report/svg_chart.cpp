@@ -32,10 +32,10 @@ QString frame(const HtmlWriter& htmlWriter, const ChartAxis& x, const ChartAxis&
     QString marks;
     for (double at = std::ceil(x.low / x.step) * x.step; at <= x.high + x.step / 1e6; at += x.step)
         marks += svgLine(x.at(at), top, x.at(at), bottom, grid) +
-                 svgText(x.at(at), bottom + 16, "middle", figure(at));
+                 svgText(x.at(at), bottom + 16, "middle", exactNumber(at));
     for (double at = std::ceil(y.low / y.step) * y.step; at <= y.high + y.step / 1e6; at += y.step)
         marks += svgLine(left, y.at(at), right, y.at(at), grid) +
-                 svgText(left - 6, y.at(at) + 4, "end", figure(at));
+                 svgText(left - 6, y.at(at) + 4, "end", exactNumber(at));
     return marks +
            QStringLiteral("<rect x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" fill=\"none\" "
                           "stroke=\"#57606a\" stroke-width=\"1\"/>\n")
@@ -115,7 +115,7 @@ QString limitLines(const HtmlWriter& htmlWriter, const ChartAxis& x, std::option
 {
     if (!limit)
         return {};
-    const QString number = QStringLiteral(" > ") + figure(*limit);
+    const QString number = QStringLiteral(" > ") + exactNumber(*limit);
     QString lines = svgLine(right - place, top - 16, right - place + 30, top - 16, style) +
                     svgText(right - place + 36, top - 12, "start",
                             htmlWriter.htmlInSvg({name.en + number, name.zh + number}));

@@ -61,8 +61,7 @@ QString warningsPart(const HtmlWriter& htmlWriter, const results::SweepCompariso
                            [&](const auto& one) { return one.weight == weight; });
     };
     const auto warn = [&](const Text& words) {
-        text += QStringLiteral("<p class=\"verdict\" style=\"color: %1\">⚠ ")
-                    .arg(gradeColor(results::Grade::Warn)) +
+        text += QStringLiteral("<p class=\"verdict %1\">⚠ ").arg(gradeClass(results::Grade::Warn)) +
                 htmlWriter.htmlText(words) + QStringLiteral("</p>\n");
     };
     if (!found.comparable())

@@ -20,57 +20,6 @@ void addUserRow(const HtmlWriter& htmlWriter, Rows& rows, const Text& name, cons
         rows.push_back({htmlWriter.htmlText(name), userText(text)});
 }
 
-QString verdictPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
-{
-    const SweepTexts& words = sweepTexts();
-    QString text = htmlWriter.heading(1, words.title);
-    if (run.simulated)
-        text += QStringLiteral("<p class=\"simulated\">") + htmlWriter.htmlText(words.simulated) +
-                QStringLiteral("</p>\n");
-    text += QStringLiteral("<p class=\"overall\">") + badge(htmlWriter, run.verdict()) +
-            QStringLiteral("</p>\n<p>") + htmlWriter.htmlText(endText(run.end));
-    if (run.endedBy >= 0)
-        text += u' ' + htmlWriter.htmlText(words.endedBy) + QStringLiteral(": ID ") +
-                QString::number(run.endedBy);
-    return text + QStringLiteral("</p>\n");
-}
-
-QString benchPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
-{
-    const SweepTexts& words = sweepTexts();
-    Rows rows;
-    rows.push_back(
-        {htmlWriter.htmlText(words.date),
-         run.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) + QStringLiteral(" UTC")});
-    addUserRow(htmlWriter, rows, words.operatorName, run.spec.operatorName);
-    addUserRow(htmlWriter, rows, words.note, run.spec.note);
-    rows.push_back({htmlWriter.htmlText(words.port), escaped(run.port) + QStringLiteral(", ") +
-                                                         QString::number(run.baud) +
-                                                         QStringLiteral(" baud")});
-    rows.push_back({htmlWriter.htmlText(words.length), htmlWriter.htmlText(seconds(run.length))});
-    rows.push_back(
-        {htmlWriter.htmlText(words.sampling), figure(run.sampleRate) + QStringLiteral(" /s")});
-    rows.push_back({htmlWriter.htmlText(words.program), escaped(run.program)});
-    return htmlWriter.heading(2, words.bench) + keyValueTable(rows);
-}
-
-QString servosPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
-{
-    const SweepTexts& words = sweepTexts();
-    Rows rows;
-    for (const results::SweepServo& servo : run.servos) {
-        const snapshot::SnapshotServo& identity = servo.parameters.servo;
-        rows.push_back({QString::number(identity.id), escaped(identity.model),
-                        escaped(identity.firmware), escaped(identity.protocol),
-                        userText(servo.parameters.label), badge(htmlWriter, servo.verdict)});
-    }
-    const QStringList headings{
-        htmlWriter.htmlText(words.id),       htmlWriter.htmlText(words.model),
-        htmlWriter.htmlText(words.firmware), htmlWriter.htmlText(words.protocol),
-        htmlWriter.htmlText(words.label),    htmlWriter.htmlText(words.verdict)};
-    return htmlWriter.heading(2, words.servos) + table(headings, rows);
-}
-
 QString rangeOf(const results::SweepRange& range)
 {
     return escaped(range.from) + QStringLiteral(" … ") + escaped(range.to);
@@ -135,6 +84,72 @@ QString stopsOf(const HtmlWriter& htmlWriter, const results::SweepSpec& spec)
                            : stops.join(QStringLiteral(", "));
 }
 
+QString valueOf(const results::SweepServo& servo, const char* metric)
+{
+    for (const results::SweepMetric& one : servo.metrics) {
+        if (one.key == QLatin1String(metric) && one.value)
+            return figure(*one.value);
+    }
+    return QStringLiteral("–");
+}
+
+/// All servos with their verdicts, the reasons, and the figures that are asked for first.
+QString servosTable(const HtmlWriter& htmlWriter, const results::SweepRun& run)
+{
+    const SweepTexts& words = sweepTexts();
+    Rows rows;
+    for (const results::SweepServo& servo : run.servos) {
+        const snapshot::SnapshotServo& identity = servo.parameters.servo;
+        QString name = escaped(identity.model);
+        if (!servo.parameters.label.isEmpty())
+            name += QStringLiteral("<br/>") + userText(servo.parameters.label);
+        rows.push_back({QString::number(identity.id), name, badge(htmlWriter, servo.verdict),
+                        reasonsOf(htmlWriter, run, servo), valueOf(servo, "time_to_target"),
+                        valueOf(servo, "overshoot"), valueOf(servo, "steady_error"),
+                        valueOf(servo, "current_peak")});
+    }
+    return table({htmlWriter.htmlText(words.id), htmlWriter.htmlText(words.servo),
+                  htmlWriter.htmlText(words.verdict), htmlWriter.htmlText(words.reason),
+                  htmlWriter.htmlText(words.timeToTarget), htmlWriter.htmlText(words.overshoot),
+                  htmlWriter.htmlText(words.steadyError), htmlWriter.htmlText(words.current)},
+                 rows);
+}
+} // namespace
+
+QString verdictPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
+{
+    const SweepTexts& words = sweepTexts();
+    QString text = htmlWriter.heading(1, words.title);
+    if (run.simulated)
+        text += QStringLiteral("<p class=\"simulated\">") + htmlWriter.htmlText(words.simulated) +
+                QStringLiteral("</p>\n");
+    text += QStringLiteral("<p class=\"overall ") + gradeClass(run.verdict()) +
+            QStringLiteral("\">") + badge(htmlWriter, run.verdict()) + QStringLiteral("</p>\n<p>") +
+            htmlWriter.htmlText(endText(run.end));
+    if (run.endedBy >= 0)
+        text += u' ' + htmlWriter.htmlText(words.endedBy) + QStringLiteral(": ID ") +
+                QString::number(run.endedBy);
+    return text + QStringLiteral("</p>\n") + servosTable(htmlWriter, run);
+}
+
+QString benchPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
+{
+    const SweepTexts& words = sweepTexts();
+    Rows rows;
+    rows.push_back({htmlWriter.htmlText(words.date), localTime(run.at)});
+    addUserRow(htmlWriter, rows, words.operatorName, run.spec.operatorName);
+    addUserRow(htmlWriter, rows, words.note, run.spec.note);
+    rows.push_back({htmlWriter.htmlText(words.port), escaped(run.port) + QStringLiteral(", ") +
+                                                         QString::number(run.baud) +
+                                                         QStringLiteral(" baud")});
+    rows.push_back({htmlWriter.htmlText(words.length),
+                    figure(double(run.length.count()) / 1e6) + QStringLiteral(" s")});
+    rows.push_back(
+        {htmlWriter.htmlText(words.sampling), figure(run.sampleRate) + QStringLiteral(" /s")});
+    rows.push_back({htmlWriter.htmlText(words.program), escaped(run.program)});
+    return htmlWriter.heading(2, words.bench) + keyValueTable(rows);
+}
+
 QString testPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
 {
     const SweepTexts& words = sweepTexts();
@@ -182,17 +197,17 @@ QString busPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
         return text + htmlWriter.paragraph(words.noGaps);
     Rows gaps;
     for (const results::SweepGap& gap : run.gaps)
-        gaps.push_back({inSeconds(gap.at), inSeconds(gap.span)});
+        gaps.push_back(
+            {figure(double(gap.at.count()) / 1e6), figure(double(gap.span.count()) / 1e6)});
     return text +
            table({htmlWriter.htmlText(words.gapAt), htmlWriter.htmlText(words.gapSpan)}, gaps);
 }
-} // namespace
-
 QString sweepBody(const HtmlWriter& htmlWriter, const results::SweepRun& run,
                   const std::vector<SweepSeries>& series, const EmbedChart& place)
 {
-    QString text = verdictPart(htmlWriter, run) + servosPart(htmlWriter, run) +
-                   benchPart(htmlWriter, run) + testPart(htmlWriter, run);
+    QString text = verdictPart(htmlWriter, run) + benchPart(htmlWriter, run) +
+                   testPart(htmlWriter, run) + htmlWriter.paragraph(sweepTexts().gradingNote) +
+                   htmlWriter.paragraph(sweepTexts().hysteresisNote);
     for (const results::SweepServo& servo : run.servos)
         text += servoPart(htmlWriter, run, servo, series, place);
     return text + busPart(htmlWriter, run);

@@ -10,8 +10,6 @@
 namespace report {
 namespace {
 using Rows = std::vector<QStringList>;
-constexpr std::size_t shownAtEnds = 50;
-constexpr std::size_t shownWorst = 20;
 
 /// "9.75 step"
 Text withUnit(const QString& number, const QString& unit)
@@ -20,170 +18,101 @@ Text withUnit(const QString& number, const QString& unit)
                           : filled(inBoth(QStringLiteral("%1 %2")), inBoth(number), unitText(unit));
 }
 
-Text withUnit(double number, const QString& unit)
+QString graded(results::Grade grade, const QString& words)
 {
-    return withUnit(figure(number), unit);
+    return QStringLiteral("<span class=\"verdict %1\">").arg(gradeClass(grade)) + gradeSign(grade) +
+           u' ' + words + QStringLiteral("</span>");
 }
 
-QString colored(results::Grade grade, const QString& words)
-{
-    return QStringLiteral("<span class=\"verdict\" style=\"color: %1\">").arg(gradeColor(grade)) +
-           gradeSign(grade) + u' ' + words + QStringLiteral("</span>");
-}
-
-QString limitCell(const HtmlWriter& htmlWriter, const results::SweepLimit& limit,
-                  const std::optional<double>& bound)
+QString limitCell(const results::SweepLimit& limit, const std::optional<double>& bound)
 {
     if (!bound)
         return QStringLiteral("–");
-    const QString sign = limit.atLeast ? QStringLiteral("&lt; ") : QStringLiteral("&gt; ");
-    return sign + htmlWriter.htmlText(withUnit(*bound, limit.unit));
+    return (limit.atLeast ? QStringLiteral("&lt; ") : QStringLiteral("&gt; ")) +
+           exactNumber(*bound);
 }
 
+/// "above 8 step"
 Text reasonOf(const results::VerdictLine& line)
 {
     const SweepTexts& words = sweepTexts();
-    if (line.grade == results::Grade::NotMeasured)
-        return words.noFeedback;
-    if (line.grade == results::Grade::Pass)
-        return words.within;
     const auto bound = line.grade == results::Grade::Fail ? line.limit.fail : line.limit.warn;
     const Text& form = line.limit.atLeast ? words.under : words.over;
-    const Text number = bound ? withUnit(*bound, line.limit.unit) : Text();
-    return filled(form, number);
+    return filled(form, bound ? withUnit(exactNumber(*bound), line.limit.unit) : Text());
 }
 
-QString verdictLines(const HtmlWriter& htmlWriter, const results::SweepServo& servo,
-                     results::NoVerdictReason reason)
+const results::VerdictLine* lineOf(const results::SweepServo& servo, const QString& metric)
 {
-    const SweepTexts& words = sweepTexts();
-    Rows rows;
-    for (const results::VerdictLine& line : servo.lines) {
-        const QString value = line.value && std::isfinite(*line.value)
-                                  ? htmlWriter.htmlText(withUnit(*line.value, line.limit.unit))
-                                  : htmlWriter.htmlText(words.notMeasured);
-        rows.push_back({lineBadge(htmlWriter, line.grade),
-                        htmlWriter.htmlText(metricLabel(line.limit.metric)), value,
-                        limitCell(htmlWriter, line.limit, line.limit.warn),
-                        limitCell(htmlWriter, line.limit, line.limit.fail),
-                        htmlWriter.htmlText(reasonOf(line))});
-    }
-    QString text = htmlWriter.heading(3, words.verdict);
-    if (reason != results::NoVerdictReason::None)
-        text += htmlWriter.paragraph(noVerdictReasonText(reason));
-    text += QStringLiteral("<p>") + htmlWriter.htmlText(words.limits) + QStringLiteral(": ") +
-            (servo.limits.name.isEmpty() ? htmlWriter.htmlText(words.none)
-                                         : escaped(servo.limits.name)) +
-            QStringLiteral("</p>\n");
-    return text + table({htmlWriter.htmlText(words.result), htmlWriter.htmlText(words.figure),
-                         htmlWriter.htmlText(words.value), htmlWriter.htmlText(words.warnLimit),
-                         htmlWriter.htmlText(words.failLimit), htmlWriter.htmlText(words.reason)},
-                        rows);
+    const auto found =
+        std::find_if(servo.lines.begin(), servo.lines.end(),
+                     [&](const results::VerdictLine& line) { return line.limit.metric == metric; });
+    return found == servo.lines.end() ? nullptr : &*found;
 }
 
+QStringList metricRow(const HtmlWriter& htmlWriter, const results::SweepMetric& metric,
+                      const results::VerdictLine* line)
+{
+    const Text none = inBoth(QStringLiteral("–"));
+    QStringList row{
+        htmlWriter.htmlText(metricLabel(metric.key)), htmlWriter.optional(metric.value, none),
+        htmlWriter.htmlText(unitText(metric.unit)),   htmlWriter.optional(metric.mean, none),
+        htmlWriter.optional(metric.min, none),        htmlWriter.optional(metric.max, none)};
+    if (line == nullptr)
+        return row << QString() << QString() << QString();
+    return row << limitCell(line->limit, line->limit.warn)
+               << limitCell(line->limit, line->limit.fail) << lineBadge(htmlWriter, line->grade);
+}
+
+/// What was neither measured nor judged is left out.
 QString metricsTable(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
-    const Text none = inBoth(QStringLiteral("–"));
     Rows rows;
-    for (const results::SweepMetric& metric : servo.metrics)
-        rows.push_back({htmlWriter.htmlText(metricLabel(metric.key)),
-                        htmlWriter.optional(metric.value, words.notMeasured),
-                        htmlWriter.htmlText(unitText(metric.unit)),
-                        htmlWriter.optional(metric.mean, none),
-                        htmlWriter.optional(metric.min, none),
-                        htmlWriter.optional(metric.max, none), QString::number(metric.count)});
+    for (const results::SweepMetric& metric : servo.metrics) {
+        const results::VerdictLine* line = lineOf(servo, metric.key);
+        if (metric.value || line != nullptr)
+            rows.push_back(metricRow(htmlWriter, metric, line));
+    }
     return table({htmlWriter.htmlText(words.figure), htmlWriter.htmlText(words.value),
                   htmlWriter.htmlText(words.unit), htmlWriter.htmlText(words.mean),
                   htmlWriter.htmlText(words.lowest), htmlWriter.htmlText(words.highest),
-                  htmlWriter.htmlText(words.count)},
-                 rows) +
-           htmlWriter.paragraph(words.gradingNote) + htmlWriter.paragraph(words.hysteresisNote);
+                  htmlWriter.htmlText(words.warnLimit), htmlWriter.htmlText(words.failLimit),
+                  htmlWriter.htmlText(words.result)},
+                 rows);
 }
 
-QString charts(const HtmlWriter& htmlWriter, const results::SweepServo& servo,
-               const std::vector<SweepSeries>& series, const EmbedChart& place)
-{
-    const SweepTexts& words = sweepTexts();
-    const auto drawn = [&](const QString& markup) {
-        return markup.startsWith(QStringLiteral("<svg")) ? place(markup) : markup;
-    };
-    QString text = htmlWriter.heading(3, words.positionChart);
-    const auto own = std::find_if(series.begin(), series.end(), [&](const SweepSeries& one) {
-        return one.servo == servo.parameters.servo.id;
-    });
-    text += own == series.end() ? htmlWriter.paragraph(words.noSeries)
-                                : drawn(positionChart(htmlWriter, own->samples));
-    text += htmlWriter.heading(3, words.histogram);
-    return text + drawn(errorsChart(htmlWriter, servo));
-}
-
-QString remarksOf(const HtmlWriter& htmlWriter, const results::SweepLeg& leg)
-{
-    const SweepTexts& words = sweepTexts();
-    QStringList remarks;
-    if (leg.missed)
-        remarks.append(QStringLiteral("✘ ") + htmlWriter.htmlText(words.missed));
-    if (leg.flagWrong.value_or(false))
-        remarks.append(QStringLiteral("⚠ ") + htmlWriter.htmlText(words.flagWrong));
-    if (leg.alarms != 0)
-        remarks.append(QStringLiteral("⚠ ") + htmlWriter.htmlText(alarmBitsText(leg.alarms)));
-    return remarks.join(QStringLiteral(", "));
-}
-
-QStringList legRow(const HtmlWriter& htmlWriter, const results::SweepLeg& leg)
-{
-    const Text none = inBoth(QStringLiteral("–"));
-    const auto ms = [](std::optional<base::Duration> span) {
-        return span ? std::optional<double>(double(span->count()) / 1000) : std::nullopt;
-    };
-    const auto cell = [&](std::optional<double> value) { return htmlWriter.optional(value, none); };
-    return {QString::number(leg.number), QString::number(leg.cycle), inSeconds(leg.at),
-            figure(leg.start),           figure(leg.target),         cell(leg.reached),
-            cell(ms(leg.timeToTarget)),  cell(ms(leg.settling)),     cell(leg.overshoot),
-            cell(leg.steadyError),       cell(leg.meanSpeed),        cell(leg.followingError),
-            cell(leg.currentPeak),       cell(leg.loadPeak),         cell(leg.voltageMin),
-            cell(leg.temperatureMax),    QString::number(leg.lost),  remarksOf(htmlWriter, leg)};
-}
-
-QString legsTable(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
-{
-    const SweepTexts& words = sweepTexts();
-    const auto shown = legsToShow(servo.legs);
-    Rows rows;
-    for (const results::SweepLeg* leg : shown)
-        rows.push_back(legRow(htmlWriter, *leg));
-    QString text = htmlWriter.heading(3, words.legs);
-    if (shown.size() < servo.legs.size()) {
-        const Text all = inBoth(QString::number(servo.legs.size()));
-        text += htmlWriter.paragraph(filled(words.legsShown, all));
-    }
-    QStringList headings;
-    for (const Text& heading :
-         {words.leg, words.cycle, words.at, words.start, words.target, words.reached,
-          words.timeToTarget, words.settling, words.overshoot, words.steadyError, words.meanSpeed,
-          words.following, words.current, words.load, words.voltage, words.temperature, words.lost,
-          words.remarks})
-        headings.append(htmlWriter.htmlText(heading));
-    return text + table(headings, rows, true);
-}
-
-QString axisRows(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
+/// Who it is, and what the test meant in its steps.
+QString setupLine(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
     const QString step = QStringLiteral("step");
     const results::SweepAxis& axis = servo.axis;
-    const QString range = figure(axis.from) + QStringLiteral(" … ") + figure(axis.to);
-    Rows rows{{htmlWriter.htmlText(words.inSteps), htmlWriter.htmlText(withUnit(range, step))},
-              {htmlWriter.htmlText(words.tolerance),
-               htmlWriter.htmlText(withUnit(axis.tolerance, step))}};
+    const snapshot::SnapshotServo& identity = servo.parameters.servo;
+    QStringList facts;
+    const auto add = [&](const Text& name, const QString& value) {
+        facts << htmlWriter.htmlText(name) + QStringLiteral(": ") + value;
+    };
+    const auto inUnit = [&](const QString& number, const QString& unit) {
+        return htmlWriter.htmlText(withUnit(number, unit));
+    };
+    add(words.firmware, escaped(identity.firmware));
+    add(words.protocol, escaped(identity.protocol));
+    add(words.inSteps,
+        inUnit(exactNumber(axis.from) + QStringLiteral(" … ") + exactNumber(axis.to), step));
+    add(words.tolerance, inUnit(exactNumber(axis.tolerance), step));
     if (axis.speed)
-        rows.push_back({htmlWriter.htmlText(words.speed),
-                        htmlWriter.htmlText(withUnit(*axis.speed, QStringLiteral("step/s")))});
+        add(words.speed, inUnit(exactNumber(*axis.speed), QStringLiteral("step/s")));
     if (axis.acceleration)
-        rows.push_back({htmlWriter.htmlText(words.acceleration),
-                        figure(*axis.acceleration) + QStringLiteral(" step/s²")});
-    return keyValueTable(rows);
+        add(words.acceleration, exactNumber(*axis.acceleration) + QStringLiteral(" step/s²"));
+    add(words.limits,
+        servo.limits.name.isEmpty() ? htmlWriter.htmlText(words.none) : escaped(servo.limits.name));
+    return QStringLiteral("<p>") + facts.join(QStringLiteral(" · ")) + QStringLiteral("</p>\n");
+}
+
+/// The chart, or the sentence that stands in its place.
+QString placed(const QString& markup, const EmbedChart& place)
+{
+    return markup.startsWith(QStringLiteral("<svg")) ? place(markup) : markup;
 }
 
 QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
@@ -208,52 +137,7 @@ QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& 
            QStringLiteral("</details>\n");
 }
 
-/// Missed legs are worse than alarms, alarms worse than errors.
-double severity(const results::SweepLeg& leg)
-{
-    constexpr double beyondAnyError = 1e9;
-    const double error = std::abs(leg.steadyError.value_or(0));
-    return (leg.missed ? 2 * beyondAnyError : 0) + (leg.alarms != 0 ? beyondAnyError : 0) +
-           (std::isfinite(error) ? error : 0);
-}
 } // namespace
-
-std::vector<const results::SweepLeg*> legsToShow(const std::vector<results::SweepLeg>& legs,
-                                                 std::size_t all)
-{
-    std::vector<const results::SweepLeg*> shown;
-    if (legs.size() <= std::max(all, 2 * shownAtEnds + shownWorst)) {
-        for (const results::SweepLeg& leg : legs)
-            shown.push_back(&leg);
-        return shown;
-    }
-    std::vector<const results::SweepLeg*> middle;
-    for (std::size_t i = 0; i < legs.size(); ++i) {
-        const bool atEnds = i < shownAtEnds || i + shownAtEnds >= legs.size();
-        (atEnds ? shown : middle).push_back(&legs[i]);
-    }
-    std::partial_sort(middle.begin(), middle.begin() + std::ptrdiff_t(shownWorst), middle.end(),
-                      [](const auto* a, const auto* b) { return severity(*a) > severity(*b); });
-    shown.insert(shown.end(), middle.begin(), middle.begin() + std::ptrdiff_t(shownWorst));
-    // The pointers are into one list, so their order is that of time.
-    std::sort(shown.begin(), shown.end());
-    return shown;
-}
-
-QString badge(const HtmlWriter& htmlWriter, results::Grade grade)
-{
-    return colored(grade, htmlWriter.htmlText(gradeLabel(grade)));
-}
-
-QString lineBadge(const HtmlWriter& htmlWriter, results::Grade grade)
-{
-    return colored(grade, htmlWriter.htmlText(lineGradeLabel(grade)));
-}
-
-QString inSeconds(base::Duration span)
-{
-    return figure(double(span.count()) / 1e6);
-}
 
 QString errorsChart(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
@@ -272,16 +156,77 @@ QString errorsChart(const HtmlWriter& htmlWriter, const results::SweepServo& ser
     return errorHistogram(htmlWriter, errors, limit.warn, limit.fail);
 }
 
+QString lineBadge(const HtmlWriter& htmlWriter, results::Grade grade)
+{
+    return graded(grade, htmlWriter.htmlText(lineGradeLabel(grade)));
+}
+
+QString badge(const HtmlWriter& htmlWriter, results::Grade grade)
+{
+    return graded(grade, htmlWriter.htmlText(gradeLabel(grade)));
+}
+
+QString inSeconds(base::Duration span)
+{
+    return exactNumber(double(span.count()) / 1e6);
+}
+
+QString reasonsOf(const HtmlWriter& htmlWriter, const results::SweepRun& run,
+                  const results::SweepServo& servo)
+{
+    QStringList reasons;
+    const auto reason = results::sweepVerdict(run, servo).reason;
+    if (reason != results::NoVerdictReason::None)
+        reasons << htmlWriter.htmlText(noVerdictReasonText(reason));
+    for (const auto grade : {results::Grade::Fail, results::Grade::Warn}) {
+        for (const results::VerdictLine& line : servo.lines) {
+            if (line.grade == grade && line.value)
+                reasons << htmlWriter.htmlText(metricLabel(line.limit.metric)) + u' ' +
+                               htmlWriter.htmlText(withUnit(figure(*line.value), line.limit.unit)) +
+                               QStringLiteral(" – ") + htmlWriter.htmlText(reasonOf(line));
+        }
+    }
+    return reasons.join(QStringLiteral("<br/>"));
+}
+
+QString servoFigures(const HtmlWriter& htmlWriter, const results::SweepRun& run,
+                     const results::SweepServo& servo)
+{
+    const snapshot::SnapshotServo& identity = servo.parameters.servo;
+    QString text = QStringLiteral("<h2>ID %1 · ").arg(identity.id) + escaped(identity.model) +
+                   QStringLiteral(" · ") + badge(htmlWriter, servo.verdict) +
+                   QStringLiteral("</h2>\n");
+    const QString reasons = reasonsOf(htmlWriter, run, servo);
+    if (!reasons.isEmpty())
+        text += QStringLiteral("<p>") + reasons + QStringLiteral("</p>\n");
+    return text + setupLine(htmlWriter, servo) + htmlWriter.heading(3, sweepTexts().figures) +
+           metricsTable(htmlWriter, servo);
+}
+
+QString positionPart(const HtmlWriter& htmlWriter, const results::SweepServo& servo,
+                     const std::vector<SweepSeries>& series, const EmbedChart& place)
+{
+    const auto own = std::find_if(series.begin(), series.end(), [&](const SweepSeries& one) {
+        return one.servo == servo.parameters.servo.id;
+    });
+    return htmlWriter.heading(3, sweepTexts().positionChart) +
+           (own == series.end() ? htmlWriter.paragraph(sweepTexts().noSeries)
+                                : placed(positionChart(htmlWriter, own->samples), place));
+}
+
+QString errorsPart(const HtmlWriter& htmlWriter, const results::SweepServo& servo,
+                   const EmbedChart& place)
+{
+    return htmlWriter.heading(3, sweepTexts().histogram) +
+           placed(errorsChart(htmlWriter, servo), place);
+}
+
 QString servoPart(const HtmlWriter& htmlWriter, const results::SweepRun& run,
                   const results::SweepServo& servo, const std::vector<SweepSeries>& series,
                   const EmbedChart& place)
 {
-    const results::NoVerdictReason reason = results::sweepVerdict(run, servo).reason;
-    const snapshot::SnapshotServo& identity = servo.parameters.servo;
-    const QString name = QStringLiteral("ID %1 · ").arg(identity.id) + identity.model;
-    return htmlWriter.heading(2, inBoth(name)) + axisRows(htmlWriter, servo) +
-           verdictLines(htmlWriter, servo, reason) + metricsTable(htmlWriter, servo) +
-           charts(htmlWriter, servo, series, place) + legsTable(htmlWriter, servo) +
+    return servoFigures(htmlWriter, run, servo) + positionPart(htmlWriter, servo, series, place) +
+           errorsPart(htmlWriter, servo, place) + legsPart(htmlWriter, servo) +
            parametersPart(htmlWriter, servo);
 }
 } // namespace report

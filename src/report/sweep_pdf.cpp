@@ -2,43 +2,27 @@
 #include "report/sweep_pdf.h"
 
 #include "files/text_file.h"
-#include "report/fonts.h"
+#include "report/paper.h"
 #include "report/sweep_text.h"
-
-#include <QBuffer>
-#include <QFont>
-#include <QImage>
-#include <QPageLayout>
-#include <QPainter>
-#include <QPdfWriter>
-#include <QSvgRenderer>
-#include <QTextDocument>
-#include <QUrl>
 
 namespace report {
 namespace {
-constexpr int imageScale = 2;
-constexpr int shownWidth = 620;
+/// So many fit below the histogram on one page.
+constexpr std::size_t maxLegs = 36;
+/// So few fit on the first page of a servo, and their distribution says nothing.
+constexpr std::size_t fewLegs = 8;
 
-QFont paperFont()
+/// Two pages at most.
+QStringList servoSections(const HtmlWriter& htmlWriter, const results::SweepRun& run,
+                          const results::SweepServo& servo, const std::vector<SweepSeries>& series,
+                          const EmbedChart& place)
 {
-    QFont font;
-    if (const QStringList families = textFamilies(); !families.isEmpty())
-        font.setFamilies(families);
-    return font;
-}
-
-/// A text document cannot show SVG, so a chart becomes an image, sharp enough for paper.
-QImage pictureOf(const QString& svg)
-{
-    QSvgRenderer renderer(svg.toUtf8());
-    QImage image(renderer.defaultSize() * imageScale, QImage::Format_RGB32);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(paperFont());
-    renderer.render(&painter);
-    return image;
+    const QString first =
+        servoFigures(htmlWriter, run, servo) + positionPart(htmlWriter, servo, series, place);
+    const QString legs = worstLegsPart(htmlWriter, servo, maxLegs);
+    if (servo.legs.size() <= fewLegs)
+        return {first + legs};
+    return {first, errorsPart(htmlWriter, servo, place) + legs};
 }
 } // namespace
 
@@ -46,27 +30,18 @@ QByteArray sweepPdf(const results::SweepRun& run, const std::vector<SweepSeries>
                     bool chinese)
 {
     const HtmlWriter htmlWriter(chinese ? ReportLanguage::Chinese : ReportLanguage::English);
-    QTextDocument document;
-    document.setDefaultFont(paperFont());
-    int charts = 0;
-    const QString body = sweepBody(htmlWriter, run, series, [&](const QString& svg) {
-        const QString name = QStringLiteral("chart-%1").arg(++charts);
-        document.addResource(QTextDocument::ImageResource, QUrl(name), pictureOf(svg));
-        return QStringLiteral("<p><img src=\"%1\" width=\"%2\"/></p>\n").arg(name).arg(shownWidth);
-    });
-    document.setHtml(page(htmlWriter, sweepTexts().title, body, chinese));
-
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter writer(&buffer);
-        // The table of legs is wide.
-        writer.setPageLayout({QPageSize(QPageSize::A4), QPageLayout::Landscape, {}});
-        writer.setTitle(sweepTexts().title.in(chinese));
-        writer.setCreator(run.program);
-        document.print(&writer);
-    }
-    return buffer.data();
+    const SweepTexts& words = sweepTexts();
+    PaperCharts charts;
+    const auto place = [&](const QString& svg) { return charts.add(svg); };
+    QStringList sections{verdictPart(htmlWriter, run) +
+                         sideBySide(testPart(htmlWriter, run), benchPart(htmlWriter, run)) +
+                         busPart(htmlWriter, run) + htmlWriter.paragraph(words.gradingNote) +
+                         htmlWriter.paragraph(words.hysteresisNote)};
+    for (const results::SweepServo& servo : run.servos)
+        sections << servoSections(htmlWriter, run, servo, series, place);
+    for (QString& section : sections)
+        section = page(htmlWriter, words.title, section, chinese);
+    return paperPdf(sections, charts, {words.title.in(chinese), run.program, localTime(run.at)});
 }
 
 base::Result<void> saveSweepPdf(const results::SweepRun& run,

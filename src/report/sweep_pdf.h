@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of a sweep test as PDF, A4 landscape, in one language, with the figures of the HTML
-// page. Needs a QGuiApplication for the fonts (the platform "offscreen" is enough) and its thread.
-// Saving fails with FileUnwritable or DiskFull, and the old file stays.
+// The report of a sweep test on paper, as PDF in one language: a page for all servos, then at most
+// two for each; the memory tables are in the HTML page. Thread and fonts: see paper.h. Saving fails
+// with FileUnwritable or DiskFull, and the old file stays.
 #pragma once
 
 #include "report/sweep_parts.h"

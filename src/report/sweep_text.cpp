@@ -16,10 +16,8 @@ void fillHeading(SweepTexts& words)
     words.simulated = translate("SweepText", "SIMULATED: no real servo was tested");
     words.bench = translate("SweepText", "Bench");
     words.test = translate("SweepText", "Test");
-    words.servos = translate("SweepText", "Servos");
     words.servo = translate("SweepText", "Servo");
     words.verdict = translate("SweepText", "Verdict");
-    words.identity = translate("SweepText", "Identity");
     words.date = translate("SweepText", "Date");
     words.operatorName = translate("SweepText", "Operator");
     words.note = translate("SweepText", "Note");
@@ -46,7 +44,6 @@ void fillTest(SweepTexts& words)
     words.seed = translate("SweepText", "Seed");
     words.points = translate("SweepText", "Goals");
     words.pace = translate("SweepText", "Timing");
-    words.pause = translate("SweepText", "Time");
     words.cycles = translate("SweepText", "Cycles");
     words.asLongAs = translate("SweepText", "until the test ends");
     words.duration = translate("SweepText", "Maximum duration");
@@ -71,6 +68,7 @@ void fillFigures(SweepTexts& words)
 {
     words.result = translate("SweepText", "Result");
     words.figure = translate("SweepText", "Metric");
+    words.figures = translate("SweepText", "Metrics");
     words.value = translate("SweepText", "Value");
     words.unit = translate("SweepText", "Unit");
     words.warnLimit = translate("SweepText", "Warn at");
@@ -115,6 +113,9 @@ void fillLegs(SweepTexts& words)
     words.legsShown =
         translate("SweepText", "Shows the first 50, the last 50, and the worst 20 of the remaining "
                                "legs (%1 legs in total). The CSV and JSON files contain all legs.");
+    words.worstShown =
+        translate("SweepText", "Shows the worst %1 of %2 legs. The HTML report shows "
+                               "more, the CSV and JSON files contain all.");
     words.leg = translate("SweepText", "Leg");
     words.cycle = translate("SweepText", "Cycle");
     words.at = translate("SweepText", "Time, s");
@@ -135,7 +136,6 @@ void fillLegs(SweepTexts& words)
     words.remarks = translate("SweepText", "Remarks");
     words.missed = translate("SweepText", "missed");
     words.flagWrong = translate("SweepText", "moving flag wrong");
-    words.peak = translate("SweepText", "Peak");
 }
 
 void fillBus(SweepTexts& words)
@@ -205,18 +205,18 @@ struct GradeEntry {
     const char* label;
     const char* lineLabel;
     const char* sign;
-    const char* color;
+    const char* styleClass;
 };
 
 constexpr std::array gradeEntries{
     GradeEntry{results::Grade::Pass, QT_TRANSLATE_NOOP("SweepText", "Pass"),
-               QT_TRANSLATE_NOOP("SweepText", "OK"), "✔", "#1a7f37"},
+               QT_TRANSLATE_NOOP("SweepText", "OK"), "✔", "pass"},
     GradeEntry{results::Grade::Warn, QT_TRANSLATE_NOOP("SweepText", "Warn"),
-               QT_TRANSLATE_NOOP("SweepText", "Warn"), "⚠", "#8a5a00"},
+               QT_TRANSLATE_NOOP("SweepText", "Warn"), "⚠", "warn"},
     GradeEntry{results::Grade::Fail, QT_TRANSLATE_NOOP("SweepText", "Fail"),
-               QT_TRANSLATE_NOOP("SweepText", "Fail"), "✘", "#b3261e"},
+               QT_TRANSLATE_NOOP("SweepText", "Fail"), "✘", "fail"},
     GradeEntry{results::Grade::NotMeasured, QT_TRANSLATE_NOOP("SweepText", "No verdict"),
-               QT_TRANSLATE_NOOP("SweepText", "not measured"), "–", "#57606a"},
+               QT_TRANSLATE_NOOP("SweepText", "not measured"), "–", "none"},
 };
 
 const GradeEntry& gradeEntry(results::Grade grade)
@@ -262,9 +262,9 @@ QString gradeSign(results::Grade grade)
     return QString::fromUtf8(gradeEntry(grade).sign);
 }
 
-QString gradeColor(results::Grade grade)
+QString gradeClass(results::Grade grade)
 {
-    return QLatin1String(gradeEntry(grade).color);
+    return QLatin1String(gradeEntry(grade).styleClass);
 }
 
 Text noVerdictReasonText(results::NoVerdictReason reason)

@@ -11,22 +11,22 @@ using catalog::Text;
 
 struct SweepTexts {
     // heading
-    Text title, simulated, bench, test, servos, servo, verdict, identity, date, operatorName, note,
-        port, length, sampling, program, end, endedBy, label, model, firmware, protocol, id;
+    Text title, simulated, bench, test, servo, verdict, date, operatorName, note, port, length,
+        sampling, program, end, endedBy, label, model, firmware, protocol, id;
     // the test
-    Text shape, from, to, step, period, seed, points, pace, pause, cycles, asLongAs, duration,
-        speed, acceleration, moveTime, asTheServoHasIt, warmUp, afterwards, holds, releases,
-        stopsOn, stopOnAlarm, stopOnStall, stopOnFailure, onlyOnLostLink, inSteps, tolerance;
+    Text shape, from, to, step, period, seed, points, pace, cycles, asLongAs, duration, speed,
+        acceleration, moveTime, asTheServoHasIt, warmUp, afterwards, holds, releases, stopsOn,
+        stopOnAlarm, stopOnStall, stopOnFailure, onlyOnLostLink, inSteps, tolerance;
     // verdict and figures
-    Text result, figure, value, unit, warnLimit, failLimit, reason, within, over, under, noFeedback,
-        mean, lowest, highest, count, notMeasured, limits, gradingNote, hysteresisNote;
+    Text result, figure, figures, value, unit, warnLimit, failLimit, reason, within, over, under,
+        noFeedback, mean, lowest, highest, count, notMeasured, limits, gradingNote, hysteresisNote;
     // charts
     Text positionChart, goal, position, timeAxis, positionAxis, histogram, errorAxis, legsAxis,
         noSeries, noErrors;
     // legs
-    Text legs, legsShown, leg, cycle, at, start, target, reached, timeToTarget, settling, overshoot,
-        steadyError, meanSpeed, following, current, load, voltage, temperature, lost, remarks,
-        missed, flagWrong, peak;
+    Text legs, legsShown, worstShown, leg, cycle, at, start, target, reached, timeToTarget,
+        settling, overshoot, steadyError, meanSpeed, following, current, load, voltage, temperature,
+        lost, remarks, missed, flagWrong;
     // bus, parameters
     Text bus, asked, timeouts, badChecksums, foreign, late, gaps, gapAt, gapSpan, noGaps,
         parameters, address, name, raw, area, readAt, none;
@@ -36,8 +36,8 @@ const SweepTexts& sweepTexts();
 Text gradeLabel(results::Grade grade);     ///< of a servo or a run: "Pass"
 Text lineGradeLabel(results::Grade grade); ///< of one figure, not a verdict: "OK"
 QString gradeSign(results::Grade grade);   ///< "✔"
-/// Dark enough for white paper: "#1a7f37".
-QString gradeColor(results::Grade grade);
+/// The style class of its color in a report: "pass".
+QString gradeClass(results::Grade grade);
 Text endText(results::SweepEnd end); ///< a sentence
 Text noVerdictReasonText(
     results::NoVerdictReason reason); ///< sentences: why there is none, and what to do; None: empty

@@ -65,7 +65,8 @@ QString limitText(const results::SweepLimit& limit, const std::optional<double>&
 {
     if (!bound)
         return QStringLiteral("–");
-    return (limit.atLeast ? QStringLiteral("< ") : QStringLiteral("> ")) + report::figure(*bound);
+    return (limit.atLeast ? QStringLiteral("< ") : QStringLiteral("> ")) +
+           report::exactNumber(*bound);
 }
 
 QString reasonText(const results::VerdictLine& line)

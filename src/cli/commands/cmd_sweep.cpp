@@ -11,6 +11,7 @@
 #include "device/write_access.h"
 #include "jobs/sweep/sweep.h"
 #include "jobs/sweep/sweep_proposal.h"
+#include "report/html_page.h"
 #include "report/sweep_text.h"
 #include "results/sweep_json.h"
 #include "session/snapshot/safety_snapshot.h"
@@ -26,7 +27,7 @@ namespace cli {
 namespace {
 QString number(std::optional<double> value)
 {
-    return value ? QString::number(*value, 'g', 6) : noValue();
+    return value ? report::figure(*value) : noValue();
 }
 
 /// "≤ 8"
@@ -34,7 +35,8 @@ QString bound(const results::SweepLimit& limit, std::optional<double> value)
 {
     if (!value)
         return noValue();
-    return (limit.atLeast ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + number(value);
+    return (limit.atLeast ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) +
+           report::exactNumber(*value);
 }
 
 QString verdictText(const results::SweepRun& run, const results::SweepServo& servo)

@@ -6,6 +6,10 @@
 #include "results/sweep_fields.h"
 #include "results/sweep_verdict.h"
 
+#include <QRegularExpression>
+
+#include <cmath>
+
 namespace sweep_example {
 using namespace std::chrono_literals;
 
@@ -13,6 +17,15 @@ inline const QString hostileNote =
     QStringLiteral("<script>alert('note')</script> & \"worn\" ]]> </td>\n磨损");
 inline const QString hostileOperator = QStringLiteral("O'Neill <b>&amp;</b>");
 inline const QString hostileLabel = QStringLiteral("left \"knee\"><img src=x onerror=alert(1)>");
+
+/// A measured value as people read it: "2346", "650.5", "12.7", "9.75".
+inline QString written(double value)
+{
+    const double size = std::abs(value);
+    QString text = QString::number(value, 'f', size >= 1000 ? 0 : size >= 10 ? 1 : 2);
+    static const QRegularExpression zeros(QStringLiteral("\\.0*$|(\\.\\d*?)0+$"));
+    return text.replace(zeros, QStringLiteral("\\1"));
+}
 
 inline results::SweepLeg leg(int number)
 {
