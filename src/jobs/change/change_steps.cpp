@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/change/change_steps.h"
 
+#include "bus/late_reply_guard.h"
 #include "device/transactions.h"
 
 #include <algorithm>
@@ -50,7 +51,10 @@ base::Result<bool> isIdFree(const device::Context& context, base::Protocol proto
         if (!isTaken || *isTaken)
             return isTaken.map([](bool answered) { return !answered; });
     }
-    if (const auto listened = context.bus.listen(context.bus.maxReplyLateness()); !listened)
+    // A busy computer may hold back the reply to every attempt; a guess may be quicker.
+    const auto latest = attempts > 1 ? bus::LateReplyGuard::maxLateness : base::Duration();
+    if (const auto listened = context.bus.listen(std::max(latest, context.bus.maxReplyLateness()));
+        !listened)
         return tl::unexpected(listened.error());
     const auto strays = context.bus.takeUnexpectedFrames();
     return std::none_of(strays.begin(), strays.end(),

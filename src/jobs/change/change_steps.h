@@ -11,8 +11,9 @@ base::Result<bool> isAnswering(const device::Context& context, base::Protocol pr
                                int retries = -1);
 
 /// Is this ID free? Proven by silence that lasts as long as a reply may take on this link
-/// (bus::Bus::maxReplyLateness), after each of the requests, of which one may be lost. A later
-/// reply still names its ID and counts. Errors as isAnswering(), and Stopped.
+/// (bus::Bus::maxReplyLateness), after each of the requests, of which one may be lost, and at the
+/// end by one as long as any adapter may be late. A later reply still names its ID and counts. One
+/// attempt is a guess only. Errors as isAnswering(), and Stopped.
 base::Result<bool> isIdFree(const device::Context& context, base::Protocol protocol, int id,
                             int attempts = 3);
 
