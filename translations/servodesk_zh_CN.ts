@@ -4088,10 +4088,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>用法：servodesk-cli [选项] 命令 …</translation>
     </message>
     <message>
-        <source>Commands:</source>
-        <translation>命令：</translation>
-    </message>
-    <message>
         <source>Usage: servodesk-cli [OPTIONS] %1</source>
         <translation>用法：servodesk-cli [选项] %1</translation>
     </message>
@@ -5486,12 +5482,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>处于其他模式的舵机在测试期间切换到位置模式，结束后切换回来</translation>
     </message>
     <message>
-        <source>Exit codes: 0 success, 1 not executed by the servo, 2 usage error, 3 port error, 4 no reply, 5 file error.
-&quot;servodesk-cli COMMAND --help&quot; describes a command.</source>
-        <translation>退出码：0 完成，1 舵机未执行，2 用法错误，3 端口，4 无应答，5 文件。
-“servodesk-cli 命令 --help” 显示该命令的详细说明。</translation>
-    </message>
-    <message>
         <source>no data from a bench named %1 on this server; available benches: %2</source>
         <translation>此服务器上没有名为 %1 的工位的数据；现有工位：%2</translation>
     </message>
@@ -6018,6 +6008,40 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>simulated bus: %1</source>
         <translation>模拟总线：%1</translation>
+    </message>
+    <message>
+        <source>Find and read:</source>
+        <translation>查找与读取：</translation>
+    </message>
+    <message>
+        <source>Write:</source>
+        <translation>写入：</translation>
+    </message>
+    <message>
+        <source>Move and watch:</source>
+        <translation>运动与监视：</translation>
+    </message>
+    <message>
+        <source>Test:</source>
+        <translation>测试：</translation>
+    </message>
+    <message>
+        <source>Save and restore:</source>
+        <translation>保存与恢复：</translation>
+    </message>
+    <message>
+        <source>History:</source>
+        <translation>历史记录：</translation>
+    </message>
+    <message>
+        <source>Tools:</source>
+        <translation>工具：</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 success, 1 not executed by the servo, 2 usage error, 3 port error, 4 no reply, 5 file error.
+&quot;servodesk-cli help COMMAND&quot; describes a command.</source>
+        <translation>退出码：0 完成，1 舵机未执行，2 用法错误，3 端口，4 无应答，5 文件。
+“servodesk-cli help 命令” 显示该命令的详细说明。</translation>
     </message>
 </context>
 <context>

@@ -62,6 +62,13 @@ struct Command {
     base::Result<Exit> (*run)(Run&, const Values&);
 };
 
-/// All of them, in the order of the help.
+/// What one does with them, as the help lists them.
+struct CommandGroup {
+    const char* title; ///< "Write:"
+    std::vector<Command> commands;
+};
+const std::vector<CommandGroup>& commandGroups();
+
+/// All of them.
 const std::vector<Command>& commands();
 } // namespace cli

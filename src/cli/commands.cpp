@@ -2,54 +2,43 @@
 #include "cli/commands.h"
 
 namespace cli {
+const std::vector<CommandGroup>& commandGroups()
+{
+    static const std::vector<CommandGroup> groups{
+        {QT_TRANSLATE_NOOP("cli", "Find and read:"),
+         {portsCommand(), scanCommand(), infoCommand(), dumpCommand(), readCommand()}},
+        {QT_TRANSLATE_NOOP("cli", "Write:"),
+         {writeCommand(), setIdCommand(), setBaudCommand(), centerCommand(),
+          restoreDefaultsCommand(), rebootCommand(), clearAlarmCommand(), commissionCommand(),
+          recoverCommand()}},
+        {QT_TRANSLATE_NOOP("cli", "Move and watch:"),
+         {torqueCommand(), stopCommand(), modeCommand(), moveCommand(), watchCommand(),
+          identifyCommand()}},
+        {QT_TRANSLATE_NOOP("cli", "Test:"),
+         {sweepCommand(), sweepRunsCommand(), sweepReportCommand(), sweepReferenceCommand(),
+          sweepCompareCommand(), stepResponseCommand(), stepRunsCommand(), stepReportCommand(),
+          stepCompareCommand()}},
+        {QT_TRANSLATE_NOOP("cli", "Save and restore:"),
+         {snapshotSaveCommand(), snapshotShowCommand(), snapshotDiffCommand(),
+          snapshotRestoreCommand(), bundleSaveCommand(), bundleRestoreCommand(),
+          templateMakeCommand(), templateApplyCommand()}},
+        // "history" comes after its subcommands, because the first match is taken.
+        {QT_TRANSLATE_NOOP("cli", "History:"),
+         {historyShowCommand(), historyLabelCommand(), historySnapshotCommand(),
+          historyTableCommand(), historySyncCommand(), historyCommand()}},
+        {QT_TRANSLATE_NOOP("cli", "Tools:"), {rawCommand(), tourCommand()}},
+    };
+    return groups;
+}
+
 const std::vector<Command>& commands()
 {
-    // "history" comes after its subcommands, because the first match is taken.
-    static const std::vector<Command> all{portsCommand(),
-                                          scanCommand(),
-                                          infoCommand(),
-                                          dumpCommand(),
-                                          readCommand(),
-                                          writeCommand(),
-                                          setIdCommand(),
-                                          setBaudCommand(),
-                                          centerCommand(),
-                                          restoreDefaultsCommand(),
-                                          rebootCommand(),
-                                          identifyCommand(),
-                                          clearAlarmCommand(),
-                                          torqueCommand(),
-                                          stopCommand(),
-                                          modeCommand(),
-                                          moveCommand(),
-                                          watchCommand(),
-                                          sweepCommand(),
-                                          sweepRunsCommand(),
-                                          sweepReportCommand(),
-                                          sweepReferenceCommand(),
-                                          sweepCompareCommand(),
-                                          stepResponseCommand(),
-                                          stepRunsCommand(),
-                                          stepReportCommand(),
-                                          stepCompareCommand(),
-                                          rawCommand(),
-                                          recoverCommand(),
-                                          snapshotSaveCommand(),
-                                          snapshotShowCommand(),
-                                          snapshotDiffCommand(),
-                                          snapshotRestoreCommand(),
-                                          bundleSaveCommand(),
-                                          bundleRestoreCommand(),
-                                          templateMakeCommand(),
-                                          templateApplyCommand(),
-                                          commissionCommand(),
-                                          historySyncCommand(),
-                                          historyShowCommand(),
-                                          historyLabelCommand(),
-                                          historySnapshotCommand(),
-                                          historyTableCommand(),
-                                          historyCommand(),
-                                          tourCommand()};
+    static const std::vector<Command> all = [] {
+        std::vector<Command> list;
+        for (const CommandGroup& group : commandGroups())
+            list.insert(list.end(), group.commands.begin(), group.commands.end());
+        return list;
+    }();
     return all;
 }
 } // namespace cli

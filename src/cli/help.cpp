@@ -53,10 +53,12 @@ QString helpText(const Command* command)
     if (command == nullptr) {
         text = translate("cli", "Finds, reads, configures and drives serial bus servos.") +
                QStringLiteral("\n\n") +
-               translate("cli", "Usage: servodesk-cli [OPTIONS] COMMAND …") +
-               QStringLiteral("\n\n") + translate("cli", "Commands:") + QLatin1Char('\n');
-        for (const Command& one : commands())
-            text += entry(usage(one), one.help);
+               translate("cli", "Usage: servodesk-cli [OPTIONS] COMMAND …") + QLatin1Char('\n');
+        for (const CommandGroup& group : commandGroups()) {
+            text += QLatin1Char('\n') + translate("cli", group.title) + QLatin1Char('\n');
+            for (const Command& one : group.commands)
+                text += entry(usage(one), one.help);
+        }
     } else {
         text = translate("cli", command->help) + QStringLiteral("\n\n") +
                translate("cli", "Usage: servodesk-cli [OPTIONS] %1").arg(usage(*command)) +
@@ -72,7 +74,7 @@ QString helpText(const Command* command)
         text += QLatin1Char('\n') +
                 translate("cli", "Exit codes: 0 success, 1 not executed by the servo, 2 usage "
                                  "error, 3 port error, 4 no reply, 5 file error.\n\"servodesk-cli "
-                                 "COMMAND --help\" describes a command.") +
+                                 "help COMMAND\" describes a command.") +
                 QLatin1Char('\n');
     }
     return text;

@@ -137,6 +137,11 @@ tl::unexpected<base::Error> parseFailure(const QString& word, bool commandKnown)
     QStringList known;
     for (const Command& command : commands())
         known << QString::fromLatin1(command.name);
+    if (!word.contains(QLatin1Char(' '))) { // the first of two words may be wrong
+        for (QString& name : known)
+            name = name.section(QLatin1Char(' '), 0, 0);
+        known.removeDuplicates();
+    }
     const QStringList near =
         commandKnown || word.startsWith(QLatin1Char('-')) ? QStringList() : nearest(word, known);
     if (!near.isEmpty())
@@ -155,9 +160,12 @@ public:
 
 private:
     base::Result<ParsedCommandLine> result();
+    base::Result<ParsedCommandLine> helpOn(const QStringList& words) const;
     const Slots* chosen() const;
 
     CLI::App m_app;
+    CLI::App* m_help;
+    Slots m_helpOptions;
     Slots m_globals;
     std::list<Slots> m_commands;
 };
@@ -166,6 +174,8 @@ Parser::Parser()
 {
     m_app.allow_extras()->require_subcommand(0, 1);
     m_app.set_version_flag("--version", "");
+    m_help = m_app.add_subcommand("help")->allow_extras();
+    addOptions(*m_help, globalOptions(), m_helpOptions);
     m_globals.app = &m_app;
     addOptions(m_app, globalOptions(), m_globals);
     for (const Command& command : commands())
@@ -181,6 +191,12 @@ const Slots* Parser::chosen() const
 
 base::Result<ParsedCommandLine> Parser::result()
 {
+    if (m_help->parsed()) {
+        QStringList words;
+        for (const std::string& word : m_help->remaining())
+            words << QString::fromStdString(word);
+        return helpOn(words);
+    }
     const Slots* command = chosen();
     const auto rest = m_app.remaining(true);
     if (!rest.empty())
@@ -198,6 +214,23 @@ base::Result<ParsedCommandLine> Parser::result()
     takeOptions(*command, *values);
     return ParsedCommandLine{ParsedCommandLine::Action::Command, command->command,
                              std::move(*values), *globals, global.has("--json")};
+}
+
+/// As COMMAND --help does.
+base::Result<ParsedCommandLine> Parser::helpOn(const QStringList& words) const
+{
+    ParsedCommandLine help;
+    help.action = ParsedCommandLine::Action::Help;
+    if (words.isEmpty())
+        return help;
+    const QString wanted = words.join(QLatin1Char(' '));
+    for (const Command& command : commands()) {
+        if (wanted == QLatin1String(command.name))
+            help.command = &command;
+    }
+    if (help.command == nullptr)
+        return parseFailure(wanted, false);
+    return help;
 }
 
 base::Result<ParsedCommandLine> Parser::parse(const QStringList& arguments)

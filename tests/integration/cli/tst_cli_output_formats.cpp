@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The output of servodesk-cli on a healthy simulated bus: JSON structure, exit codes, both
 // languages. Numbers come from the published register tables, not from our code.
+#include "cli/command.h"
 #include "support/cli_program.h"
 #include "support/test_main.h"
 
@@ -83,6 +84,7 @@ private Q_SLOTS:
     void humanTablesInBothLanguages();
     void helpInBothLanguages_data();
     void helpInBothLanguages();
+    void helpListsEveryCommandOnce();
     void tourVerifiesItsClaims();
     void tourRefusesARealPort();
 };
@@ -510,6 +512,25 @@ void TestCliOutputFormats::helpInBothLanguages()
         cli.run(support::words(qPrintable(command)) << QStringLiteral("--help"));
     QCOMPARE(chinese.exit, 0);
     QVERIFY(chinese.out.contains(QStringLiteral("用法：")));
+    QCOMPARE(cli.run(QStringList{QStringLiteral("help")} + support::words(qPrintable(command))).out,
+             chinese.out);
+}
+
+void TestCliOutputFormats::helpListsEveryCommandOnce()
+{
+    CliProgram cli;
+    const ProgramResult all = cli.run("help");
+    QCOMPARE(all.exit, 0);
+    QCOMPARE(all.out, cli.run("--help").out);
+    for (const cli::Command& command : cli::commands()) {
+        const QRegularExpression line(
+            QStringLiteral("^  %1( [A-Z\\[].*|  .*)$").arg(QLatin1String(command.name)),
+            QRegularExpression::MultilineOption);
+        QVERIFY2(all.out.count(line) == 1, command.name);
+    }
+    const ProgramResult typo = cli.run("help snapsht");
+    QCOMPARE(typo.exit, 2);
+    QVERIFY2(typo.err.contains(QStringLiteral("did you mean \"snapshot\"?")), qPrintable(typo.err));
 }
 
 void TestCliOutputFormats::tourVerifiesItsClaims()
