@@ -3579,6 +3579,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <source>Shows the worst %1 of %2 legs. The HTML report shows more, the CSV and JSON files contain all.</source>
         <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列得更多，CSV 和 JSON 文件包含全部。</translation>
     </message>
+    <message>
+        <source>The HTML report also has the memory tables and more about each leg.</source>
+        <translation>HTML 报告还包含内存表和每个行程的更多数据。</translation>
+    </message>
 </context>
 <context>
     <name>Trend</name>
@@ -5136,10 +5140,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>也包括 ID 和波特率，最后写入</translation>
     </message>
     <message>
-        <source>the report file must end with .html, .json or .csv</source>
-        <translation>报告文件须以 .html、.json 或 .csv 结尾</translation>
-    </message>
-    <message>
         <source>--size is required</source>
         <translation>缺少 --size</translation>
     </message>
@@ -5828,10 +5828,6 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto：该波特率下可能的全部协议）</translation>
     </message>
     <message>
-        <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters)</source>
-        <translation>除传输时间外的应答超时，毫秒（默认 25，遇到慢速适配器自动加长）</translation>
-    </message>
-    <message>
         <source>number of retries after a communication error</source>
         <translation>通信受干扰时的重试次数</translation>
     </message>
@@ -5978,10 +5974,6 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>生成以往阶跃响应的报告；不需要端口</translation>
     </message>
     <message>
-        <source>report file; its extension sets the format: .html, .json or .csv</source>
-        <translation>报告文件；格式由扩展名决定：.html、.json 或 .csv</translation>
-    </message>
-    <message>
         <source>compare two step responses; needs no port</source>
         <translation>对比两次阶跃响应；不需要端口</translation>
     </message>
@@ -6042,6 +6034,10 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
 &quot;servodesk-cli help COMMAND&quot; describes a command.</source>
         <translation>退出码：0 完成，1 舵机未执行，2 用法错误，3 端口，4 无应答，5 文件。
 “servodesk-cli help 命令” 显示该命令的详细说明。</translation>
+    </message>
+    <message>
+        <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters; before a servo counts as silent, 250)</source>
+        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；判定舵机无应答前为 250）</translation>
     </message>
 </context>
 <context>
@@ -10505,16 +10501,16 @@ Retries: %9</source>
         <translation>舵机出厂时无校验</translation>
     </message>
     <message>
-        <source>Time to wait for a reply, on top of the transmission time. Auto: adjusted to this adapter</source>
-        <translation>除线上传输时间外等待应答的时间。自动：按该适配器的实际表现</translation>
-    </message>
-    <message>
         <source>Pause between Modbus frames. Auto: the standard pause for the baud rate</source>
         <translation>Modbus 帧之间的停顿。自动：按标准规定</translation>
     </message>
     <message>
         <source>Number of times a lost request is sent again, if it is safe to repeat</source>
         <translation>请求丢失时的重发次数（仅限可重复的请求）</translation>
+    </message>
+    <message>
+        <source>Time to wait for a reply, on top of the transmission time. Auto: adjusted to this adapter. Before a servo counts as silent, 250 ms</source>
+        <translation>等待应答的时间，不含传输时间。自动：按适配器调整。判定舵机无应答前等待 250 ms</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,9 @@ struct Transaction {
     /// The wait beyond wire time and reply delay. 0: adaptive (25 ms, growing). A scan uses 4 ms,
     /// a confirmation a long one.
     base::Duration timeout{};
+    /// With retries and an adaptive timeout: silence counts only when it has lasted as long as a
+    /// busy computer may hold a reply back (0.25 s). Not where many absent servos are asked.
+    bool patient = true;
     std::uint64_t hold = 0; ///< token of a Hold this transaction belongs to
     /// Ends the transaction early with Stopped. A request that must not be repeated is waited for
     /// to its deadline once it is sent, so that its fate is known. Null: nothing stops it (a lock

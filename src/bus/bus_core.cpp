@@ -41,6 +41,12 @@ ErrorCode errorFor(const std::vector<Fault>& faults)
 }
 
 /// A servo that refuses explicitly (Modbus exceptions) is not asked again.
+bool isSilence(const std::vector<Fault>& faults)
+{
+    return std::all_of(faults.begin(), faults.end(),
+                       [](const Fault& fault) { return fault.kind == FaultKind::Timeout; });
+}
+
 std::optional<Error> exceptionIn(const Attempt& attempt)
 {
     for (const ReceivedReply& arrival : attempt.receivedReplies) {
@@ -126,7 +132,7 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
 {
     const protocol::Request& request = transaction.request;
     const int maxRetries = transaction.retries >= 0 ? transaction.retries : m_retries.load();
-    const int attempts = request.repeat == Repeat::Never ? 1 : maxRetries + 1;
+    int attempts = request.repeat == Repeat::Never ? 1 : maxRetries + 1;
     const Interrupt interrupt = interruptBy(transaction.stop);
     const int countedId = request.id <= protocol::maxId ? request.id : -1;
     Outcome outcome;
@@ -138,8 +144,7 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
         if (outcome.attempts == 1)
             m_statistics.count(StatisticsCollector::Event::Retried, countedId);
         ++outcome.attempts;
-        const Duration timeout = attemptTimeout(transaction, outcome, attempts);
-        auto attempt = m_exchange.run(request, frame, timeout, replyDelay(), interrupt);
+        auto attempt = m_exchange.run(request, frame, transaction.timeout, replyDelay(), interrupt);
         if (!attempt)
             return tl::unexpected(withContext(attempt.error(), request, outcome.attempts));
         if (const auto exception = exceptionIn(*attempt))
@@ -153,10 +158,14 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
         refused = attempt->refused;
         foreignId = attempt->foreignId;
         outcome.faults.push_back({*attempt->fault, attempt->endedAt});
-        const bool first = outcome.attempts == 1 && attempts > 1 && transaction.timeout <= 0us;
-        if (first && *attempt->fault == FaultKind::Timeout) {
-            if (const auto listened = awaitFirstReply(attempt->sentAt, interrupt); !listened)
-                return tl::unexpected(withContext(listened.error(), request, outcome.attempts));
+        const bool first = outcome.attempts == 1 && !m_lateReplyGuard.hasMeasured();
+        const bool last = outcome.attempts == maxRetries + 1 && transaction.patient;
+        if (attempts > 1 && transaction.timeout <= 0us && (first || last) &&
+            isSilence(outcome.faults)) {
+            const auto late = awaitLateReply(attempt->sentAt, interrupt);
+            if (!late)
+                return tl::unexpected(withContext(late.error(), request, outcome.attempts));
+            attempts += last && *late ? 1 : 0;
         }
     }
     Error error{errorFor(outcome.faults)};
@@ -169,32 +178,26 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
     return tl::unexpected(withContext(std::move(error), request, refused ? 0 : outcome.attempts));
 }
 
-/// A computer that is busy may hold back every reply for longer than a few prompt attempts take, so
-/// silence is only believed when the last one has waited as long as any adapter may be late.
-Duration BusCore::attemptTimeout(const Transaction& transaction, const Outcome& outcome,
-                                 int attempts) const
+/// An adapter may be slower than the timeout a link has at first, and a busy computer may hold back
+/// every reply for longer than a few prompt attempts take: silence is only believed when it has
+/// lasted as long as any reply may be late. Ends with the late reply, which is learned from; true
+/// then. Polls of others run meanwhile.
+Result<bool> BusCore::awaitLateReply(Duration sentAt, const Interrupt& interrupt)
 {
-    const bool silent =
-        std::all_of(outcome.faults.begin(), outcome.faults.end(),
-                    [](const Fault& fault) { return fault.kind == FaultKind::Timeout; });
-    const bool last = attempts > 1 && outcome.attempts == attempts;
-    if (transaction.timeout > 0us || !last || !silent ||
-        transaction.priority == Priority::Emergency)
-        return transaction.timeout;
-    return std::max(m_lateReplyGuard.timeout(), LateReplyGuard::maxLateness);
-}
-
-/// On a link that has shown nothing yet silence says nothing either: its adapter may be slower than
-/// the timeout it has at first. A late reply ends the wait and is learned from.
-Result<void> BusCore::awaitFirstReply(Duration sentAt, const Interrupt& interrupt)
-{
+    const std::uint64_t before = m_lateReplyGuard.lateReplies();
     const Duration limit = sentAt + LateReplyGuard::maxLateness;
-    while (!m_lateReplyGuard.hasMeasured() && m_clock.now() < limit) {
-        const Duration until = std::min(limit, m_clock.now() + waitSlice);
-        if (const auto listened = m_exchange.listenUntil(until, interrupt); !listened)
-            return listened;
+    while (m_lateReplyGuard.lateReplies() == before) {
+        const Duration now = m_clock.now();
+        if (now >= limit || m_line.isReconnecting()) // nothing was sent, or all is lost
+            return false;
+        if (runPoll())
+            continue;
+        const Duration until = std::min(limit, nextPoll().value_or(now + waitSlice));
+        if (const auto listened = m_exchange.listenUntil(std::max(until, now + 1ms), interrupt);
+            !listened)
+            return tl::unexpected(listened.error());
     }
-    return {};
+    return true;
 }
 
 /// Listens until the servos may be spoken to; polls of others run meanwhile.

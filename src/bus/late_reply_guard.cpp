@@ -132,6 +132,7 @@ std::optional<Duration> LateReplyGuard::matchLateReply(int id, Duration now,
         return pending && now - *pending <= plausibleLateness ? std::optional(now - *pending)
                                                               : std::nullopt;
     }
+    ++m_lateReplies;
     const Duration lateness = now - matched->expectedAt;
     servo.pending.erase(matched);
     // The replies to the others come as late as this one.

@@ -26,6 +26,9 @@ public:
     /// A reply has shown how late this link is.
     bool hasMeasured() const { return m_measured.load(std::memory_order_relaxed); }
 
+    /// So many replies came after their request had timed out.
+    std::uint64_t lateReplies() const { return m_lateReplies; }
+
     /// A reply came `lateness` after the instant at which a prompt adapter would have shown it.
     void learn(base::Duration lateness);
 
@@ -70,5 +73,6 @@ private:
     std::atomic<base::Duration::rep> m_start{25'000};
     std::atomic<base::Duration::rep> m_learnedTimeout{0};
     std::atomic<bool> m_measured{false};
+    std::uint64_t m_lateReplies = 0;
 };
 } // namespace bus

@@ -137,13 +137,14 @@ tl::unexpected<base::Error> parseFailure(const QString& word, bool commandKnown)
     QStringList known;
     for (const Command& command : commands())
         known << QString::fromLatin1(command.name);
-    if (!word.contains(QLatin1Char(' '))) { // the first of two words may be wrong
+    QStringList near =
+        commandKnown || word.startsWith(QLatin1Char('-')) ? QStringList() : nearest(word, known);
+    if (near.isEmpty() && !commandKnown) { // the first of two words may be wrong
         for (QString& name : known)
             name = name.section(QLatin1Char(' '), 0, 0);
         known.removeDuplicates();
+        near = nearest(word, known);
     }
-    const QStringList near =
-        commandKnown || word.startsWith(QLatin1Char('-')) ? QStringList() : nearest(word, known);
     if (!near.isEmpty())
         return badArgument(translate("cli", "unknown command \"%1\"; did you mean \"%2\"?")
                                .arg(word, near.join(QStringLiteral(", "))));
@@ -277,8 +278,10 @@ const std::vector<Option>& globalOptions()
                                   "auto, which tries all protocols possible at the baud rate)"),
          "NAME"},
         {"--timeout",
-         QT_TRANSLATE_NOOP("cli", "reply timeout in milliseconds, on top of the transmission time "
-                                  "(default: 25, longer for slow adapters)"),
+         QT_TRANSLATE_NOOP(
+             "cli",
+             "reply timeout in milliseconds, on top of the transmission time "
+             "(default: 25, longer for slow adapters; before a servo counts as silent, 250)"),
          "MS"},
         {"--retries", QT_TRANSLATE_NOOP("cli", "number of retries after a communication error"),
          "N"},

@@ -24,12 +24,15 @@ struct Context {
     std::optional<std::uint64_t> epoch{};
     /// Part of an emergency stop: writes without checking for a second servo on the ID.
     bool emergencyStop = false;
+    /// Believes silence only after a stall of this computer is excluded; not for those who ask many
+    /// absent servos again and again.
+    bool patient = true;
 
     /// The same work, inside a hold.
     Context within(const bus::Hold& owned) const
     {
-        return {bus,      catalog,       journal, stop,         notices,
-                priority, owned.token(), epoch,   emergencyStop};
+        return {bus,      catalog,       journal, stop,          notices,
+                priority, owned.token(), epoch,   emergencyStop, patient};
     }
 
     void note(NoticeCode code, int id, QString key = {}, std::int64_t a = 0,

@@ -32,6 +32,7 @@ base::Result<bus::Outcome> send(const Context& context, Servo& servo, protocol::
     transaction.retries = retries;
     transaction.hold = context.hold;
     transaction.epoch = context.epoch;
+    transaction.patient = context.patient && !context.emergencyStop;
     auto outcome = context.bus.transact(transaction);
     if (outcome && !outcome->replies.empty() && servo.repliesCarryStatus())
         servo.status = outcome->status();

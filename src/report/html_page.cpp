@@ -5,6 +5,7 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace report {
@@ -136,6 +137,16 @@ QString figure(double value)
 {
     const double size = std::abs(value);
     return withoutZeros(value, size >= 999.5 ? 0 : size >= 9.995 ? 1 : 2);
+}
+
+QString figure(double value, std::initializer_list<std::optional<double>> limits)
+{
+    const double shown = figure(value).toDouble();
+    const bool misleads = std::any_of(limits.begin(), limits.end(), [&](const auto& limit) {
+        return limit &&
+               ((shown > *limit) != (value > *limit) || (shown < *limit) != (value < *limit));
+    });
+    return misleads ? exactNumber(value) : figure(value);
 }
 
 QString exactNumber(double value)

@@ -21,6 +21,8 @@ QString userText(const QString& text);
 
 /// A measured value with the digits that mean something: "4193", "158.6", "54.6", "0.98".
 QString figure(double value);
+/// As exactly as it takes to see on which side of its limits it is.
+QString figure(double value, std::initializer_list<std::optional<double>> limits);
 /// A value that somebody set, as exactly as it was entered: "8", "12.5", "0.125".
 QString exactNumber(double value);
 /// Of this computer, with its zone: "2026-11-27 12:35:06 UTC+08:00".

@@ -16,7 +16,7 @@
 
 namespace report {
 namespace {
-constexpr double marginMm = 15;
+constexpr double marginMm = 12;
 constexpr double footPoints = 7;
 constexpr QColor footColor(0x57, 0x60, 0x6a);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/bilingual.h"
-#include "report/step_html.h"
+#include "report/step_report.h"
 #include "report/svg_elements.h"
 #include "results/sweep_fields.h"
 

@@ -34,10 +34,7 @@ QString sidesPart(const HtmlWriter& htmlWriter, const SweepSide& a, const SweepS
         [](const SweepSide& side) { return QString::number(side.servo.parameters.servo.id); });
     row(words.firmware,
         [](const SweepSide& side) { return escaped(side.servo.parameters.servo.firmware); });
-    row(words.date, [](const SweepSide& side) {
-        return side.run.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
-               QStringLiteral(" UTC");
-    });
+    row(words.date, [](const SweepSide& side) { return localTime(side.run.at); });
     row(words.legs, [](const SweepSide& side) { return QString::number(side.servo.legs.size()); });
     row(words.operatorName,
         [](const SweepSide& side) { return userText(side.run.spec.operatorName); });

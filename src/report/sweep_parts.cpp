@@ -197,8 +197,8 @@ QString busPart(const HtmlWriter& htmlWriter, const results::SweepRun& run)
         return text + htmlWriter.paragraph(words.noGaps);
     Rows gaps;
     for (const results::SweepGap& gap : run.gaps)
-        gaps.push_back(
-            {figure(double(gap.at.count()) / 1e6), figure(double(gap.span.count()) / 1e6)});
+        gaps.push_back({QString::number(double(gap.at.count()) / 1e6, 'f', 2),
+                        figure(double(gap.span.count()) / 1e6)});
     return text +
            table({htmlWriter.htmlText(words.gapAt), htmlWriter.htmlText(words.gapSpan)}, gaps);
 }

@@ -25,6 +25,12 @@ QString remarksOf(const HtmlWriter& htmlWriter, const results::SweepLeg& leg)
     return remarks.join(QStringLiteral(", "));
 }
 
+/// In every run of any length the same, so that it is found in the readings.
+QString instantText(base::Duration at)
+{
+    return QString::number(double(at.count()) / 1e6, 'f', 2);
+}
+
 /// To a tenth of a step, which a mean of readings has.
 QString reachedText(const results::SweepLeg& leg)
 {
@@ -57,7 +63,7 @@ std::vector<Column> columns()
     return {
         {words.leg, [](Writer, Leg leg) { return QString::number(leg.number); }},
         {words.cycle, [](Writer, Leg leg) { return QString::number(leg.cycle); }},
-        {words.at, [](Writer, Leg leg) { return figure(double(leg.at.count()) / 1e6); }},
+        {words.at, [](Writer, Leg leg) { return instantText(leg.at); }},
         {words.start, [](Writer, Leg leg) { return exactNumber(leg.start); }},
         {words.target, [](Writer, Leg leg) { return exactNumber(leg.target); }},
         {words.reached, [](Writer, Leg leg) { return reachedText(leg); }},

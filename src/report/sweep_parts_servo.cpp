@@ -49,14 +49,22 @@ const results::VerdictLine* lineOf(const results::SweepServo& servo, const QStri
     return found == servo.lines.end() ? nullptr : &*found;
 }
 
+QString judgedFigure(const results::VerdictLine& line)
+{
+    return figure(*line.value, {line.limit.warn, line.limit.fail});
+}
+
 QStringList metricRow(const HtmlWriter& htmlWriter, const results::SweepMetric& metric,
                       const results::VerdictLine* line)
 {
     const Text none = inBoth(QStringLiteral("–"));
-    QStringList row{
-        htmlWriter.htmlText(metricLabel(metric.key)), htmlWriter.optional(metric.value, none),
-        htmlWriter.htmlText(unitText(metric.unit)),   htmlWriter.optional(metric.mean, none),
-        htmlWriter.optional(metric.min, none),        htmlWriter.optional(metric.max, none)};
+    QStringList row{htmlWriter.htmlText(metricLabel(metric.key)),
+                    htmlWriter.optional(metric.value, none),
+                    htmlWriter.htmlText(unitText(metric.unit)),
+                    htmlWriter.optional(metric.mean, none),
+                    htmlWriter.optional(metric.min, none),
+                    htmlWriter.optional(metric.max, none),
+                    QString::number(metric.count)};
     if (line == nullptr)
         return row << QString() << QString() << QString();
     return row << limitCell(line->limit, line->limit.warn)
@@ -76,8 +84,8 @@ QString metricsTable(const HtmlWriter& htmlWriter, const results::SweepServo& se
     return table({htmlWriter.htmlText(words.figure), htmlWriter.htmlText(words.value),
                   htmlWriter.htmlText(words.unit), htmlWriter.htmlText(words.mean),
                   htmlWriter.htmlText(words.lowest), htmlWriter.htmlText(words.highest),
-                  htmlWriter.htmlText(words.warnLimit), htmlWriter.htmlText(words.failLimit),
-                  htmlWriter.htmlText(words.result)},
+                  htmlWriter.htmlText(words.count), htmlWriter.htmlText(words.warnLimit),
+                  htmlWriter.htmlText(words.failLimit), htmlWriter.htmlText(words.result)},
                  rows);
 }
 
@@ -124,12 +132,12 @@ QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& 
         rows.push_back(
             {QString::number(reg.address), escaped(reg.key),
              reg.raw ? QString::number(qint64(*reg.raw)) : htmlWriter.htmlText(words.notMeasured),
-             htmlWriter.optional(reg.value, inBoth(QStringLiteral("–"))), escaped(reg.unit),
-             escaped(catalog::areaName(reg.area))});
+             reg.value && std::isfinite(*reg.value) ? exactNumber(*reg.value) : QStringLiteral("–"),
+             escaped(reg.unit), escaped(catalog::areaName(reg.area))});
     return QStringLiteral("<details><summary>") + htmlWriter.htmlText(words.parameters) +
            QStringLiteral("</summary>\n<p>") + htmlWriter.htmlText(words.readAt) +
-           QStringLiteral(": ") + kept.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
-           QStringLiteral(" UTC, ") + escaped(kept.servo.map) + QStringLiteral("</p>\n") +
+           QStringLiteral(": ") + localTime(kept.at) + QStringLiteral(", ") +
+           escaped(kept.servo.map) + QStringLiteral("</p>\n") +
            table({htmlWriter.htmlText(words.address), htmlWriter.htmlText(words.name),
                   htmlWriter.htmlText(words.raw), htmlWriter.htmlText(words.value),
                   htmlWriter.htmlText(words.unit), htmlWriter.htmlText(words.area)},
@@ -182,7 +190,7 @@ QString reasonsOf(const HtmlWriter& htmlWriter, const results::SweepRun& run,
         for (const results::VerdictLine& line : servo.lines) {
             if (line.grade == grade && line.value)
                 reasons << htmlWriter.htmlText(metricLabel(line.limit.metric)) + u' ' +
-                               htmlWriter.htmlText(withUnit(figure(*line.value), line.limit.unit)) +
+                               htmlWriter.htmlText(withUnit(judgedFigure(line), line.limit.unit)) +
                                QStringLiteral(" – ") + htmlWriter.htmlText(reasonOf(line));
         }
     }

@@ -36,7 +36,8 @@ QByteArray sweepPdf(const results::SweepRun& run, const std::vector<SweepSeries>
     QStringList sections{verdictPart(htmlWriter, run) +
                          sideBySide(testPart(htmlWriter, run), benchPart(htmlWriter, run)) +
                          busPart(htmlWriter, run) + htmlWriter.paragraph(words.gradingNote) +
-                         htmlWriter.paragraph(words.hysteresisNote)};
+                         htmlWriter.paragraph(words.hysteresisNote) +
+                         htmlWriter.paragraph(words.paperNote)};
     for (const results::SweepServo& servo : run.servos)
         sections << servoSections(htmlWriter, run, servo, series, place);
     for (QString& section : sections)

@@ -89,6 +89,8 @@ void fillFigures(SweepTexts& words)
         translate("SweepText", "Errors, overshoot, settling, following, phase lag, repeatability, "
                                "current and load are judged by the worst leg. Speeds and the time "
                                "to goal are judged by their mean; counts are judged by their sum.");
+    words.paperNote = translate("SweepText", "The HTML report also has the memory tables and more "
+                                             "about each leg.");
     words.hysteresisNote = translate("SweepText", "Positions are those reported by the servo: gear "
                                                   "backlash after its encoder is not measured.");
 }

@@ -19,7 +19,8 @@ struct SweepTexts {
         stopOnAlarm, stopOnStall, stopOnFailure, onlyOnLostLink, inSteps, tolerance;
     // verdict and figures
     Text result, figure, figures, value, unit, warnLimit, failLimit, reason, within, over, under,
-        noFeedback, mean, lowest, highest, count, notMeasured, limits, gradingNote, hysteresisNote;
+        noFeedback, mean, lowest, highest, count, notMeasured, limits, gradingNote, hysteresisNote,
+        paperNote;
     // charts
     Text positionChart, goal, position, timeAxis, positionAxis, histogram, errorAxis, legsAxis,
         noSeries, noErrors;

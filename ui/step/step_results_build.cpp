@@ -137,7 +137,7 @@ QWidget* StepResults::buildAdvice()
     makeTransparent(side);
     auto* buttons = new QWidget(card);
     auto* flow = new FlowLayout(buttons);
-    for (const char* ending : {"html", "csv", "json"}) {
+    for (const char* ending : {"html", "pdf", "csv", "json"}) {
         auto* button = new QPushButton(buttons);
         const QString end = QString::fromLatin1(ending);
         button->setObjectName(QStringLiteral("stepReport_") + end);

@@ -115,7 +115,9 @@ QString SweepVerdictModel::cell(const Row& row, VerdictColumn column) const
     case VerdictColumn::Metric:
         return metricName(row.figure.key);
     case VerdictColumn::Value:
-        return row.value() ? sweepValue(row.value(), row.figure.unit) : QStringLiteral("–");
+        return row.value()
+                   ? sweepValue(row.value(), row.figure.unit, row.line ? &*row.line : nullptr)
+                   : QStringLiteral("–");
     case VerdictColumn::Warn:
         return row.line ? limitText(row.line->limit, row.line->limit.warn) : QString();
     case VerdictColumn::Fail:

@@ -22,11 +22,14 @@ QString unitName(const QString& unit)
     return text::localized(report::unitText(unit));
 }
 
-QString sweepValue(const std::optional<double>& value, const QString& unit)
+QString sweepValue(const std::optional<double>& value, const QString& unit,
+                   const results::VerdictLine* line)
 {
     if (!value || !std::isfinite(*value))
         return text::localized(report::sweepTexts().notMeasured);
-    const QString number = report::figure(*value);
+    const QString number = line == nullptr
+                               ? report::figure(*value)
+                               : report::figure(*value, {line->limit.warn, line->limit.fail});
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + unitName(unit);
 }
 
@@ -78,7 +81,11 @@ QString reasonText(const results::VerdictLine& line)
         return text::localized(words.within);
     const auto bound = line.grade == Grade::Fail ? line.limit.fail : line.limit.warn;
     const QString& form = text::localized(line.limit.atLeast ? words.under : words.over);
-    return form.arg(bound ? sweepValue(bound, line.limit.unit) : QString());
+    if (!bound)
+        return form.arg(QString());
+    const QString number = report::exactNumber(*bound);
+    return form.arg(
+        line.limit.unit.isEmpty() ? number : number + QLatin1Char(' ') + unitName(line.limit.unit));
 }
 
 QString unreleasedTorqueText(const std::vector<jobs::UnreleasedTorque>& left)

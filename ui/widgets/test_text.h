@@ -11,8 +11,10 @@ namespace ui {
 /// The role under which a model gives ToneDelegate the tone of a cell, as int.
 constexpr int toneRole = Qt::UserRole + 100;
 
-QString sweepNumber(const std::optional<double>& value); ///< "3047.75"; "–" for none
-QString sweepValue(const std::optional<double>& value, const QString& unit); ///< "9.75 step"
+QString sweepNumber(const std::optional<double>& value); ///< "3048"; "–" for none
+/// "9.75 step"; exact enough to see on which side of the limits of its line it is.
+QString sweepValue(const std::optional<double>& value, const QString& unit,
+                   const results::VerdictLine* line = nullptr);
 QString metricName(const QString& key);
 QString unitName(const QString& unit);
 QString gradeText(results::Grade grade);     ///< of a servo or a run: "✔ Pass"

@@ -7,7 +7,9 @@
 #include "cli/sweep_history.h"
 #include "cli/translate.h"
 #include "jobs/step/step_advice.h"
+#include "report/step_report.h"
 #include "results/step_json.h"
+#include "text/language.h"
 
 namespace cli {
 namespace {
@@ -30,14 +32,13 @@ std::vector<results::StepAdvice> adviceFor(Run& run, const results::StepRun& ste
 base::Result<Exit> runStepReport(Run& run, const Values& values)
 {
     const QString path = values.argument("FILE");
-    const auto format = stepFileFormat(path);
-    if (!format)
-        return tl::unexpected(format.error());
+    if (const auto known = checkStepReportName(path); !known)
+        return tl::unexpected(known.error());
     const auto runs = loadArgument(values, "RUN");
     if (!runs)
         return tl::unexpected(runs.error());
     const auto advice = adviceFor(run, runs->back());
-    if (const auto saved = saveStepReport(*runs, advice, *format, path); !saved)
+    if (const auto saved = report::saveStepReport(*runs, advice, text::isUiChinese(), path); !saved)
         return tl::unexpected(saved.error());
     run.finish(Json::object().add("run", values.argument("RUN")).add("file", path),
                translate("cli", "Report: %1").arg(path) + QLatin1Char('\n'));
@@ -48,11 +49,10 @@ base::Result<Exit> runStepReport(Run& run, const Values& values)
 base::Result<Exit> runStepCompare(Run& run, const Values& values)
 {
     const auto path = values.option("--report");
-    base::Result<StepFileFormat> format = StepFileFormat::Html;
-    if (path)
-        format = stepFileFormat(*path);
-    if (!format)
-        return tl::unexpected(format.error());
+    if (path) {
+        if (const auto known = checkStepReportName(*path); !known)
+            return tl::unexpected(known.error());
+    }
     std::vector<results::StepRun> pair;
     for (const char* name : {"A", "B"}) {
         auto runs = loadArgument(values, name);
@@ -62,7 +62,8 @@ base::Result<Exit> runStepCompare(Run& run, const Values& values)
     }
     const auto advice = adviceFor(run, pair.back());
     if (path) {
-        if (const auto saved = saveStepReport(pair, advice, *format, *path); !saved)
+        if (const auto saved = report::saveStepReport(pair, advice, text::isUiChinese(), *path);
+            !saved)
             return tl::unexpected(saved.error());
     }
     if (run.console().isJson())
@@ -82,7 +83,7 @@ Command stepReportCommand()
             {{"RUN",
               QT_TRANSLATE_NOOP("cli", "test run number in the history, or a .json report file")},
              {"FILE", QT_TRANSLATE_NOOP("cli", "report file; its extension sets the format: "
-                                               ".html, .json or .csv")}},
+                                               ".html, .pdf, .json or .csv")}},
             {},
             runStepReport};
 }
@@ -97,7 +98,8 @@ Command stepCompareCommand()
               "cli",
               "step response before the change: number in the history, or a .json report file")},
          {"B", QT_TRANSLATE_NOOP("cli", "step response after")}},
-        {{"--report", QT_TRANSLATE_NOOP("cli", "write both runs to a file"), "FILE.html|json|csv"}},
+        {{"--report", QT_TRANSLATE_NOOP("cli", "write both runs to a file"),
+          "FILE.html|pdf|json|csv"}},
         runStepCompare};
 }
 } // namespace cli

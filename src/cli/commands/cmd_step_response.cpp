@@ -11,8 +11,10 @@
 #include "cli/translate.h"
 #include "jobs/step/step_advice.h"
 #include "jobs/step/step_response.h"
+#include "report/step_report.h"
 #include "results/step_json.h"
 #include "session/snapshot/safety_snapshot.h"
+#include "text/language.h"
 
 #include <QFileInfo>
 
@@ -46,7 +48,7 @@ private:
     std::optional<device::Servo> m_servo;
     jobs::StepRequest m_order;
     std::vector<results::StepGain> m_trial;
-    std::optional<StepFileFormat> m_format; ///< of the report; none: no report
+    QString m_report; ///< its file; empty: none
     std::vector<results::StepRun> m_runs;
     std::vector<results::StepAdvice> m_advice;
     bool m_unreleasedTorque = false;
@@ -110,10 +112,9 @@ base::Result<void> StepCommand::collect()
     if (const auto numbers = takeNumbers(); !numbers)
         return numbers;
     if (const auto path = m_values.option("--report")) {
-        const auto format = stepFileFormat(*path);
-        if (!format)
-            return tl::unexpected(format.error());
-        m_format = *format;
+        if (const auto known = checkStepReportName(*path); !known)
+            return known;
+        m_report = *path;
     }
     auto servo = m_run.servoWithSettings(m_values);
     if (!servo)
@@ -160,16 +161,17 @@ base::Result<void> StepCommand::perform(const std::vector<results::StepGain>& tr
 
 base::Result<void> StepCommand::save() const
 {
-    return m_format ? saveStepReport(m_runs, m_advice, *m_format, *m_values.option("--report"))
-                    : base::Result<void>();
+    return m_report.isEmpty()
+               ? base::Result<void>()
+               : report::saveStepReport(m_runs, m_advice, text::isUiChinese(), m_report);
 }
 
 /// Saves every run, also the one with the present values.
 QString StepCommand::keep()
 {
     QStringList files;
-    if (m_format)
-        files.append(QFileInfo(m_values.option("--report").value_or(QString())).absoluteFilePath());
+    if (!m_report.isEmpty())
+        files.append(QFileInfo(m_report).absoluteFilePath());
     QStringList kept;
     for (const results::StepRun& run : m_runs) {
         const QString line = saveStep(m_run.console(), run, files);
@@ -195,10 +197,8 @@ void StepCommand::show(const QString& kept)
         text += translate("cli", "The trial has ended. The servo has its old values again, unless "
                                  "a note says otherwise. To keep good values, use \"write\".") +
                 QLatin1Char('\n');
-    if (m_format)
-        text +=
-            translate("cli", "Report: %1").arg(m_values.option("--report").value_or(QString())) +
-            QLatin1Char('\n');
+    if (!m_report.isEmpty())
+        text += translate("cli", "Report: %1").arg(m_report) + QLatin1Char('\n');
     if (!kept.isEmpty())
         text += kept + QLatin1Char('\n');
     m_run.console().print(text + m_run.takeNotices());
@@ -265,7 +265,8 @@ Command stepResponseCommand()
          {"--switch-mode",
           QT_TRANSLATE_NOOP(
               "cli", "switch servos in other modes to position mode for the test, then back")},
-         {"--report", QT_TRANSLATE_NOOP("cli", "write the runs to a file"), "FILE.html|json|csv"}},
+         {"--report", QT_TRANSLATE_NOOP("cli", "write the runs to a file"),
+          "FILE.html|pdf|json|csv"}},
         runStepResponse};
 }
 } // namespace cli

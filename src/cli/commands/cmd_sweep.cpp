@@ -56,7 +56,11 @@ QString verdictText(const results::SweepRun& run, const results::SweepServo& ser
         const bool judged = line != servo.lines.end();
         if (!metric.value && !judged)
             continue;
-        table.add({text::localized(report::metricLabel(metric.key)), number(metric.value),
+        const QString value =
+            judged && metric.value
+                ? report::figure(*metric.value, {line->limit.warn, line->limit.fail})
+                : number(metric.value);
+        table.add({text::localized(report::metricLabel(metric.key)), value,
                    text::localized(report::unitText(metric.unit)),
                    judged ? bound(line->limit, line->limit.warn) : QString(),
                    judged ? bound(line->limit, line->limit.fail) : QString(),

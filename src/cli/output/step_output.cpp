@@ -4,13 +4,10 @@
 #include "cli/input/arguments.h"
 #include "cli/output/table.h"
 #include "cli/translate.h"
-#include "report/step_html.h"
+#include "report/step_report.h"
 #include "report/step_text.h"
 #include "report/sweep_text.h"
-#include "results/step_json.h"
 #include "text/language.h"
-
-#include <QFileInfo>
 
 namespace cli {
 namespace {
@@ -52,31 +49,12 @@ QString comparisonText(const results::StepRun& before, const results::StepRun& a
 }
 } // namespace
 
-base::Result<StepFileFormat> stepFileFormat(const QString& path)
+base::Result<void> checkStepReportName(const QString& path)
 {
-    const QString end = QFileInfo(path).suffix().toLower();
-    if (end == QLatin1String("json"))
-        return StepFileFormat::Json;
-    if (end == QLatin1String("csv"))
-        return StepFileFormat::Csv;
-    if (end == QLatin1String("html"))
-        return StepFileFormat::Html;
-    return badArgument(translate("cli", "the report file must end with .html, .json or .csv"));
-}
-
-base::Result<void> saveStepReport(const std::vector<results::StepRun>& runs,
-                                  const std::vector<results::StepAdvice>& advice,
-                                  StepFileFormat format, const QString& path)
-{
-    switch (format) {
-    case StepFileFormat::Json:
-        return results::saveStepRuns(runs, advice, path);
-    case StepFileFormat::Csv:
-        return results::saveStepSamples(runs, path);
-    case StepFileFormat::Html:
-        break;
-    }
-    return report::saveStepHtml(runs, advice, text::isUiChinese(), path);
+    if (report::isStepReport(path))
+        return {};
+    return badArgument(
+        translate("cli", "the report file must end with .html, .pdf, .json or .csv"));
 }
 
 QString stepRunsText(const std::vector<results::StepRun>& runs,

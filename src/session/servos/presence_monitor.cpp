@@ -111,8 +111,9 @@ void PresenceMonitor::reidentify(ServoRef ref)
         [this, ref, id = known->servo.id, protocol = known->servo.protocol] {
             base::StopToken stop;
             device::Notices notices;
-            const auto now =
-                device::identify(m_bench.link().connection()->context(stop, notices), id, protocol);
+            device::Context context = m_bench.link().connection()->context(stop, notices);
+            context.patient = false; // asked again soon
+            const auto now = device::identify(context, id, protocol);
             m_bench.mainQueue().post([this, ref, now] { reidentified(ref, now); });
         });
 }

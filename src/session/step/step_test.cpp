@@ -2,11 +2,8 @@
 #include "session/step/step_test.h"
 
 #include "jobs/step/step_advice.h"
-#include "report/step_html.h"
-#include "results/step_json.h"
+#include "report/step_report.h"
 #include "session/snapshot/safety_snapshot.h"
-
-#include <QFileInfo>
 
 #include <atomic>
 #include <cmath>
@@ -288,26 +285,12 @@ void StepTest::happened(const Event& event)
     Q_EMIT acceptedChanged();
 }
 
-namespace {
-base::Result<void> write(const std::vector<results::StepRun>& runs,
-                         const std::vector<results::StepAdvice>& advice, const QString& path,
-                         bool chinese)
-{
-    const QString end = QFileInfo(path).suffix().toLower();
-    if (end == QLatin1StringView("json"))
-        return results::saveStepRuns(runs, advice, path);
-    if (end == QLatin1StringView("csv"))
-        return results::saveStepSamples(runs, path);
-    return report::saveStepHtml(runs, advice, chinese, path);
-}
-} // namespace
-
 void StepTest::save(const QString& path, bool chinese)
 {
     if (m_runs.empty())
         return;
     m_files.start([this, runs = m_runs, advice = m_advice, path, chinese] {
-        const auto written = write(runs, advice, path, chinese);
+        const auto written = report::saveStepReport(runs, advice, chinese, path);
         m_mainQueue.post([this, written, path] {
             if (written)
                 Q_EMIT saved(path);

@@ -528,6 +528,8 @@ void TestCliOutputFormats::helpListsEveryCommandOnce()
             QRegularExpression::MultilineOption);
         QVERIFY2(all.out.count(line) == 1, command.name);
     }
+    QVERIFY(cli.run("help snapshot").err.contains(QStringLiteral("snapshot save, snapshot show")));
+    QVERIFY(cli.run("snapshot restor").err.contains(QStringLiteral("snapshot restore")));
     const ProgramResult typo = cli.run("help snapsht");
     QCOMPARE(typo.exit, 2);
     QVERIFY2(typo.err.contains(QStringLiteral("did you mean \"snapshot\"?")), qPrintable(typo.err));

@@ -7,6 +7,7 @@
 
 #include <QFile>
 #include <QJsonArray>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -210,6 +211,14 @@ void TestCliStepResponse::storedRunsAreListedReportedAndCompared()
     const QString page = cli.dataFolder() + text("/one.html");
     QCOMPARE(cli.run({text("step-report"), both, page}).exit, 0);
     QVERIFY(contents(page).startsWith("<!DOCTYPE html>"));
+    const QString paper = cli.dataFolder() + text("/one.pdf");
+    QCOMPARE(cli.run({text("step-report"), both, paper}).exit, 0);
+    QProcess reader;
+    reader.start(text("pdftotext"), {text("-layout"), paper, text("-")});
+    QVERIFY(reader.waitForFinished());
+    const QString words = QString::fromUtf8(reader.readAllStandardOutput());
+    for (const char* fact : {"Step response", "Before", "Overshoot", "STS3215"})
+        QVERIFY2(words.contains(text(fact)), fact);
 
     // What the history has of both runs compares as it did when they were measured.
     const QString pair = cli.dataFolder() + text("/pair.csv");
@@ -230,7 +239,7 @@ void TestCliStepResponse::unknownStoredRunsAreReported_data()
     QTest::addColumn<QString>("says");
     QTest::newRow("report") << text("step-report 12 a.html") << 2
                             << text("\"step-runs\" lists all");
-    QTest::newRow("ending") << text("step-report 12 a.pdf") << 2 << text(".html");
+    QTest::newRow("ending") << text("step-report 12 a.txt") << 2 << text(".html");
     QTest::newRow("compare") << text("step-compare 12 13") << 2 << text("12");
     QTest::newRow("no file") << text("step-compare /nowhere.json 13") << 5 << text("/nowhere.json");
     QTest::newRow("compare ending")

@@ -130,6 +130,7 @@ private Q_SLOTS:
             QVERIFY(has(report::metricLabel(metric.key).en));
             for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
                 QVERIFY(has(written(*value)));
+            QVERIFY(has(QString::number(metric.count)));
         }
         for (const results::SweepLeg& leg : run.servos[0].legs) {
             for (const results::LegFigure& figure : results::legFigures) {
@@ -253,6 +254,19 @@ private Q_SLOTS:
         QVERIFY(seen.text.count(hostileText) >= 16);
         QVERIFY(seen.text.contains(sweep_example::hostileNote));
         QVERIFY(seen.text.contains(sweep_example::hostileLabel));
+    }
+
+    /// A value that fails is not shown as equal to its limit.
+    void roundingHidesNoVerdict()
+    {
+        QCOMPARE(report::figure(1000.4, {1000., std::nullopt}), QStringLiteral("1000.4"));
+        QCOMPARE(report::figure(12.54, {12.52, 20.}), QStringLiteral("12.54"));
+        QCOMPARE(report::figure(12.54, {8., 16.}), QStringLiteral("12.5"));
+        QCOMPARE(report::figure(8., {8., 16.}), QStringLiteral("8"));
+        QCOMPARE(report::figure(0.0553), QStringLiteral("0.06"));
+        QCOMPARE(report::figure(158.6), QStringLiteral("158.6"));
+        QCOMPARE(report::figure(1391.2), QStringLiteral("1391"));
+        QCOMPARE(report::figure(-0.001), QStringLiteral("0"));
     }
 
     void aCorrectFlagIsNoRemark()

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/step_html.h"
+#include "report/step_report.h"
 
 #include "files/text_file.h"
 #include "report/bilingual.h"
+#include "report/paper.h"
 #include "report/step_text.h"
 #include "report/sweep_text.h"
+#include "results/step_json.h"
+
+#include <QFileInfo>
 
 namespace report {
 using catalog::Text;
@@ -18,7 +22,7 @@ QString head(const HtmlWriter& htmlWriter, const StepRun& run)
     std::vector<QStringList> rows{
         {htmlWriter.htmlText(words.model), escaped(servo.model)},
         {htmlWriter.htmlText(words.id), QString::number(servo.id)},
-        {htmlWriter.htmlText(words.date), escaped(run.at.toLocalTime().toString(Qt::ISODate))},
+        {htmlWriter.htmlText(words.date), localTime(run.at)},
         {htmlWriter.htmlText(words.port), escaped(run.port)},
         {htmlWriter.htmlText(words.from), exactNumber(run.axis.from)},
         {htmlWriter.htmlText(words.to), exactNumber(run.axis.to)},
@@ -79,11 +83,9 @@ QString compared(const HtmlWriter& htmlWriter, const StepRun& before, const Step
     const SweepTexts& words = sweepTexts();
     std::vector<QStringList> rows;
     for (const results::StepDifference& row : results::compareSteps(before, after)) {
+        const StepPairText pair = stepPairText(row.before, row.after);
         rows.push_back({htmlWriter.htmlText(stepFigureText(QString::fromLatin1(row.figure.key))),
-                        htmlWriter.optional(row.before, words.notMeasured),
-                        htmlWriter.optional(row.after, words.notMeasured),
-                        htmlWriter.optional(row.difference, words.none),
-                        unit(htmlWriter, row.figure),
+                        pair.before, pair.after, pair.difference, unit(htmlWriter, row.figure),
                         htmlWriter.htmlText(stepChangeText(row.change))});
     }
     return table(
@@ -105,38 +107,84 @@ QString ends(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
     }
     return text;
 }
-} // namespace
-
-QByteArray stepHtml(const std::vector<StepRun>& runs,
-                    const std::vector<results::StepAdvice>& advice, bool chinese)
+QString adviceList(const HtmlWriter& htmlWriter, const std::vector<results::StepAdvice>& advice)
 {
-    const HtmlWriter htmlWriter(ReportLanguage::Both);
-    const Text title = translate("StepText", "Step response");
-    QString body =
-        htmlWriter.heading(1, title) + head(htmlWriter, runs.front()) + ends(htmlWriter, runs) +
-        stepChart(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Gains")) +
-        gains(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Metrics")) +
-        htmlWriter.paragraph(translate(
-            "StepText",
-            "Mean of all responses, out and back; steady-state errors are absolute values."));
-    body += runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
-                            : single(htmlWriter, runs.front());
-    if (!advice.empty()) {
-        body += htmlWriter.heading(2, translate("StepText", "What to try next"));
-        for (std::size_t i = 0; i < advice.size(); ++i) {
-            if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
-                body += htmlWriter.heading(3, stepSymptomText(advice[i].symptom));
-            body += htmlWriter.paragraph(stepAdviceLine(advice[i]));
-        }
+    if (advice.empty())
+        return {};
+    QString text = htmlWriter.heading(2, translate("StepText", "What to try next"));
+    for (std::size_t i = 0; i < advice.size(); ++i) {
+        if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
+            text += htmlWriter.heading(3, stepSymptomText(advice[i].symptom));
+        text += htmlWriter.paragraph(stepAdviceLine(advice[i]));
     }
-    return page(htmlWriter, title, body, chinese).toUtf8();
+    return text;
 }
 
-base::Result<void> saveStepHtml(const std::vector<StepRun>& runs,
-                                const std::vector<results::StepAdvice>& advice, bool chinese,
-                                const QString& path)
+Text title()
 {
-    return files::saveTextFile(QStringLiteral("save-report"), stepHtml(runs, advice, chinese),
+    return translate("StepText", "Step response");
+}
+
+/// `chart` is the markup that shows the responses.
+QString body(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs,
+             const std::vector<results::StepAdvice>& advice, const QString& chart)
+{
+    return htmlWriter.heading(1, title()) + head(htmlWriter, runs.front()) +
+           ends(htmlWriter, runs) + chart + htmlWriter.heading(2, translate("StepText", "Gains")) +
+           gains(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Metrics")) +
+           htmlWriter.paragraph(translate(
+               "StepText",
+               "Mean of all responses, out and back; steady-state errors are absolute values.")) +
+           (runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
+                            : single(htmlWriter, runs.front())) +
+           adviceList(htmlWriter, advice);
+}
+
+QByteArray html(const std::vector<StepRun>& runs, const std::vector<results::StepAdvice>& advice,
+                bool chinese)
+{
+    const HtmlWriter htmlWriter(ReportLanguage::Both);
+    return page(htmlWriter, title(), body(htmlWriter, runs, advice, stepChart(htmlWriter, runs)),
+                chinese)
+        .toUtf8();
+}
+
+QByteArray pdf(const std::vector<StepRun>& runs, const std::vector<results::StepAdvice>& advice,
+               bool chinese)
+{
+    const HtmlWriter htmlWriter(chinese ? ReportLanguage::Chinese : ReportLanguage::English);
+    PaperCharts charts;
+    const QString chart = charts.add(stepChart(htmlWriter, runs));
+    const QString text = page(htmlWriter, title(), body(htmlWriter, runs, advice, chart), chinese);
+    return paperPdf({text}, charts,
+                    {title().in(chinese), runs.front().program, localTime(runs.front().at)});
+}
+
+QString endingOf(const QString& path)
+{
+    return QFileInfo(path).suffix().toLower();
+}
+} // namespace
+
+bool isStepReport(const QString& path)
+{
+    return QStringList{QStringLiteral("html"), QStringLiteral("pdf"), QStringLiteral("json"),
+                       QStringLiteral("csv")}
+        .contains(endingOf(path));
+}
+
+base::Result<void> saveStepReport(const std::vector<StepRun>& runs,
+                                  const std::vector<results::StepAdvice>& advice, bool chinese,
+                                  const QString& path)
+{
+    const QString ending = endingOf(path);
+    if (ending == QLatin1String("json"))
+        return results::saveStepRuns(runs, advice, path);
+    if (ending == QLatin1String("csv"))
+        return results::saveStepSamples(runs, path);
+    return files::saveTextFile(QStringLiteral("save-report"),
+                               ending == QLatin1String("pdf") ? pdf(runs, advice, chinese)
+                                                              : html(runs, advice, chinese),
                                path);
 }
 } // namespace report
