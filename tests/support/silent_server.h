@@ -5,6 +5,8 @@
 
 #include "support/port_endpoints.h"
 
+#include <poll.h>
+
 namespace support {
 class SilentServer {
 public:
@@ -16,6 +18,13 @@ public:
     QString address() const
     {
         return QStringLiteral("host=127.0.0.1 port=%1 user=u dbname=d").arg(m_tcp.number);
+    }
+
+    /// Somebody waits to be let in.
+    bool isAsked() const
+    {
+        pollfd listener{m_tcp.listener, POLLIN, 0};
+        return ::poll(&listener, 1, 0) > 0;
     }
 
 private:

@@ -241,6 +241,7 @@ void TestHistorySender::shutdownDoesNotWait()
     auto sender = std::make_unique<HistorySender>(bench.path, times);
     if (connecting) {
         sender->setServer(silent.address() + utf8(" connect_timeout=100000"), utf8("Bench 1"));
+        QTRY_VERIFY(silent.isAsked()); // and the history, whose folder goes at the end, is open
     } else {
         sender->setServer(address(), utf8("Bench 1"));
         QTRY_COMPARE(int(sender->state().phase), int(Phase::UpToDate));
