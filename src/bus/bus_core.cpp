@@ -40,13 +40,13 @@ ErrorCode errorFor(const std::vector<Fault>& faults)
     return code;
 }
 
-/// A servo that refuses explicitly (Modbus exceptions) is not asked again.
 bool isSilence(const std::vector<Fault>& faults)
 {
     return std::all_of(faults.begin(), faults.end(),
                        [](const Fault& fault) { return fault.kind == FaultKind::Timeout; });
 }
 
+/// A servo that refuses explicitly (Modbus exceptions) is not asked again.
 std::optional<Error> exceptionIn(const Attempt& attempt)
 {
     for (const ReceivedReply& arrival : attempt.receivedReplies) {
@@ -187,6 +187,8 @@ Result<bool> BusCore::awaitLateReply(Duration sentAt, const Interrupt& interrupt
     const std::uint64_t before = m_lateReplyGuard.lateReplies();
     const Duration limit = sentAt + LateReplyGuard::maxLateness;
     while (m_lateReplyGuard.lateReplies() == before) {
+        if (const auto reason = interrupt.due())
+            return base::fail(*reason);
         const Duration now = m_clock.now();
         if (now >= limit || m_line.isReconnecting()) // nothing was sent, or all is lost
             return false;

@@ -23,7 +23,7 @@ QString userText(const QString& text);
 QString figure(double value);
 /// As exactly as it takes to see on which side of its limits it is.
 QString figure(double value, std::initializer_list<std::optional<double>> limits);
-/// A value that somebody set, as exactly as it was entered: "8", "12.5", "0.125".
+/// A setting, as exactly as it was entered: "8", "12.5", "0.125".
 QString exactNumber(double value);
 /// Of this computer, with its zone: "2026-11-27 12:35:06 UTC+08:00".
 QString localTime(const QDateTime& at);

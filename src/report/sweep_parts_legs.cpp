@@ -48,14 +48,13 @@ QString millisecondsText(std::optional<base::Duration> span)
     return span ? figure(double(span->count()) / 1000) : QStringLiteral("–");
 }
 
-/// Of the table of legs.
-struct Column {
+struct LegColumn {
     Text heading;
     QString (*cell)(const HtmlWriter& htmlWriter, const results::SweepLeg& leg);
     bool onPaper = true;
 };
 
-std::vector<Column> columns()
+std::vector<LegColumn> columns()
 {
     using Leg = const results::SweepLeg&;
     using Writer = const HtmlWriter&;
@@ -85,16 +84,16 @@ std::vector<Column> columns()
 QString legsTable(const HtmlWriter& htmlWriter, const std::vector<const results::SweepLeg*>& legs,
                   bool paper)
 {
-    std::vector<Column> shown = columns();
+    std::vector<LegColumn> shown = columns();
     if (paper)
-        std::erase_if(shown, [](const Column& column) { return !column.onPaper; });
+        std::erase_if(shown, [](const LegColumn& column) { return !column.onPaper; });
     QStringList headings;
-    for (const Column& column : shown)
+    for (const LegColumn& column : shown)
         headings.append(htmlWriter.htmlText(column.heading));
     std::vector<QStringList> rows;
     for (const results::SweepLeg* leg : legs) {
         QStringList& row = rows.emplace_back();
-        for (const Column& column : shown)
+        for (const LegColumn& column : shown)
             row.append(column.cell(htmlWriter, *leg));
     }
     return table(headings, rows, true);

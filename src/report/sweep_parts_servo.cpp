@@ -51,6 +51,8 @@ const results::VerdictLine* lineOf(const results::SweepServo& servo, const QStri
 
 QString judgedFigure(const results::VerdictLine& line)
 {
+    if (!std::isfinite(*line.value))
+        return QStringLiteral("–");
     return figure(*line.value, {line.limit.warn, line.limit.fail});
 }
 
@@ -59,7 +61,8 @@ QStringList metricRow(const HtmlWriter& htmlWriter, const results::SweepMetric& 
 {
     const Text none = inBoth(QStringLiteral("–"));
     QStringList row{htmlWriter.htmlText(metricLabel(metric.key)),
-                    htmlWriter.optional(metric.value, none),
+                    line != nullptr && line->value ? judgedFigure(*line)
+                                                   : htmlWriter.optional(metric.value, none),
                     htmlWriter.htmlText(unitText(metric.unit)),
                     htmlWriter.optional(metric.mean, none),
                     htmlWriter.optional(metric.min, none),

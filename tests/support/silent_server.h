@@ -20,7 +20,7 @@ public:
         return QStringLiteral("host=127.0.0.1 port=%1 user=u dbname=d").arg(m_tcp.number);
     }
 
-    /// Somebody waits to be let in.
+    /// A client is waiting to be accepted.
     bool isAsked() const
     {
         pollfd listener{m_tcp.listener, POLLIN, 0};

@@ -30,7 +30,8 @@ enum class BusActivity {
     Listen,
     RecoverLine,
     Pause,
-    Raw
+    Raw,
+    SilentServo
 };
 
 /// Starts the activity; it lasts until the emergency ends it, or by itself.
@@ -72,6 +73,11 @@ void startActivity(BusFixture& fixture, BusActivity doing)
         break;
     case BusActivity::Pause:
         core.pauseUntil(later, nullptr);
+        break;
+    case BusActivity::SilentServo: // whose late reply is awaited, while others are polled
+        core.startPoll({{{1, {{0, 100}}, false, 0}}, {}});
+        static_cast<void>(fixture.transact(Request::ping(1)));
+        static_cast<void>(fixture.transact(Request::ping(9), 2));
         break;
     case BusActivity::Raw:
         static_cast<void>(fixture.transact(Request::raw(frameOf(1, 2, {0, 100})), 0, longTimeout));
@@ -121,6 +127,9 @@ private Q_SLOTS:
                 }
             }
         }
+        for (const Duration after : {Duration(90ms), Duration(170ms), Duration(230ms)})
+            QTest::addRow("silent servo after %d us", int(after.count()))
+                << BusActivity::SilentServo << 1'000'000 << after;
     }
     void theFirstStopFrameIsPrompt()
     {

@@ -259,6 +259,14 @@ private Q_SLOTS:
     /// A value that fails is not shown as equal to its limit.
     void roundingHidesNoVerdict()
     {
+        results::SweepRun run = sweep_example::run();
+        results::VerdictLine& line = run.servos[0].lines[0];
+        line.grade = results::Grade::Fail;
+        line.value = 1000.4;
+        line.limit.fail = 1000;
+        const QString page =
+            read(report::sweepHtml(run, exampleSeries(), false), QStringLiteral("zh")).text;
+        QCOMPARE(page.count(QStringLiteral("1000.4 ")), 3); // summary, servo, table
         QCOMPARE(report::figure(1000.4, {1000., std::nullopt}), QStringLiteral("1000.4"));
         QCOMPARE(report::figure(12.54, {12.52, 20.}), QStringLiteral("12.54"));
         QCOMPARE(report::figure(12.54, {8., 16.}), QStringLiteral("12.5"));
