@@ -120,7 +120,8 @@ base::Result<bool> isAcknowledged(const device::Context& context, const device::
     return answered;
 }
 
-/// Waits until it answers. Returns the number of requests without a reply before that.
+/// Waits until it answers. Returns the number of requests without a reply before that; a reply that
+/// a busy computer holds back is one.
 base::Result<int> waitForReply(const device::Context& context, const device::Servo& servo,
                                base::Duration sentAt)
 {
@@ -130,8 +131,13 @@ base::Result<int> waitForReply(const device::Context& context, const device::Ser
         const auto answering = isAnswering(context, servo.protocol, servo.id, 0);
         if (!answering && endsJob(answering.error().code))
             return tl::unexpected(answering.error());
-        if (answering && *answering)
-            return missedPings;
+        if (answering && *answering) {
+            const auto late = context.bus.takeUnexpectedFrames();
+            return missedPings - static_cast<int>(std::count_if(
+                                     late.begin(), late.end(), [&](const bus::UnexpectedFrame& it) {
+                                         return it.id == servo.id;
+                                     }));
+        }
         if (clock.now() > end)
             return base::fail(ErrorCode::NoReply, rebootOperation, {}, servo.id);
         clock.sleepFor(pingInterval);

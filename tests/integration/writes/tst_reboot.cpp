@@ -60,6 +60,7 @@ private Q_SLOTS:
     void quickRestartIsDetectedByRam();
     void quickRestartWithoutMarkerIsNotReported();
     void lostPingIsNoRestart();
+    void lateRepliesAreNoSilence();
     void exceptionFails();
     void loweredLimitIsTheMarker();
     void aFullDiskIsReportedAndNothingRestarts();
@@ -225,6 +226,28 @@ void TestReboot::lostPingIsNoRestart()
         QCOMPARE(took.error().code, ErrorCode::Refused);
         QVERIFY(lost);
     }
+}
+
+/// The command is ignored, and a busy computer holds back the replies to the first PINGs: the
+/// servo was not away.
+void TestReboot::lateRepliesAreNoSilence()
+{
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    bool sent = false;
+    int pings = 0;
+    fixture.tap().replyOverride = [&](const Bytes& frame) {
+        const bool isRestart = frame == restartOf1;
+        sent = sent || isRestart;
+        if (sent && frame[4] == support::Ping)
+            ++pings;
+        fixture.wireConfig().adapterLatency = sent && pings < 3 ? 90ms : 0ms;
+        return isRestart ? std::optional(Bytes()) : std::nullopt;
+    };
+    const auto took = jobs::reboot(fixture.context(), one);
+    QVERIFY(!took);
+    QVERIFY(pings > 2);
+    QCOMPARE(took.error().detail, text("not-restarted"));
 }
 
 void TestReboot::exceptionFails()
