@@ -162,7 +162,8 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
         const bool last = outcome.attempts == maxRetries + 1 && transaction.patient;
         if (attempts > 1 && transaction.timeout <= 0us && (first || last) &&
             isSilence(outcome.faults)) {
-            const auto late = awaitLateReply(attempt->sentAt, interrupt);
+            const Duration patience = last ? LateReplyGuard::maxStall : LateReplyGuard::maxLateness;
+            const auto late = awaitLateReply(attempt->sentAt + patience, interrupt);
             if (!late)
                 return tl::unexpected(withContext(late.error(), request, outcome.attempts));
             attempts += last && *late ? 1 : 0;
@@ -180,12 +181,11 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
 
 /// An adapter may be slower than the timeout a link has at first, and a busy computer may hold back
 /// every reply for longer than a few prompt attempts take: silence is only believed when it has
-/// lasted as long as any reply may be late. Ends with the late reply, which is learned from; true
-/// then. Polls of others run meanwhile.
-Result<bool> BusCore::awaitLateReply(Duration sentAt, const Interrupt& interrupt)
+/// lasted until `limit`. Ends with the late reply, which is learned from; true then. Polls of
+/// others run meanwhile.
+Result<bool> BusCore::awaitLateReply(Duration limit, const Interrupt& interrupt)
 {
     const std::uint64_t before = m_lateReplyGuard.lateReplies();
-    const Duration limit = sentAt + LateReplyGuard::maxLateness;
     while (m_lateReplyGuard.lateReplies() == before) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);

@@ -92,7 +92,7 @@ private:
     base::Result<Outcome> run(const Transaction& transaction);
     base::Result<void> waitForTurn(const Transaction& transaction, const Interrupt& interrupt);
     base::Result<Outcome> transactWithRetries(const Transaction& transaction, base::ByteView frame);
-    base::Result<bool> awaitLateReply(base::Duration sentAt, const Interrupt& interrupt);
+    base::Result<bool> awaitLateReply(base::Duration limit, const Interrupt& interrupt);
     void runOverduePoll(Priority priority);
     void storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error);
     base::Error withContext(base::Error error, const protocol::Request& request,

@@ -135,10 +135,13 @@ std::optional<Duration> LateReplyGuard::matchLateReply(int id, Duration now,
     ++m_lateReplies;
     const Duration lateness = now - matched->expectedAt;
     servo.pending.erase(matched);
-    // The replies to the others come as late as this one.
-    if (!servo.pending.empty() && lateness <= plausibleLateness)
-        setQuietUntil(
-            servo, std::max(servo.quietUntil, servo.pending.back().expectedAt + lateness * 3 / 2));
+    // The replies to the others come as late as this one, or together with it after a stall.
+    if (!servo.pending.empty()) {
+        const Duration until = lateness <= plausibleLateness
+                                   ? servo.pending.back().expectedAt + lateness * 3 / 2
+                                   : now + window();
+        setQuietUntil(servo, std::max(servo.quietUntil, until));
+    }
     return lateness;
 }
 

@@ -23,6 +23,8 @@ public:
     base::Duration maxReplyLateness() const;
     /// No adapter is later than this.
     static constexpr base::Duration maxLateness = std::chrono::milliseconds(250);
+    /// A busy computer may hold back replies for as long as this.
+    static constexpr base::Duration maxStall = std::chrono::milliseconds(500);
     /// A reply has shown how late this link is.
     bool hasMeasured() const { return m_measured.load(std::memory_order_relaxed); }
 
