@@ -231,22 +231,26 @@ base::Result<QueryResult> HistoryServer::run(const QString& sql, const QVariantL
                                                               : ServerErrorKind::Unreachable,
                                           QString()));
     QSqlQuery query(database);
+    // Otherwise record() asks the server for the names of the tables, and Qt's driver prints a
+    // warning when the connection breaks meanwhile.
+    query.setForwardOnly(true);
     QueryResult answer;
     m_queryStartedAt = Clock::now().time_since_epoch().count();
-    const bool answered = query.exec(statement(sql, values));
+    bool answered = query.exec(statement(sql, values));
+    if (answered && query.isSelect()) {
+        const int columns = query.record().count();
+        while (query.next()) {
+            QVariantList& row = answer.rows.emplace_back();
+            for (int column = 0; column < columns; ++column)
+                row.append(query.value(column));
+        }
+        answered = query.lastError().type() == QSqlError::NoError; // or it ended half-way
+    } else if (answered) {
+        answer.changed = query.numRowsAffected();
+    }
     m_queryStartedAt = 0;
     if (!answered)
         return tl::unexpected(error(query.lastError(), false));
-    if (!query.isSelect()) {
-        answer.changed = query.numRowsAffected();
-        return answer;
-    }
-    const int columns = query.record().count();
-    while (query.next()) {
-        QVariantList& row = answer.rows.emplace_back();
-        for (int column = 0; column < columns; ++column)
-            row.append(query.value(column));
-    }
     return answer;
 }
 
