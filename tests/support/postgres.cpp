@@ -4,6 +4,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QRandomGenerator>
 #include <QStandardPaths>
 
 #include <arpa/inet.h>
@@ -44,20 +45,25 @@ const passwd* serverUser()
     return geteuid() == 0 ? getpwnam("postgres") : getpwuid(geteuid());
 }
 
-/// A port without a listener.
+/// A port without a listener, outside the range from which the system takes those of clients: a
+/// server that starts again finds it free.
 quint16 freePort()
 {
-    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    quint16 port = 0;
-    if (::bind(socket, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
-        ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0)
-        port = ntohs(address.sin_port);
-    ::close(socket);
-    return port;
+    constexpr quint16 first = 10'000;
+    constexpr quint16 count = 10'000;
+    for (;;) {
+        const auto port = quint16(first + QRandomGenerator::system()->bounded(count));
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        address.sin_port = htons(port);
+        const bool free =
+            ::bind(socket, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+        ::close(socket);
+        if (free)
+            return port;
+    }
 }
 
 QList<int> childrenOf(qint64 process)
