@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/examples.h"
 #include "cli/output/table.h"
 #include "cli/parser.h"
 #include "cli/translate.h"
@@ -7,10 +8,14 @@ namespace cli {
 namespace {
 constexpr int nameWidth = 30;
 
+/// A name that leaves no room beside it stands above its explanation.
 QString entry(const QString& name, const char* help)
 {
-    return QStringLiteral("  ") + padded(name, nameWidth - 2) + QLatin1Char(' ') +
-           translate("cli", help) + QLatin1Char('\n');
+    const QString indent = name.size() > nameWidth - 2
+                               ? name + QLatin1Char('\n') + QString(nameWidth, QLatin1Char(' '))
+                               : padded(name, nameWidth - 2);
+    return QStringLiteral("  ") + indent + QLatin1Char(' ') + translate("cli", help) +
+           QLatin1Char('\n');
 }
 
 QString formatName(const Positional& positional)
@@ -35,6 +40,19 @@ QString optionList(const QString& title, const std::vector<Option>& options)
     QString text = QLatin1Char('\n') + title + QLatin1Char('\n');
     for (const Option& option : options)
         text += entry(formatFlag(option), option.help);
+    return text;
+}
+
+QString exampleList(const Command& command)
+{
+    QString text;
+    for (const Examples& one : allExamples()) {
+        if (qstrcmp(one.command, command.name) != 0)
+            continue;
+        text += QLatin1Char('\n') + translate("cli", "Examples:") + QLatin1Char('\n');
+        for (const char* line : {one.first, one.second})
+            text += QStringLiteral("  servodesk-cli %1\n").arg(QLatin1String(line));
+    }
     return text;
 }
 
@@ -68,6 +86,7 @@ QString helpText(const Command* command)
         for (const Positional& positional : command->positionals)
             text += entry(formatName(positional), positional.help);
         text += optionList(translate("cli", "Options of this command:"), command->options);
+        text += exampleList(*command);
     }
     text += optionList(translate("cli", "Options:"), globalOptions());
     if (command == nullptr) {

@@ -31,6 +31,7 @@ public:
     /// Options for every command, ahead of it.
     void setGlobals(const QStringList& options) { m_globals = options; }
     void setEnvironment(const QString& name, const QString& value);
+    void setWorkingFolder(const QString& path) { m_process.setWorkingDirectory(path); }
     QString dataFolder() const { return m_data.path(); }
 
     ProgramResult run(const QStringList& arguments);

@@ -226,6 +226,7 @@ void TestCliArguments::everyCommandIsDescribed()
         QVERIFY(all.contains(QString::fromLatin1(command.name)));
         QVERIFY(command.run != nullptr);
         const QString own = cli::helpText(&command);
+        QCOMPARE(own.count(QStringLiteral("\n  servodesk-cli ")), 2); // examples
         for (const cli::Option& option : command.options)
             QVERIFY2(own.contains(QString::fromLatin1(option.flag)), command.name);
         for (const cli::Positional& positional : command.positionals)
