@@ -299,10 +299,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Searched for %1 · %n servo(s)</source>
+        <source>Search took %1 · %n servo(s)</source>
         <translation>
-            <numerusform>Searched for %1 · %n servo</numerusform>
-            <numerusform>Searched for %1 · %n servos</numerusform>
+            <numerusform>Search took %1 · %n servo</numerusform>
+            <numerusform>Search took %1 · %n servos</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -19,12 +19,12 @@
         <translation>六个舵机，其中一个报警</translation>
     </message>
     <message>
-        <source>mixed baud rates, two servos with one ID, faults</source>
-        <translation>多种波特率、两个舵机同 ID、故障</translation>
+        <source>mixed baud rates, two servos sharing one ID, faults</source>
+        <translation>多种波特率、两个舵机 ID 相同、有故障</translation>
     </message>
     <message>
         <source>one SMS servo on Modbus-RTU</source>
-        <translation>一个 Modbus-RTU 的 SMS 舵机</translation>
+        <translation>一个使用 Modbus-RTU 的 SMS 舵机</translation>
     </message>
     <message>
         <source>five Hiwonder LX servos</source>
@@ -214,7 +214,7 @@
         <translation>批量设置(&amp;C)</translation>
     </message>
     <message>
-        <source>Turns torque off, reboots the servo and waits until it answers</source>
+        <source>Turns torque off, reboots the servo and waits for its reply</source>
         <translation>卸力后重启舵机并等待其应答</translation>
     </message>
     <message>
@@ -243,7 +243,7 @@
     </message>
     <message>
         <source>Ends the search; the servos found so far stay in the list</source>
-        <translation>结束搜索；已找到的舵机保留</translation>
+        <translation>结束搜索；已找到的舵机保留在列表中</translation>
     </message>
     <message>
         <source>Ends the current task; a write in progress is completed safely first</source>
@@ -263,7 +263,7 @@
     </message>
     <message>
         <source>Locks the EPROM to prevent accidental permanent changes</source>
-        <translation>给未上锁的 EPROM 上锁，以免误改并永久保存</translation>
+        <translation>给未上锁的 EPROM 上锁，防止误改被永久保存</translation>
     </message>
     <message>
         <source>Copies the selected rows of the memory table as text</source>
@@ -286,7 +286,7 @@
         <translation>重新写入被撤销的更改</translation>
     </message>
     <message>
-        <source>Changes the ID of the servo after checking that the new one is free</source>
+        <source>Changes the ID of the servo after checking that the new ID is free</source>
         <translation>更改舵机 ID；先确认新 ID 未被占用</translation>
     </message>
     <message>
@@ -322,11 +322,11 @@
         <translation>让舵机的 LED 闪烁几秒</translation>
     </message>
     <message>
-        <source>Shows the cause of the alarm and clears it</source>
-        <translation>显示报警原因，并按原因解除</translation>
+        <source>Shows what caused the alarm and lets you clear it</source>
+        <translation>显示报警原因，并按原因解除报警</translation>
     </message>
     <message>
-        <source>Lists writes from earlier sessions that were not finished</source>
+        <source>Lists unfinished writes from earlier sessions</source>
         <translation>列出以前未写完的写入</translation>
     </message>
     <message>
@@ -354,7 +354,7 @@
         <translation>读取整个内存表并存入历史记录</translation>
     </message>
     <message>
-        <source>Set up servos connected one after another</source>
+        <source>Set up servos one at a time</source>
         <translation>逐个接上并设置舵机</translation>
     </message>
     <message>
@@ -371,7 +371,7 @@
     </message>
     <message>
         <source>Shows a recording in the chart</source>
-        <translation>在曲线图中显示录制</translation>
+        <translation>在曲线图中显示一段录制</translation>
     </message>
     <message>
         <source>All &amp;torque off</source>
@@ -390,7 +390,7 @@
         <translation>启动以来的全部消息</translation>
     </message>
     <message>
-        <source>List all shortcuts</source>
+        <source>Lists all shortcuts</source>
         <translation>列出全部快捷键</translation>
     </message>
     <message>
@@ -402,14 +402,14 @@
         <translation>退出程序；正在进行的写入会先完成</translation>
     </message>
     <message>
-        <source>Shows saved tests, compares two, and selects a reference</source>
+        <source>Lists saved tests; you can compare two or select a reference</source>
         <translation>查看已保存的测试，对比两次测试，选定参考舵机</translation>
     </message>
 </context>
 <context>
     <name>CommissionText</name>
     <message>
-        <source>no register map fits %1: nothing is written</source>
+        <source>no register map for %1: nothing is written</source>
         <translation>%1 的内存表未知，不写入</translation>
     </message>
     <message>
@@ -434,10 +434,10 @@
     </message>
     <message>
         <source>its ID is %1, not the factory default</source>
-        <translation>不是出厂 ID，而是 %1</translation>
+        <translation>ID 为 %1，不是出厂 ID</translation>
     </message>
     <message>
-        <source>no ID is left for it</source>
+        <source>no ID is left to assign</source>
         <translation>ID 已用完</translation>
     </message>
     <message>
@@ -454,7 +454,7 @@
     </message>
     <message>
         <source>%1 baud takes effect only after a reboot</source>
-        <translation>波特率 %1 重启后生效</translation>
+        <translation>波特率 %1 重启后才生效</translation>
     </message>
     <message>
         <source>its baud rate register is set to %1</source>
@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>torque was on; it has been turned off</source>
-        <translation>扭矩曾打开，已卸力</translation>
+        <translation>扭矩原为打开状态，已卸力</translation>
     </message>
     <message>
         <source>%1 differs when read back</source>
@@ -521,7 +521,7 @@
         <translation>线路一直没有静默</translation>
     </message>
     <message>
-        <source>it did not accept the write</source>
+        <source>the servo did not accept the write</source>
         <translation>写入未生效</translation>
     </message>
     <message>
@@ -530,7 +530,7 @@
     </message>
     <message>
         <source>another servo replies now: %1</source>
-        <translation>应答的是其他舵机：%1</translation>
+        <translation>现在应答的是另一个舵机：%1</translation>
     </message>
     <message>
         <source>the value is out of range: %1</source>
@@ -545,12 +545,12 @@
         <translation>未完成的舵机 ID 为 %1</translation>
     </message>
     <message>
-        <source>the unfinished servo may have any of these IDs: %1</source>
+        <source>the unfinished servo may have one of these IDs: %1</source>
         <translation>未完成的舵机可能使用以下任一 ID：%1</translation>
     </message>
     <message>
         <source>its EPROM was unlocked, and the EPROM lock could not be confirmed</source>
-        <translation>其 EPROM 已解锁，无法确认已重新上锁</translation>
+        <translation>EPROM 曾被解锁，无法确认已重新上锁</translation>
     </message>
     <message>
         <source>the result of a write is unknown</source>
@@ -574,7 +574,7 @@
     </message>
     <message>
         <source>sensor alarm</source>
-        <translation>传感器故障</translation>
+        <translation>传感器异常</translation>
     </message>
     <message>
         <source>Good</source>
@@ -641,7 +641,7 @@
     </message>
     <message>
         <source>limited to %1 (%2), the maximum for this model</source>
-        <translation>不会快于 %1（%2），此型号的最大值</translation>
+        <translation>限制为 %1（%2），即此型号的最大值</translation>
     </message>
     <message>
         <source>maximum for this model: %1 (%2)</source>
@@ -649,7 +649,7 @@
     </message>
     <message>
         <source>Moves to an angle within the angle limits</source>
-        <translation>转到限位内的角度</translation>
+        <translation>转到角度限制范围内的角度</translation>
     </message>
     <message>
         <source>Moves to an angle up to 7.5 turns in either direction; turns are counted from power-on</source>
@@ -665,7 +665,7 @@
     </message>
     <message>
         <source>Each goal is relative to the present position, up to 7.5 turns in total</source>
-        <translation>每个目标都是从当前位置走一步，总共 7.5 圈</translation>
+        <translation>每个目标都相对于当前位置，总共不超过 7.5 圈</translation>
     </message>
     <message>
         <source>Turns continuously like a motor</source>
@@ -677,14 +677,14 @@
     </message>
     <message>
         <source>Position control without integral term (newer firmware); one turn only</source>
-        <translation>新固件的位置控制，无积分项；仅限一圈</translation>
+        <translation>无积分项的位置控制（较新固件）；仅限一圈</translation>
     </message>
     <message>
         <source>Moves to an angle, then turns torque off</source>
         <translation>转到角度后卸力</translation>
     </message>
     <message>
-        <source>The angle limits %1 are saved and restored when you switch back.</source>
+        <source>The angle limits %1 are saved, and will be restored when you switch back.</source>
         <translation>角度限制 %1 已保存，切换回来时恢复。</translation>
     </message>
     <message>
@@ -701,24 +701,24 @@
     </message>
     <message>
         <source>&quot;%1&quot; is set to 0 to prevent unexpected movement.</source>
-        <translation>“%1”置 0，避免意外启动。</translation>
+        <translation>“%1”设为 0，防止意外转动。</translation>
     </message>
     <message>
         <source>All written values are read back. The mode is kept after power-off.</source>
-        <translation>全部回读确认。断电后模式保持不变。</translation>
+        <translation>写入的值全部回读确认。断电后模式保持不变。</translation>
     </message>
     <message numerus="yes">
         <source>%n other selected servo(s) will be switched the same way</source>
         <translation>
-            <numerusform>其他 %n 个选中的舵机同样切换</numerusform>
+            <numerusform>其他 %n 个选中的舵机也会同样切换</numerusform>
         </translation>
     </message>
     <message>
         <source>Select a servo on the left. Selecting a servo does not move it.</source>
-        <translation>请在左侧选择舵机。选择不会使其运动。</translation>
+        <translation>请在左侧选择舵机。选择舵机不会使其运动。</translation>
     </message>
     <message>
-        <source>This servo answers but does not report its model, so ServoDesk cannot move it. Search again, or check whether two servos share this ID.</source>
+        <source>This servo replies but does not report its model, so ServoDesk cannot move it. Search again, or check whether two servos share this ID.</source>
         <translation>此舵机有应答，但读不到型号信息，因此无法驱动。请重新搜索，或检查是否有两个舵机 ID 相同。</translation>
     </message>
     <message>
@@ -886,15 +886,15 @@
     </message>
     <message>
         <source>, EPROM locked</source>
-        <translation>，已上锁</translation>
+        <translation>，EPROM 已上锁</translation>
     </message>
     <message>
         <source>, EPROM UNLOCKED</source>
         <translation>，EPROM 未上锁！</translation>
     </message>
     <message>
-        <source>, EPROM not confirmed as locked</source>
-        <translation>，未能确认已上锁</translation>
+        <source>, EPROM lock not confirmed</source>
+        <translation>，无法确认 EPROM 已上锁</translation>
     </message>
     <message numerus="yes">
         <source>Search ended after %1 s, %n servo(s) found</source>
@@ -907,8 +907,8 @@
         <translation>。无应答：ID %1</translation>
     </message>
     <message>
-        <source>These servos were expected and were queried several times.</source>
-        <translation>这些舵机应当存在，已多次询问。</translation>
+        <source>These servos were expected, but did not reply to several queries.</source>
+        <translation>这些舵机本应在总线上，但多次查询均无应答。</translation>
     </message>
     <message>
         <source>Another servo replies with ID %1: %2</source>
@@ -924,11 +924,11 @@
     </message>
     <message>
         <source>different baud rate, not reached: ID %1</source>
-        <translation>波特率不同，未能到达：ID %1</translation>
+        <translation>波特率不同，指令未送达：ID %1</translation>
     </message>
     <message>
         <source>a goal may still be waiting for its start command: ID %1</source>
-        <translation>可能仍有目标等待执行：ID %1</translation>
+        <translation>可能仍有目标在等待执行指令：ID %1</translation>
     </message>
     <message>
         <source>Emergency stop confirmed: torque is off, ID %1</source>
@@ -968,11 +968,11 @@
     </message>
     <message>
         <source>Turn off the power supply to stop the motion.</source>
-        <translation>要停止它，请切断电源。</translation>
+        <translation>要停止运动，请切断电源。</translation>
     </message>
     <message>
         <source>. EPROM locked: ID %1</source>
-        <translation>。已上锁 EPROM：ID %1</translation>
+        <translation>。EPROM 已上锁：ID %1</translation>
     </message>
     <message>
         <source>. EPROM STILL UNLOCKED: ID %1</source>
@@ -1043,7 +1043,7 @@
         <translation>过压欠压</translation>
     </message>
     <message>
-        <source>Encoder fault</source>
+        <source>Sensor fault</source>
         <translation>传感器异常</translation>
     </message>
     <message>
@@ -1064,7 +1064,7 @@
     </message>
     <message>
         <source>remaining distance</source>
-        <translation>剩余行程</translation>
+        <translation>剩余距离</translation>
     </message>
 </context>
 <context>
@@ -1171,7 +1171,7 @@
     </message>
     <message>
         <source>Reason</source>
-        <translation>来由</translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>Label</source>
@@ -1286,8 +1286,8 @@
         <translation>程序</translation>
     </message>
     <message>
-        <source>Derived from the limits, not reported by the servo.</source>
-        <translation>由限值推断，并非舵机上报。</translation>
+        <source>This alarm is derived from the limits, not reported by the servo.</source>
+        <translation>此报警由限值推算得出，并非由舵机报告。</translation>
     </message>
     <message>
         <source>Files</source>
@@ -1306,19 +1306,19 @@
         <translation>此条目是操作，不是可以写回的值。</translation>
     </message>
     <message>
-        <source>The register holds the old value.</source>
-        <translation>寄存器中已是旧值。</translation>
+        <source>The register already holds the old value.</source>
+        <translation>该参数已是原值。</translation>
     </message>
     <message>
         <source>Undo this write?</source>
         <translation>撤销此写入？</translation>
     </message>
     <message>
-        <source>ID %1 · %2: %3 is set from %4 to %5.</source>
+        <source>ID %1 · %2: %3 changes from %4 to %5.</source>
         <translation>ID %1 · %2：%3 从 %4 改为 %5。</translation>
     </message>
     <message>
-        <source>It was changed again after this write.</source>
+        <source>The value was changed again after this write.</source>
         <translation>此写入之后该值又被更改过。</translation>
     </message>
     <message>
@@ -1333,7 +1333,7 @@
         <translation>%1 的内存表，ID %2</translation>
     </message>
     <message>
-        <source>Firmware %1, map %2</source>
+        <source>Firmware %1, register map %2</source>
         <translation>固件 %1，内存表 %2</translation>
     </message>
     <message>
@@ -1353,7 +1353,7 @@
     <name>MemoryTable</name>
     <message>
         <source>not measured</source>
-        <translation>无检测</translation>
+        <translation>未测量</translation>
     </message>
     <message>
         <source>Address</source>
@@ -1393,7 +1393,7 @@
     </message>
     <message>
         <source>%1: was %2 when first read in this session</source>
-        <translation>%1：本次首次读取时为 %2</translation>
+        <translation>%1：本次会话中首次读取时为 %2</translation>
     </message>
     <message>
         <source>No default is known for this model.</source>
@@ -1412,8 +1412,8 @@
         <translation>该参数还没有读取。请点“读取全部”。</translation>
     </message>
     <message>
-        <source>Read from the servo.</source>
-        <translation>从舵机读取。</translation>
+        <source>The value was read from the servo.</source>
+        <translation>该值已从舵机读取。</translation>
     </message>
     <message>
         <source>%1 is being written.</source>
@@ -1445,7 +1445,7 @@
     </message>
     <message>
         <source>%1. A wrong value can make the servo unreachable or dangerous. ServoDesk asks for confirmation before each write.</source>
-        <translation>%1。写错可能导致舵机失联或发生危险。每次写入前都会询问。</translation>
+        <translation>%1。写错可能导致舵机失联或发生危险。每次写入前 ServoDesk 都会要求确认。</translation>
     </message>
     <message>
         <source>Address in the servo&apos;s memory table</source>
@@ -1453,7 +1453,7 @@
     </message>
     <message>
         <source>Register name; • marks a value that differs from the first reading of this session</source>
-        <translation>参数名称；• 表示与本次首次读取的值不同</translation>
+        <translation>参数名称；• 表示与本次会话中首次读取的值不同</translation>
     </message>
     <message>
         <source>Raw value as read from the servo</source>
@@ -1464,12 +1464,12 @@
         <translation>同一数值，带单位或名称</translation>
     </message>
     <message>
-        <source>Memory area: EPROM is kept at power-off, SRAM is lost at power-off, feedback is measured, factory is set by the manufacturer</source>
-        <translation>参数所在区域：EPROM 断电保存，SRAM 断电丢失，反馈为实测值，出厂为厂家参数</translation>
+        <source>Memory area: EPROM (kept after power-off), SRAM (lost at power-off), feedback (measured) or factory (set by the manufacturer)</source>
+        <translation>存储区域：EPROM（断电后保存）、SRAM（断电后丢失）、反馈（实测值）或出厂（由厂家设定）</translation>
     </message>
     <message>
         <source>r: read-only; rw: read/write; ⚠: requires confirmation for each write</source>
-        <translation>r：只读；rw：读写；⚠：每次写入需要确认</translation>
+        <translation>⚠：每次写入需要确认</translation>
     </message>
     <message>
         <source>Factory value; empty if unknown</source>
@@ -1501,7 +1501,7 @@
     </message>
     <message>
         <source>changed since the write</source>
-        <translation>写入后已变</translation>
+        <translation>写入后已改变</translation>
     </message>
     <message>
         <source>The last reading failed, so no value is shown.</source>
@@ -1513,7 +1513,7 @@
     </message>
     <message>
         <source>%1 was written, but the servo reports a different value.</source>
-        <translation>已写入 %1，但舵机显示的是另一个值。</translation>
+        <translation>已写入 %1，但舵机报告的是另一个值。</translation>
     </message>
     <message>
         <source>The servo did not accept %1.</source>
@@ -1533,7 +1533,7 @@
     </message>
     <message>
         <source>%1 was written, but the servo has since reported a different value. Either a temporary value was lost at power-off, or another program wrote to the servo.</source>
-        <translation>这里曾写入 %1，但之后舵机显示另一个值。可能是临时值因断电丢失，或有其他程序写入。</translation>
+        <translation>曾写入 %1，但之后舵机报告了另一个值。可能是临时值因断电丢失，或有其他程序写入了该舵机。</translation>
     </message>
     <message>
         <source>The value shown was just read.</source>
@@ -1586,7 +1586,7 @@
     </message>
     <message>
         <source>save a screenshot of the window to this PNG file and quit</source>
-        <translation>把窗口写入此 PNG 文件后退出</translation>
+        <translation>把窗口截图保存到此 PNG 文件后退出</translation>
     </message>
     <message>
         <source>window size, for example 1280x800</source>
@@ -1662,7 +1662,7 @@
     </message>
     <message>
         <source>That register has not been read, so the default unit is shown.</source>
-        <translation>该参数尚未读取，因此按通常的单位显示。</translation>
+        <translation>决定其含义的参数尚未读取，因此按默认单位显示。</translation>
     </message>
     <message>
         <source>Registers that depend on this one: %1.</source>
@@ -1713,7 +1713,7 @@
     </message>
     <message>
         <source>When the servo replies again, open Port → Interrupted writes and choose Undo to restore the old values.</source>
-        <translation>舵机恢复应答后，请打开“端口 → 中断的写入”：在那里撤销即可恢复原值。</translation>
+        <translation>舵机恢复应答后，请打开“端口 → 中断的写入”，选择“撤销”以恢复原值。</translation>
     </message>
     <message>
         <source>The snapshot saved before the first write contains the old values.</source>
@@ -1725,7 +1725,7 @@
     </message>
     <message>
         <source>The EPROM lock could not be confirmed.</source>
-        <translation>不能确认 EPROM 已上锁。</translation>
+        <translation>无法确认 EPROM 已上锁。</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) written and read back</source>
@@ -1735,7 +1735,7 @@
     </message>
     <message>
         <source>Not written or not confirmed: %1.</source>
-        <translation>未写入或未能证实：%1。</translation>
+        <translation>未写入或未确认：%1。</translation>
     </message>
 </context>
 <context>
@@ -1842,16 +1842,16 @@
         <translation>EPROM 未上锁</translation>
     </message>
     <message>
-        <source>EPROM not confirmed as locked</source>
-        <translation>EPROM 未确认上锁</translation>
+        <source>EPROM lock not confirmed</source>
+        <translation>EPROM 上锁未确认</translation>
     </message>
     <message>
         <source>EPROM unlocked by ServoDesk</source>
-        <translation>EPROM 未上锁（由 ServoDesk 打开）</translation>
+        <translation>EPROM 未上锁（由 ServoDesk 解锁）</translation>
     </message>
     <message>
-        <source>EPROM unlocked by ServoDesk, not confirmed as locked</source>
-        <translation>EPROM 未确认上锁（由 ServoDesk 打开）</translation>
+        <source>EPROM unlocked by ServoDesk, lock not confirmed</source>
+        <translation>EPROM 由 ServoDesk 解锁，上锁未确认</translation>
     </message>
     <message>
         <source>Replies late</source>
@@ -1859,11 +1859,11 @@
     </message>
     <message>
         <source>Known firmware: %1 (%2)</source>
-        <translation>已知有固件 %1（%2）</translation>
+        <translation>已知固件：%1（%2）</translation>
     </message>
     <message>
         <source>Bus type: %1</source>
-        <translation>接口：%1</translation>
+        <translation>总线类型：%1</translation>
     </message>
 </context>
 <context>
@@ -1981,7 +1981,7 @@
         <translation>设置波特率</translation>
     </message>
     <message>
-        <source>When</source>
+        <source>Time</source>
         <translation>时间</translation>
     </message>
     <message>
@@ -1989,12 +1989,12 @@
         <translation>舵机</translation>
     </message>
     <message>
-        <source>What</source>
+        <source>Operation</source>
         <translation>操作</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation>修改</translation>
+        <translation>更改</translation>
     </message>
     <message>
         <source>EPROM lock</source>
@@ -2054,7 +2054,7 @@
     </message>
     <message>
         <source>The new ID, %1 to %2</source>
-        <translation>新 ID，%1 到 %2</translation>
+        <translation>新 ID，范围 %1～%2</translation>
     </message>
     <message>
         <source>IDs on this bus</source>
@@ -2093,8 +2093,8 @@
         <translation>可能原因：%1</translation>
     </message>
     <message>
-        <source>The servo answers as ID %1 at %2 baud.</source>
-        <translation>舵机现以 ID %1、%2 波特率应答。</translation>
+        <source>The servo replies as ID %1 at %2 baud.</source>
+        <translation>舵机现以 ID %1、波特率 %2 应答。</translation>
     </message>
     <message>
         <source>restore a snapshot</source>
@@ -2126,7 +2126,7 @@
     </message>
     <message>
         <source>Each alarm is cleared in its own way. While this dialog is open, values are read continuously; reading does not change the servo.</source>
-        <translation>每种报警有各自的解除方式。此窗口打开期间不断读取数值；读取不会改动舵机。</translation>
+        <translation>每种报警有各自的解除方式。此对话框打开期间会持续读取数值；读取不会改动舵机。</translation>
     </message>
     <message>
         <source>Performs the action that clears the alarm</source>
@@ -2169,7 +2169,7 @@
         <translation>报警仍在，或再次出现，因为原因尚未消除。</translation>
     </message>
     <message>
-        <source>Not supported by this servo.</source>
+        <source>This servo does not support this action.</source>
         <translation>该舵机不支持此操作。</translation>
     </message>
     <message>
@@ -2178,7 +2178,7 @@
     </message>
     <message>
         <source>The present shaft position becomes the midpoint of the travel range. Torque is turned off first to prevent a jump to the old goal position, and stays off until you turn it on. The position correction is kept after power-off.</source>
-        <translation>输出轴的当前位置成为行程中位。先卸力，以免跳向旧目标位置；保持卸力，直到您打开扭矩。位置校正断电后保存。</translation>
+        <translation>输出轴的当前位置将成为转动范围的中位。先卸力，以免舵机跳向原目标位置；之后保持卸力，直到您打开扭矩。位置校正断电后保存。</translation>
     </message>
     <message>
         <source>Turns torque off and sets the present position as the midpoint</source>
@@ -2194,7 +2194,7 @@
     </message>
     <message>
         <source>The LED of this servo blinks for a few seconds, then its setting is restored. Nothing moves. A servo without an LED shows nothing.</source>
-        <translation>该舵机的 LED 闪烁几秒，然后恢复原来的设置。舵机不会转动。没有 LED 的舵机无显示。</translation>
+        <translation>该舵机的 LED 闪烁几秒，然后恢复原来的设置。舵机不会转动。没有 LED 的舵机上看不到任何变化。</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -2202,15 +2202,15 @@
     </message>
     <message>
         <source>Blinks the LED again</source>
-        <translation>再闪一次</translation>
+        <translation>让 LED 再次闪烁</translation>
     </message>
     <message>
         <source>The LED setting has been restored.</source>
         <translation>LED 设置已恢复原样。</translation>
     </message>
     <message>
-        <source>Left unchanged because the value has since changed, or because writing it would move the servo: %1</source>
-        <translation>保持不变，因为之后已是其他数值，或写入会使舵机转动：%1</translation>
+        <source>These registers were left unchanged because their values have since changed or because writing them would move the servo: %1</source>
+        <translation>以下参数保持不变，因为其数值之后已改变，或写入会使舵机转动：%1</translation>
     </message>
     <message>
         <source>Nothing was written. ServoDesk will no longer offer to finish or undo this change.</source>
@@ -2230,7 +2230,7 @@
     </message>
     <message>
         <source>Changes that were started but not finished are listed here. Possible causes: a cable was pulled, the power failed, or the program was terminated.</source>
-        <translation>因拔线、断电或程序被结束而没有写完的更改会列在这里。</translation>
+        <translation>因拔线、断电或程序被终止而未写完的更改会列在这里。</translation>
     </message>
     <message>
         <source>Another program is still making these changes, so ServoDesk does not touch them. If that program ends before the changes are complete, they are listed here.</source>
@@ -2238,11 +2238,11 @@
     </message>
     <message>
         <source>These changes were started but not finished because a cable was pulled, the power failed, or the program was terminated. ServoDesk has only checked them; nothing was written. Choose what to do with each change. Postponed changes are listed again at the next connection.</source>
-        <translation>这些更改已开始但未写完：可能拔了线、断了电，或程序被终止。检查时没有写入任何内容。请逐项选择处理方式。留到以后的更改会在下次连接时再次提示。</translation>
+        <translation>这些更改因拔线、断电或程序被终止而未写完。ServoDesk 只做了检查，没有写入任何内容。请逐项选择处理方式。推迟的更改会在下次连接时再次列出。</translation>
     </message>
     <message>
         <source>If another program is still making a change, ServoDesk leaves the change to that program.</source>
-        <translation>仍由另一个程序进行中的更改由该程序完成。</translation>
+        <translation>如果另一个程序仍在进行某项更改，ServoDesk 会留给该程序完成。</translation>
     </message>
     <message>
         <source>Restores the old values, verifies them, and locks the EPROM</source>
@@ -2250,7 +2250,7 @@
     </message>
     <message>
         <source>Marks the change as abandoned in the journal; the servo stays as it is</source>
-        <translation>在写入日志中标记为已放弃；舵机保持现状</translation>
+        <translation>在写入日志中把此更改标记为已放弃；舵机保持现状</translation>
     </message>
     <message>
         <source>Closes this list; writes nothing</source>
@@ -2258,7 +2258,7 @@
     </message>
     <message>
         <source>Search this port</source>
-        <translation>在此端口查找</translation>
+        <translation>搜索此端口</translation>
     </message>
     <message>
         <source>Reads the servos on this port and compares them with these changes; writes nothing</source>
@@ -2278,11 +2278,11 @@
     </message>
     <message>
         <source>ServoDesk will no longer offer to finish or undo this change. The servo stays as it is.</source>
-        <translation>ServoDesk 不再提示完成或撤销。舵机保持现状。</translation>
+        <translation>ServoDesk 将不再提示完成或撤销此更改。舵机保持现状。</translation>
     </message>
     <message>
         <source>The EPROM may be unlocked, and the servo may have some old and some new values.</source>
-        <translation>EPROM 可能没有上锁，数值可能一部分是旧的、一部分是新的。</translation>
+        <translation>EPROM 可能没有上锁，舵机中的数值可能一部分是原值、一部分是新值。</translation>
     </message>
     <message>
         <source>No unfinished changes.</source>
@@ -2290,7 +2290,7 @@
     </message>
     <message>
         <source>Nothing was written because the change is no longer listed as unfinished, or because the port where it was started is available again.</source>
-        <translation>未写入任何内容，因为该更改已不再处于未写完状态，或开始该更改的端口已重新出现。</translation>
+        <translation>未写入任何内容：该更改已不在未写完之列，或开始该更改时所用的端口已重新出现。</translation>
     </message>
     <message>
         <source>Unfinished changes from other ports. If the adapter has a new port name, search this port for the servos:</source>
@@ -2329,24 +2329,24 @@
         <translation>重启舵机</translation>
     </message>
     <message>
-        <source>Torque is turned off first, so a load hanging on the shaft will drop. Temporarily written values and the turn count are lost. ServoDesk keeps the whole bus quiet for up to two seconds until the servo answers again.</source>
-        <translation>先卸力：悬挂的负载会落下。临时写入的值和圈数都会丢失。在舵机恢复应答之前整条总线保持安静，最多两秒。</translation>
+        <source>Torque is turned off first, so a load hanging on the shaft will drop. Temporarily written values and the turn count are lost. ServoDesk keeps the whole bus quiet for up to two seconds until the servo replies again.</source>
+        <translation>会先卸力，悬挂在输出轴上的负载会落下。临时写入的值和圈数都会丢失。舵机恢复应答之前，ServoDesk 会让整条总线保持静默，最多两秒。</translation>
     </message>
     <message>
         <source>Reboot</source>
         <translation>重启</translation>
     </message>
     <message>
-        <source>Turns torque off, reboots the servo and waits until it answers</source>
+        <source>Turns torque off, reboots the servo and waits for its reply</source>
         <translation>卸力后重启舵机并等待其应答</translation>
     </message>
     <message>
-        <source>The servo has rebooted and answers again.</source>
+        <source>The servo has rebooted and replies again.</source>
         <translation>舵机已重启并恢复应答。</translation>
     </message>
     <message>
         <source>No settings have changed.</source>
-        <translation>没有设置发生变化。</translation>
+        <translation>设置没有变化。</translation>
     </message>
     <message numerus="yes">
         <source>%n setting(s) changed: %1</source>
@@ -2364,19 +2364,19 @@
     </message>
     <message>
         <source>Save and reset</source>
-        <translation>保存并恢复</translation>
+        <translation>保存并恢复出厂设置</translation>
     </message>
     <message>
         <source>Saves the memory table, resets the servo to factory defaults, and then finds the servo again</source>
-        <translation>保存内存表，恢复出厂设置，再找到舵机</translation>
+        <translation>保存内存表，恢复出厂设置，然后重新查找舵机</translation>
     </message>
     <message>
         <source>Baud rate: may revert to the stored rate. ServoDesk searches for the servo at all baud rates of its family.
 ID: should stay the same; some servos revert to 1. If another servo has ID 1, connect this servo alone.
 Limits, gains and position correction: will be reset; afterwards, the same position may correspond to a different angle.</source>
         <translation>波特率：可能恢复为存储值；ServoDesk 会在该系列的所有波特率上查找舵机。
-ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1，请只接这一个。
-限位、增益和位置校正：会恢复，之后同一位置可能对应不同角度。</translation>
+ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1，请单独连接要恢复的舵机。
+限位、增益和位置校正：会恢复为出厂值，之后同一位置可能对应不同角度。</translation>
     </message>
     <message>
         <source>The previous settings were saved to %1</source>
@@ -2391,8 +2391,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>当前就是这个波特率。</translation>
     </message>
     <message>
-        <source>After this, the servo answers only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
-        <translation>此后只以 %1 波特率应答。ServoDesk 会自动切换；其他程序需要另行设置。</translation>
+        <source>After this, the servo replies only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
+        <translation>此后舵机只以波特率 %1 应答。ServoDesk 会自动切换；其他程序需要另行设置。</translation>
     </message>
     <message numerus="yes">
         <source>%n other servo(s) stay at %1 baud. A program that uses only one baud rate can no longer reach all servos.</source>
@@ -2402,11 +2402,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The new baud rate is tested first and written only if this adapter supports it. The servo keeps the new baud rate after power-off.</source>
-        <translation>先试验新波特率：适配器支持才会写入。断电后保存。</translation>
+        <translation>会先测试新波特率，适配器支持才会写入。断电后舵机仍保留新波特率。</translation>
     </message>
     <message>
         <source>Writes the baud rate, finds the servo at the new baud rate, and locks the EPROM</source>
-        <translation>写入波特率，在新波特率找到舵机，并给 EPROM 上锁</translation>
+        <translation>写入波特率，在新波特率下找到舵机，并给 EPROM 上锁</translation>
     </message>
     <message>
         <source>Baud rates supported by this family</source>
@@ -2417,20 +2417,20 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>当前就是这个 ID。</translation>
     </message>
     <message>
-        <source>ID %1 belongs to another servo (%2). Two servos with the same ID answer at the same time, and neither reply can be read.</source>
-        <translation>ID %1 属于另一个舵机（%2）。两个舵机使用同一 ID 会同时应答，两者都无法识别。</translation>
+        <source>ID %1 belongs to another servo (%2). Two servos with the same ID reply at the same time, so neither reply can be read.</source>
+        <translation>ID %1 属于另一个舵机（%2）。两个舵机使用同一 ID 时会同时应答，两个应答都无法识别。</translation>
     </message>
     <message>
-        <source>ServoDesk first checks ID %1 and writes it only if no servo answers with this ID.</source>
+        <source>ServoDesk first checks ID %1 and writes it only if no servo replies with this ID.</source>
         <translation>会先查询 ID %1：没有舵机应答才写入。</translation>
     </message>
     <message>
         <source>The servo uses the new ID immediately and keeps it after power-off. ServoDesk switches automatically; other programs must be set to the new ID.</source>
-        <translation>舵机立即使用新 ID，断电后保存。ServoDesk 会自动切换；其他程序需要另行设置。</translation>
+        <translation>舵机立即使用新 ID，断电后仍保留。ServoDesk 会自动切换；其他程序需要另行设置。</translation>
     </message>
     <message>
         <source>Checks that the new ID is free, writes it, and locks the EPROM using the new ID</source>
-        <translation>确认 ID 空闲，写入，并在新 ID 给 EPROM 上锁</translation>
+        <translation>确认新 ID 空闲，写入新 ID，并以新 ID 给 EPROM 上锁</translation>
     </message>
     <message>
         <source>Used and free IDs; select a free one</source>
@@ -2466,11 +2466,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>still in progress in another program</source>
-        <translation>另一个程序仍在进行</translation>
+        <translation>仍在另一个程序中进行</translation>
     </message>
     <message>
         <source>value has since changed: left unchanged</source>
-        <translation>数值之后已改变：保持不变</translation>
+        <translation>数值此后已被改动：未作更改</translation>
     </message>
     <message>
         <source>reset to factory defaults</source>
@@ -2485,12 +2485,12 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>舵机现以 ID %1 应答。</translation>
     </message>
     <message>
-        <source>The servo did not reply at the end, so its baud rate may be %1 or %2. To find it, use Port → Interrupted writes or search at both baud rates.</source>
-        <translation>舵机最后没有应答，其波特率可能是 %1 或 %2。要找到它，请使用“端口 → 中断的写入”，或以这两个波特率搜索。</translation>
+        <source>The servo did not reply at the end, so its baud rate may be %1 or %2. To find the servo, use Port → Interrupted writes or search at both baud rates.</source>
+        <translation>舵机最后没有应答，其波特率可能是 %1 或 %2。要找到该舵机，请使用“端口 → 中断的写入”，或以这两个波特率搜索。</translation>
     </message>
     <message>
-        <source>The servo did not reply at the end, so its ID may be %1 or %2. To find it, use Port → Interrupted writes or search the bus.</source>
-        <translation>舵机最后没有应答，其 ID 可能是 %1 或 %2。要找到它，请使用“端口 → 中断的写入”，或搜索总线。</translation>
+        <source>The servo did not reply at the end, so its ID may be %1 or %2. To find the servo, use Port → Interrupted writes or search the bus.</source>
+        <translation>舵机最后没有应答，其 ID 可能是 %1 或 %2。要找到该舵机，请使用“端口 → 中断的写入”，或搜索总线。</translation>
     </message>
     <message>
         <source>Some steps did not end as expected.</source>
@@ -2535,12 +2535,12 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
 <context>
     <name>StepText</name>
     <message>
-        <source>ms after the goal</source>
-        <translation>发出目标后的时间 (ms)</translation>
+        <source>Time after goal, ms</source>
+        <translation>发出目标后的时间，ms</translation>
     </message>
     <message>
-        <source>steps toward the goal</source>
-        <translation>朝目标方向的步数</translation>
+        <source>Position toward goal, step</source>
+        <translation>朝目标方向的位置，步</translation>
     </message>
     <message>
         <source>Step responses</source>
@@ -2579,7 +2579,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>指标</translation>
     </message>
     <message>
-        <source>Mean of all responses, out and back; steady-state errors are absolute values.</source>
+        <source>Values are means of all responses, out and back; steady-state errors are absolute values.</source>
         <translation>所有往返响应的平均值；静差取绝对值。</translation>
     </message>
     <message>
@@ -2592,7 +2592,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Rise time 10–90 %</source>
-        <translation>上升时间 10–90 %</translation>
+        <translation>上升时间 10–90%</translation>
     </message>
     <message>
         <source>Time to goal</source>
@@ -2676,11 +2676,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>超调：D 偏小。</translation>
     </message>
     <message>
-        <source>The servo stops short of its goal: static friction and too little I. Gear backlash cannot be eliminated.</source>
-        <translation>停在目标附近：积分不足，存在静差；齿轮间隙不可消除。</translation>
+        <source>The servo stops short of its goal: I is too low to overcome static friction. Gear backlash cannot be tuned out.</source>
+        <translation>停在目标附近，存在静差：I 偏小，不足以克服静摩擦。齿轮间隙无法通过调整增益消除。</translation>
     </message>
     <message>
-        <source>The servo jitters: I above 0, D or startup force too high, dead zone too small, or backlash in the mechanism.</source>
+        <source>The servo jitters: I is above 0, D or the startup force is too high, the dead zone is too small, or the mechanism has backlash.</source>
         <translation>抖动：I 不为 0、D 或启动力过大、死区过小，或机构有间隙。</translation>
     </message>
     <message>
@@ -2689,7 +2689,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Check cable, adapter and CPU load, then run the test again</source>
-        <translation>检查线缆、适配器和电脑负载，然后重新运行</translation>
+        <translation>检查线缆、适配器和电脑 CPU 占用，然后重新运行测试</translation>
     </message>
     <message>
         <source>Check mechanism, end stops, torque limit and power supply</source>
@@ -2716,8 +2716,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>减小 D</translation>
     </message>
     <message>
-        <source>Raise I in small steps until the error is smaller</source>
-        <translation>I 由小到大逐步调整</translation>
+        <source>Raise I in small steps until the error is small enough</source>
+        <translation>小幅逐步加大 I，直到静差足够小</translation>
     </message>
     <message>
         <source>Set I to 0</source>
@@ -2725,7 +2725,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Lower the startup force</source>
-        <translation>减小启动扭矩</translation>
+        <translation>减小启动力</translation>
     </message>
     <message>
         <source>Increase the dead zone</source>
@@ -2775,12 +2775,12 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>更优</translation>
     </message>
     <message>
-        <source>Grade A</source>
-        <translation>A 结论</translation>
+        <source>Grade of A</source>
+        <translation>A 的判定</translation>
     </message>
     <message>
-        <source>Grade B</source>
-        <translation>B 结论</translation>
+        <source>Grade of B</source>
+        <translation>B 的判定</translation>
     </message>
     <message>
         <source>Differences between the tests</source>
@@ -2796,11 +2796,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The limits differ: the metrics can be compared, but the grades cannot.</source>
-        <translation>限值不同：指标可以对比，结论不可对比。</translation>
+        <translation>限值不同：指标可以对比，判定不可对比。</translation>
     </message>
     <message>
         <source>Both tests used the same settings.</source>
-        <translation>两次测试内容相同。</translation>
+        <translation>两次测试的设置相同。</translation>
     </message>
     <message>
         <source>Item</source>
@@ -2811,7 +2811,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>不同的参数</translation>
     </message>
     <message>
-        <source>No setting differs.</source>
+        <source>All settings are the same.</source>
         <translation>参数全部相同。</translation>
     </message>
     <message>
@@ -2819,7 +2819,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>参数</translation>
     </message>
     <message>
-        <source>Steady-state error by leg</source>
+        <source>Steady-state error by move</source>
         <translation>各行程静差分布</translation>
     </message>
     <message>
@@ -2983,8 +2983,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>循环次数</translation>
     </message>
     <message>
-        <source>until the test ends</source>
-        <translation>直到测试结束</translation>
+        <source>unlimited</source>
+        <translation>不限</translation>
     </message>
     <message>
         <source>Maximum duration</source>
@@ -3000,7 +3000,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Travel time (ms)</source>
-        <translation>运动时间 (ms)</translation>
+        <translation>运动时间（ms）</translation>
     </message>
     <message>
         <source>present setting of the servo</source>
@@ -3035,7 +3035,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>堵转</translation>
     </message>
     <message>
-        <source>the first failed limit</source>
+        <source>the first limit not met</source>
         <translation>首个不合格项</translation>
     </message>
     <message>
@@ -3091,8 +3091,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>低于 %1</translation>
     </message>
     <message>
-        <source>not measured: the servo does not report it, or no move was suitable</source>
-        <translation>未测量：没有此项反馈，或没有可测的内容</translation>
+        <source>not measured: the servo does not report this value, or no move was suitable</source>
+        <translation>未测量：舵机没有此项反馈，或没有合适的行程</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -3119,7 +3119,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>限值</translation>
     </message>
     <message>
-        <source>Errors, overshoot, settling, following, phase lag, repeatability, current and load are judged by the worst leg. Speeds and the time to goal are judged by their mean; counts are judged by their sum.</source>
+        <source>Errors, overshoot, settling, following, phase lag, repeatability, current and load are judged by the worst move. Speeds and the time to goal are judged by their mean; counts are judged by their sum.</source>
         <translation>判定依据：误差、超调、整定时间、跟随、相位滞后、重复性、电流和负载取最差的行程；速度和到位时间取平均值；计数项取总和。</translation>
     </message>
     <message>
@@ -3147,7 +3147,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>位置，步</translation>
     </message>
     <message>
-        <source>Steady-state error by leg</source>
+        <source>Steady-state error by move</source>
         <translation>各行程静差分布</translation>
     </message>
     <message>
@@ -3155,7 +3155,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>静差，步</translation>
     </message>
     <message>
-        <source>Legs</source>
+        <source>Moves</source>
         <comment>number</comment>
         <translation>行程数</translation>
     </message>
@@ -3168,15 +3168,15 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>未测得静差。</translation>
     </message>
     <message>
-        <source>Legs</source>
+        <source>Moves</source>
         <translation>各行程数据</translation>
     </message>
     <message>
-        <source>Shows the first 50, the last 50, and the worst 20 of the remaining legs (%1 legs in total). The CSV and JSON files contain all legs.</source>
-        <translation>共 %1 个行程，此处列出前 50 个、后 50 个及其余中最差的 20 个；CSV 和 JSON 文件含全部。</translation>
+        <source>The first 50, the last 50, and the worst 20 of the remaining moves are shown (%1 moves in total). The CSV and JSON files contain all moves.</source>
+        <translation>共 %1 个行程，此处列出前 50 个、后 50 个及其余中最差的 20 个；CSV 和 JSON 文件包含全部行程。</translation>
     </message>
     <message>
-        <source>Leg</source>
+        <source>Move</source>
         <translation>行程</translation>
     </message>
     <message>
@@ -3212,7 +3212,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>平均速度，步/s</translation>
     </message>
     <message>
-        <source>Following, step</source>
+        <source>Following error, step</source>
         <translation>跟随误差，步</translation>
     </message>
     <message>
@@ -3245,7 +3245,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>moving flag wrong</source>
-        <translation>运动标志错误</translation>
+        <translation>移动标志错误</translation>
     </message>
     <message>
         <source>Bus</source>
@@ -3284,8 +3284,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>连接始终正常。</translation>
     </message>
     <message>
-        <source>Parameters at the start</source>
-        <translation>开始时的参数</translation>
+        <source>Memory table at the start</source>
+        <translation>开始时的内存表</translation>
     </message>
     <message>
         <source>Address</source>
@@ -3304,7 +3304,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>区域</translation>
     </message>
     <message>
-        <source>Read</source>
+        <source>Read at</source>
         <translation>读取时间</translation>
     </message>
     <message>
@@ -3393,7 +3393,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Moving flag errors</source>
-        <translation>运动标志错误</translation>
+        <translation>移动标志错误</translation>
     </message>
     <message>
         <source>Missed goals</source>
@@ -3416,7 +3416,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>步/s</translation>
     </message>
     <message>
-        <source>legs</source>
+        <source>moves</source>
         <translation>个行程</translation>
     </message>
     <message>
@@ -3464,23 +3464,23 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>测试结束过早。</translation>
     </message>
     <message>
-        <source>Too short to judge. Run at least one whole cycle.</source>
+        <source>The test was too short to judge. Run at least one whole cycle.</source>
         <translation>测试太短，无法判定。请至少运行一个完整循环。</translation>
     </message>
     <message>
-        <source>Fewer than 20 readings per period. Use a longer period, fewer servos or a higher baud rate.</source>
+        <source>There were fewer than 20 readings per period. Use a longer period, fewer servos or a higher baud rate.</source>
         <translation>每周期采样数少于 20。请加长周期、减少舵机或提高波特率。</translation>
     </message>
     <message>
         <source>The sine is faster than the speed set for the servo. Use a longer period, a smaller range or a higher speed.</source>
-        <translation>正弦快于舵机设定的速度。请加长周期、缩小范围或提高速度。</translation>
+        <translation>正弦运动快于为舵机设定的速度。请加长周期、缩小范围或提高速度。</translation>
     </message>
     <message>
-        <source>There are no limits for following. Add limits for the relative following error and the phase lag.</source>
+        <source>No limits judge how well the servo follows its goal. Add limits for the relative following error and the phase lag.</source>
         <translation>限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。</translation>
     </message>
     <message>
-        <source>The moves are too short for the tolerance, so even a servo that does not move would pass. Move at least three times the tolerance.</source>
+        <source>The moves are too short for the tolerance, so even a servo that does not move would pass. Make each move at least three times as long as the tolerance.</source>
         <translation>相对于到位允差，行程太短，静止不动的舵机也会合格。行程至少应为允差的三倍。</translation>
     </message>
     <message>
@@ -3489,7 +3489,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The metrics needed for a verdict were not measured in most moves. Allow more time for each move, or read faster: use fewer servos or a faster adapter.</source>
-        <translation>大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取：减少舵机，更换更快的适配器。</translation>
+        <translation>大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取：减少舵机或换用更快的适配器。</translation>
     </message>
     <message>
         <source>Completed.</source>
@@ -3501,7 +3501,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Ended by the emergency stop: torque off on the whole bus.</source>
-        <translation>急停结束：总线上所有舵机卸力。</translation>
+        <translation>因急停而结束：总线上所有舵机已卸力。</translation>
     </message>
     <message>
         <source>Ended early: a servo raised an alarm.</source>
@@ -3509,7 +3509,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Ended early: a servo stalled before reaching its goal.</source>
-        <translation>提前结束：舵机停在目标之外（堵转）。</translation>
+        <translation>提前结束：舵机未到达目标就已堵转。</translation>
     </message>
     <message>
         <source>Ended early: a limit was not met, and the test was set to stop at the first failure.</source>
@@ -3525,7 +3525,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Ended early: another servo replies with the ID of the tested servo.</source>
-        <translation>提前结束：以此 ID 应答的是另一个舵机。</translation>
+        <translation>提前结束：以被测舵机的 ID 应答的是另一个舵机。</translation>
     </message>
     <message>
         <source>Ended early: the connection was lost and did not return.</source>
@@ -3576,11 +3576,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>指标</translation>
     </message>
     <message>
-        <source>Shows the worst %1 of %2 legs. The HTML report shows more, the CSV and JSON files contain all.</source>
-        <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列得更多，CSV 和 JSON 文件包含全部。</translation>
+        <source>Only the worst %1 of %2 moves are shown. The HTML report shows more; the CSV and JSON files contain all moves.</source>
+        <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列出更多，CSV 和 JSON 文件包含全部行程。</translation>
     </message>
     <message>
-        <source>The HTML report also has the memory tables and more about each leg.</source>
+        <source>The HTML report also has the memory tables and more about each move.</source>
         <translation>HTML 报告还包含内存表和每个行程的更多数据。</translation>
     </message>
 </context>
@@ -3627,7 +3627,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>ID %1 · %2</translation>
     </message>
     <message>
-        <source>answers again</source>
+        <source>replies again</source>
         <translation>恢复应答</translation>
     </message>
     <message>
@@ -3706,7 +3706,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>“%1” is not a valid value for this register.</source>
-        <translation>“%1”不是该参数能识别的数值。</translation>
+        <translation>“%1”不是该参数的有效数值。</translation>
     </message>
     <message>
         <source>%1 is not a documented value; the servo may react unpredictably.</source>
@@ -3745,8 +3745,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>在该模式下，一旦收到指令输出轴就会持续转动。请先清空机构周围。</translation>
     </message>
     <message>
-        <source>In this mode, no angle limits restrict the shaft. Clear the area around the mechanism first.</source>
-        <translation>在该模式下没有角度限制约束输出轴。请先清空机构周围。</translation>
+        <source>In this mode, the shaft is not restricted by angle limits. Clear the area around the mechanism first.</source>
+        <translation>在该模式下输出轴不受角度限制。请先清空机构周围。</translation>
     </message>
     <message>
         <source>Writing %1 to %2 switches the servo from “%3” to “%4”.</source>
@@ -3769,8 +3769,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>切换模式</translation>
     </message>
     <message>
-        <source>After this, the servo answers as ID %1. Programs that use the old ID will no longer find it.</source>
-        <translation>此后舵机以 ID %1 应答。按原 ID 使用它的程序将找不到它。</translation>
+        <source>After this, the servo replies as ID %1. Programs that use the old ID will no longer find it.</source>
+        <translation>此后舵机以 ID %1 应答。使用原 ID 的程序将找不到该舵机。</translation>
     </message>
     <message>
         <source>The servo switches to another baud rate. ServoDesk switches automatically; other programs and servos keep the old baud rate.</source>
@@ -3781,20 +3781,20 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>按原方式等待应答的程序可能认为舵机失联。</translation>
     </message>
     <message>
-        <source>If a protection is turned off, the motor can burn out and the gears can break.</source>
+        <source>With protection turned off, the motor can burn out and the gears can break.</source>
         <translation>关闭保护后，电机可能烧毁，齿轮可能损坏。</translation>
     </message>
     <message>
         <source>This changes the direction, feedback and drive of the motor. A wrong value can make the motor run away.</source>
-        <translation>电机的方向、反馈和驱动方式会改变。写错可能使其失控。</translation>
+        <translation>电机的方向、反馈和驱动方式会改变。数值写错可能使电机失控。</translation>
     </message>
     <message>
-        <source>Afterwards, every position corresponds to a different angle. Clear the area around the mechanism before turning torque on.</source>
-        <translation>此后每个位置对应不同的角度。打开扭矩前请清空机构周围。</translation>
+        <source>Afterwards, every position corresponds to a different angle than before. Clear the area around the mechanism before turning torque on.</source>
+        <translation>此后每个位置对应的角度都与之前不同。打开扭矩前请清空机构周围。</translation>
     </message>
     <message>
         <source>A wrong value can make the servo unreachable or dangerous. Note the old value before you continue.</source>
-        <translation>写错可能导致舵机失联或发生危险。继续之前请记下原值。</translation>
+        <translation>数值写错可能导致舵机失联或发生危险。继续之前请记下原值。</translation>
     </message>
     <message>
         <source>Old value: %1. New value: %2.</source>
@@ -3809,16 +3809,16 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>先卸力，并保持卸力。</translation>
     </message>
     <message>
-        <source>The shaft turns as soon as this is written. Keep clear of the mechanism.</source>
+        <source>The shaft turns as soon as the value is written. Keep clear of the mechanism.</source>
         <translation>写入后输出轴立即转动。请远离机构。</translation>
     </message>
     <message>
         <source>Torque stays off until you turn it on.</source>
-        <translation>扭矩保持关闭，直到您打开。</translation>
+        <translation>在您打开扭矩之前，舵机保持卸力。</translation>
     </message>
     <message>
-        <source>The present position becomes the midpoint. Afterwards, every position corresponds to a different angle, also for other programs.</source>
-        <translation>当前位置将成为中位。此后每个位置值都对应另一个角度，其他程序也受影响。</translation>
+        <source>The present position becomes the midpoint. Afterwards, every position corresponds to a different angle than before, in other programs too.</source>
+        <translation>当前位置将成为中位。此后每个位置对应的角度都与之前不同，其他程序也受影响。</translation>
     </message>
 </context>
 <context>
@@ -3893,7 +3893,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Moving</source>
-        <translation>运动中</translation>
+        <translation>移动中</translation>
     </message>
     <message>
         <source>ID</source>
@@ -3905,7 +3905,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>raw value, or value with its unit</source>
-        <translation>原始值，或带单位</translation>
+        <translation>原始值，或带单位的数值</translation>
     </message>
     <message>
         <source>travel time in milliseconds (SCS)</source>
@@ -3964,11 +3964,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>读取整张内存表</translation>
     </message>
     <message>
-        <source>When</source>
+        <source>Time</source>
         <translation>时间</translation>
     </message>
     <message>
-        <source>What</source>
+        <source>Operation</source>
         <translation>操作</translation>
     </message>
     <message>
@@ -3980,7 +3980,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>否</translation>
     </message>
     <message>
-        <source>The servo answers as ID %1 at %2 baud.</source>
+        <source>The servo replies as ID %1 at %2 baud.</source>
         <translation>舵机以 ID %1、波特率 %2 应答。</translation>
     </message>
     <message>
@@ -4061,7 +4061,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>torque off</source>
-        <translation>扭矩已关闭</translation>
+        <translation>已卸力</translation>
     </message>
     <message>
         <source>damping</source>
@@ -4069,7 +4069,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>switch the operating mode; torque stays off afterwards</source>
-        <translation>切换运行模式；切换后扭矩保持关闭</translation>
+        <translation>切换运行模式；切换后保持卸力</translation>
     </message>
     <message>
         <source>servo IDs: 1 2 3, 1-6 or 1,3</source>
@@ -4117,7 +4117,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The result could not be written: %1</source>
-        <translation>结果无法写出：%1</translation>
+        <translation>无法写出结果：%1</translation>
     </message>
     <message>
         <source>%1 %, about %2 s left</source>
@@ -4198,7 +4198,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>舵机 %1 的参数与演示前相同。</translation>
     </message>
     <message>
-        <source>Servo %1 differs from its previous state in: %2</source>
+        <source>Servo %1 differs from its previous state in these registers: %2</source>
         <translation>舵机 %1 与演示前不同的参数：%2</translation>
     </message>
     <message>
@@ -4218,7 +4218,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>已恢复原值</translation>
     </message>
     <message>
-        <source>Search the bus: send a PING to all 254 IDs; nothing is written</source>
+        <source>Search the bus: send a PING to each of the 254 IDs; nothing is written</source>
         <translation>搜索总线：向 254 个 ID 逐个发送 PING；不写入任何内容</translation>
     </message>
     <message>
@@ -4363,7 +4363,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>no test run %1 in the history; &quot;sweep-runs&quot; lists all test runs</source>
-        <translation>历史记录中没有测试记录 %1；“sweep-runs”可列出全部</translation>
+        <translation>历史记录中没有测试记录 %1；“sweep-runs”可列出全部测试记录</translation>
     </message>
     <message>
         <source>%1 has no servo %2</source>
@@ -4511,7 +4511,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>--step &quot;%1&quot;: specify a step greater than 0, raw (100) or with its unit (10deg); to reverse the direction, swap --from and --to</source>
-        <translation>--step “%1”：请给出大于 0 的步长，可为原始值（100）或带单位（10deg）；若要反方向，请对调 --from 和 --to</translation>
+        <translation>--step “%1”：请给出大于 0 的步长，可为原始值（100）或带单位的数值（10deg）；若要反方向，请对调 --from 和 --to</translation>
     </message>
     <message>
         <source>%1 &quot;%2&quot;: specify a whole number from %3 to %4</source>
@@ -4523,7 +4523,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>%1 &quot;%2&quot;: specify a value of 0 or more, raw or with its unit; the goals determine the direction</source>
-        <translation>%1 “%2”：请给出 0 或更大的值，可为原始值或带单位；方向由目标决定</translation>
+        <translation>%1 “%2”：请给出 0 或更大的值，可为原始值或带单位的数值；方向由目标决定</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -4531,7 +4531,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The trial was not run.</source>
-        <translation>试用未运行。</translation>
+        <translation>未进行试用。</translation>
     </message>
     <message>
         <source>ignored: failed</source>
@@ -4603,7 +4603,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>specify exactly one baud rate</source>
-        <translation>请给出一个波特率</translation>
+        <translation>请只指定一个波特率</translation>
     </message>
     <message>
         <source>change the ID of a servo after checking that the new one is free</source>
@@ -4634,7 +4634,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>把当前位置设为中位</translation>
     </message>
     <message>
-        <source>reboot a servo and wait until it answers</source>
+        <source>reboot a servo and wait for its reply</source>
         <translation>重启舵机并等待其应答</translation>
     </message>
     <message>
@@ -4646,8 +4646,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>显示报警的原因并解除报警</translation>
     </message>
     <message>
-        <source>allow slight servo movement and turning torque on</source>
-        <translation>允许舵机转动一点，或打开扭矩</translation>
+        <source>allow the servo to move slightly and its torque to be turned on</source>
+        <translation>允许舵机轻微转动，并允许打开扭矩</translation>
     </message>
     <message>
         <source>use either --first-id or --id-list, not both</source>
@@ -4659,7 +4659,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Nothing was done. Press Enter to continue, or type &quot;a&quot; and press Enter to set the servo aside.</source>
-        <translation>没有执行任何操作。按回车继续；输入“a”再按回车则剔除。</translation>
+        <translation>没有执行任何操作。按回车继续；输入“a”再按回车则剔除该舵机。</translation>
     </message>
     <message>
         <source>Warning: %1.</source>
@@ -4670,11 +4670,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>%1，ID %2，波特率 %3，将设为 ID %4。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished, and no IDs are left for other servos. If this is that servo, type &quot;s&quot; and press Enter. To set it aside, type &quot;a&quot; and press Enter.</source>
-        <translation>有一个同型号的舵机未完成，且已没有 ID 可分配给其他舵机。如果就是这一个，请输入“s”再按回车；要剔除，请输入“a”再按回车。</translation>
+        <source>A servo of this model is unfinished, and no IDs are left for other servos. If this is that servo, type &quot;s&quot; and press Enter. To set this servo aside, type &quot;a&quot; and press Enter.</source>
+        <translation>有一个同型号的舵机未完成，且已没有 ID 可分配给其他舵机。如果就是这一个，请输入“s”再按回车；要剔除这个舵机，请输入“a”再按回车。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished; its assigned ID is %1. If this is that servo, type &quot;s&quot; and press Enter; otherwise it is set up as a new servo.</source>
+        <source>A servo of this model is unfinished; its assigned ID is %1. If this is that servo, type &quot;s&quot; and press Enter; otherwise this servo is set up as a new one.</source>
         <translation>有一个同型号的舵机未完成，分配给它的 ID 是 %1。如果就是这一个，请输入“s”再按回车；否则按新舵机设置。</translation>
     </message>
     <message>
@@ -4682,27 +4682,27 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>此批次中有一个同型号的舵机未完成。仅当就是这一个时才继续。</translation>
     </message>
     <message>
-        <source>Press Enter to continue, or type &quot;a&quot; and press Enter to set it aside.</source>
-        <translation>按回车继续；输入“a”再按回车则剔除。</translation>
+        <source>Press Enter to continue, or type &quot;a&quot; and press Enter to set the servo aside.</source>
+        <translation>按回车继续；输入“a”再按回车则剔除该舵机。</translation>
     </message>
     <message>
         <source>The servo was disconnected during setup. Connect it again (ID %1).</source>
         <translation>舵机在设置过程中断开。请重新接上（ID %1）。</translation>
     </message>
     <message>
-        <source>No IDs are left. Waiting for an unfinished servo.</source>
+        <source>No IDs are left. Waiting for a servo whose setup is not finished.</source>
         <translation>ID 已用完。等待未完成的舵机。</translation>
     </message>
     <message>
-        <source>Several servos are answering. Leave only one connected. Nothing is written.</source>
+        <source>Several servos reply. Leave only one connected. Nothing is written.</source>
         <translation>有多个舵机应答，请只留一个。未写入任何内容。</translation>
     </message>
     <message>
-        <source>Two servos are answering with ID %1. Leave only one connected. Nothing is written.</source>
+        <source>Two servos reply with ID %1. Leave only one connected. Nothing is written.</source>
         <translation>两个舵机都以 ID %1 应答，请只留一个。未写入任何内容。</translation>
     </message>
     <message>
-        <source>A device is answering but could not be identified.</source>
+        <source>A device replies but could not be identified.</source>
         <translation>有设备应答，但无法识别。</translation>
     </message>
     <message>
@@ -4726,8 +4726,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>ID 已全部分配。</translation>
     </message>
     <message>
-        <source>set up servos connected one after another: template, ID, baud rate</source>
-        <translation>逐个设置依次接上的舵机：模板、ID、波特率</translation>
+        <source>set up servos one at a time: template, ID, baud rate</source>
+        <translation>逐个接上并设置舵机：模板、ID、波特率</translation>
     </message>
     <message>
         <source>batch list file; an existing batch is resumed</source>
@@ -4782,7 +4782,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>舵机没有序列号：型号、固件、ID 和标签都相同的舵机列为同一个。</translation>
     </message>
     <message>
-        <source>--kind must be writes, snapshots, alarms, recordings, runs, servos or, on a server, benches</source>
+        <source>--kind must be writes, snapshots, alarms, recordings, runs or servos; on a server also benches</source>
         <translation>--kind 必须是 writes、snapshots、alarms、recordings、runs、servos；查看服务器时还可用 benches</translation>
     </message>
     <message>
@@ -4814,7 +4814,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>%1，ID %2，%3，端口 %4，波特率 %5，程序 %6</translation>
     </message>
     <message>
-        <source>The %1 answering as ID %2 is now servo #%3, &quot;%4&quot;</source>
+        <source>The %1 replying as ID %2 is now servo #%3, &quot;%4&quot;</source>
         <translation>以 ID %2 应答的 %1 现在是舵机 #%3，“%4”</translation>
     </message>
     <message numerus="yes">
@@ -4829,11 +4829,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Saved without a value because the new value was not recorded: %1</source>
-        <translation>新值没有记录，因此保存时没有值：%1</translation>
+        <translation>以下参数的新值没有记录，因此保存时不含值：%1</translation>
     </message>
     <message>
         <source>Temporary writes are not included; the table contains the stored values of: %1</source>
-        <translation>不计入临时写入，内存表中是保存的值：%1</translation>
+        <translation>不计入临时写入；内存表中以下参数为已保存的值：%1</translation>
     </message>
     <message>
         <source>The ID was changed to %1 on %2; writes made with that ID are in the history of the servo with ID %1, not here</source>
@@ -4860,8 +4860,8 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>新标签；&quot;&quot; 表示去掉</translation>
     </message>
     <message>
-        <source>from now on, treat the servo that gives these replies as a different servo, with this label; earlier entries stay with the previous servo</source>
-        <translation>从现在起，把这样应答的舵机视为另一个舵机，使用此标签；之前的记录留给原来的舵机</translation>
+        <source>from now on, treat the servo that replies with this model and ID as a different servo, with this label; earlier entries stay with the previous servo</source>
+        <translation>从现在起，把以此型号和 ID 应答的舵机视为另一个舵机，使用此标签；之前的记录仍归原来的舵机</translation>
     </message>
     <message>
         <source>save a snapshot from the history as a file for snapshot restore</source>
@@ -4924,11 +4924,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>否，只知道系列</translation>
     </message>
     <message>
-        <source>Series, register map</source>
+        <source>Family, register map</source>
         <translation>系列、内存表</translation>
     </message>
     <message>
-        <source>The EPROM is unlocked because a change to this servo was interrupted. To finish or undo it: %1</source>
+        <source>The EPROM is unlocked because a change to this servo was interrupted. To finish or undo the change: %1</source>
         <translation>EPROM 未上锁，因为对该舵机的更改被中断。完成或撤销该更改：%1</translation>
     </message>
     <message>
@@ -4945,7 +4945,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>ID %1 is specified twice</source>
-        <translation>ID %1 给了两次</translation>
+        <translation>ID %1 重复指定</translation>
     </message>
     <message>
         <source>--how must be write, sync or async</source>
@@ -4953,7 +4953,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>set goals; values that are not specified are not written</source>
-        <translation>设定目标；没给的参数不会写入</translation>
+        <translation>设定目标；未指定的参数不会写入</translation>
     </message>
     <message>
         <source>goal, raw (1=2048) or with its unit (1=90deg; in speed mode 1=30rpm)</source>
@@ -4965,7 +4965,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>write: one servo at a time; sync: all in one packet; async: stored first, then started together. Starting several Feetech servos together also starts any moves that other programs have stored in servos on the bus</source>
-        <translation>write：逐个写入；sync：同步写，全部放在一个数据包中；async：异步写，先存储再一起执行。对多个飞特舵机一起执行时，其他程序存储在总线上各舵机中的动作也会执行</translation>
+        <translation>write：逐个写入；sync：同步写，全部放在一个数据包中；async：异步写，先存储再一起执行。一起启动多个飞特舵机时，其他程序存储在总线上各舵机中的动作也会执行</translation>
     </message>
     <message>
         <source>not a valid frame</source>
@@ -4989,7 +4989,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>read individual registers</source>
-        <translation>读取个别参数</translation>
+        <translation>读取指定的参数</translation>
     </message>
     <message>
         <source>register names, as shown by dump</source>
@@ -5005,7 +5005,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Nothing was written. Use --finish to complete the changes, --undo to restore the old values, or --forget to abandon a change whose servo will not be connected again.</source>
-        <translation>未写入任何内容。用 --finish 完成更改，用 --undo 恢复原值，或用 --forget 放弃舵机已不再使用的更改。</translation>
+        <translation>未写入任何内容。用 --finish 完成更改，用 --undo 恢复原值；如果舵机不会再接上，用 --forget 放弃其更改。</translation>
     </message>
     <message>
         <source>Unfinished changes on this port:</source>
@@ -5017,7 +5017,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>several changes start with &quot;%1&quot;</source>
-        <translation>有多个更改以“%1”开头</translation>
+        <translation>有多个更改的名称以“%1”开头</translation>
     </message>
     <message>
         <source>use either --finish or --undo, not both</source>
@@ -5037,7 +5037,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>abandon a change whose servo will not be connected again (the first characters of the change name are enough)</source>
-        <translation>放弃舵机已不再使用的更改（写出名称的前几个字符即可）</translation>
+        <translation>放弃一个更改，用于其舵机不会再接上的情况（写出更改名称的前几个字符即可）</translation>
     </message>
     <message>
         <source>only this change (the first characters of its name are enough)</source>
@@ -5064,20 +5064,20 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>型号编号</translation>
     </message>
     <message>
-        <source>No servo answered. Check the power supply and wiring, and try --bauds all.</source>
+        <source>No servo replied. Check the power supply and wiring, and try --bauds all.</source>
         <translation>没有舵机应答。请检查供电和接线，并用 --bauds all 再试。</translation>
     </message>
     <message>
         <source>Searched at %1 baud. Only Feetech servos use 1000000 baud; LX, Modbus and most SMS servos use 115200.</source>
-        <translation>已搜索的波特率：%1。1000000 下只有飞特舵机；LX、Modbus 和多数 SMS 舵机为 115200。</translation>
+        <translation>已搜索的波特率：%1。只有飞特舵机使用 1000000；LX、Modbus 和多数 SMS 舵机使用 115200。</translation>
     </message>
     <message>
         <source>Unreadable data was received, but no servo could be confirmed. Possible causes: another baud rate, two servos with the same ID, or noise.</source>
         <translation>收到无法识别的信号，但不能确认有舵机。可能的原因：波特率不同、ID 重复，或有干扰。</translation>
     </message>
     <message>
-        <source>Several servos answered late, so others may have been missed. Try again with --slow.</source>
-        <translation>有几个舵机应答偏晚，可能漏掉了别的。请加 --slow 再搜索一次。</translation>
+        <source>Several servos replied late, so others may have been missed. Try again with --slow.</source>
+        <translation>有几个舵机应答偏晚，可能漏掉了其他舵机。请加 --slow 再搜索一次。</translation>
     </message>
     <message>
         <source>This adapter does not support %1 baud.</source>
@@ -5097,11 +5097,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>query silent IDs again with a longer timeout</source>
-        <translation>对没有应答的 ID 用较长超时再问一次</translation>
+        <translation>用更长的超时再次查询没有应答的 ID</translation>
     </message>
     <message>
         <source>file created by snapshot save</source>
-        <translation>由 snapshot save 保存的文件</translation>
+        <translation>由 snapshot save 生成的文件</translation>
     </message>
     <message>
         <source>output as CSV, for spreadsheets</source>
@@ -5180,23 +5180,23 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>第二次运行使用的值：position_p=40,position_d=20；之后恢复原值</translation>
     </message>
     <message>
-        <source>Gaps without readings: %1. Legs with such a gap have no times or speeds.</source>
-        <translation>无采样数据的时段：%1。有这种中断的行程没有时间和速度。</translation>
+        <source>Gaps without readings: %1. Moves with such a gap have no times or speeds.</source>
+        <translation>无采样数据的时段：%1。包含此类时段的行程不给出时间和速度。</translation>
     </message>
     <message>
         <source>the report file must end with .html, .pdf, .json or .csv</source>
         <translation>报告文件须以 .html、.pdf、.json 或 .csv 结尾</translation>
     </message>
     <message>
-        <source>Servo %1: most legs are too short for a verdict. A goal counts as reached within %2 steps, so each leg needs at least %3 steps.</source>
+        <source>Servo %1: most moves are too short for a verdict. A goal counts as reached within %2 steps, so each move needs at least %3 steps.</source>
         <translation>舵机 %1：大多数行程太短，无法得出结论。距目标 %2 步以内即视为到位，因此每个行程至少需要 %3 步。</translation>
     </message>
     <message>
-        <source>Servo %1: the sine is faster than the servo can move. Use a period of at least %2 ms.</source>
-        <translation>舵机 %1：正弦变化快于它能转的速度。周期至少需要 %2 毫秒。</translation>
+        <source>Servo %1: the sine wave is too fast for the servo. Use a period of at least %2 ms.</source>
+        <translation>舵机 %1：正弦变化太快，舵机跟不上。周期至少需要 %2 毫秒。</translation>
     </message>
     <message>
-        <source>Servo %1: the delay is too short for the longest leg, so the servo reverses before it arrives. A delay of %2 ms is enough.</source>
+        <source>Servo %1: the delay is too short for the longest move, so the servo reverses before it arrives. A delay of %2 ms is enough.</source>
         <translation>舵机 %1：延时短于最长行程所需时间，未到达就会折返。延时 %2 毫秒足够。</translation>
     </message>
     <message>
@@ -5216,16 +5216,16 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>对比两次扫描测试；不需要端口</translation>
     </message>
     <message>
-        <source>test run in the history (12, or 12:3 for its ID 3), or a .json report file</source>
+        <source>test run in the history (12, or 12:3 for ID 3 of that run), or a .json report file</source>
         <translation>历史记录中的测试记录（12，或 12:3 表示其中的 ID 3），或 .json 报告文件</translation>
     </message>
     <message>
         <source>test run to compare with the first one</source>
-        <translation>与之对比的测试</translation>
+        <translation>与第一个测试对比的测试记录</translation>
     </message>
     <message>
         <source>servo to compare, if a run has several</source>
-        <translation>记录含多个舵机时选哪一个</translation>
+        <translation>要对比的舵机（记录含多个舵机时）</translation>
     </message>
     <message>
         <source>save the comparison as a web page (.html)</source>
@@ -5233,7 +5233,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>create a report of an earlier sweep test; needs no port</source>
-        <translation>生成以前扫描测试的报告；不需要端口</translation>
+        <translation>生成以往扫描测试的报告；不需要端口</translation>
     </message>
     <message>
         <source>test run number in the history, or a .json report file</source>
@@ -5272,12 +5272,12 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>将测试记录中的舵机设为其型号的参考</translation>
     </message>
     <message>
-        <source>test run number in the history: 12, or 12:3 for its ID 3</source>
+        <source>test run number in the history: 12, or 12:3 for ID 3 of that run</source>
         <translation>历史记录中的测试记录编号：12，或 12:3（其中的 ID 3）</translation>
     </message>
     <message>
         <source>remove the reference mark</source>
-        <translation>取消参考</translation>
+        <translation>取消参考标记</translation>
     </message>
     <message>
         <source>%1 identifies the servo; a template contains it only with --identity</source>
@@ -5293,7 +5293,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>save selected registers for writing to other servos</source>
-        <translation>保存选定的参数，用于写给其他舵机</translation>
+        <translation>保存选定的参数，用于写入其他舵机</translation>
     </message>
     <message>
         <source>snapshot file, or ID (reads the servo)</source>
@@ -5305,11 +5305,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>allow ID and baud rate in the template</source>
-        <translation>模板中可以有 ID 和波特率</translation>
+        <translation>允许模板包含 ID 和波特率</translation>
     </message>
     <message>
         <source>write a template or snapshot to several servos, with a result for each; never writes ID or baud rate</source>
-        <translation>把模板或快照写给多个舵机，每个给出结果；从不写 ID 或波特率</translation>
+        <translation>把模板或快照写入多个舵机，逐个给出结果；从不写入 ID 或波特率</translation>
     </message>
     <message>
         <source>template or snapshot</source>
@@ -5385,7 +5385,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>end after this many seconds (default: run until Ctrl-C)</source>
-        <translation>多少秒后结束（默认：按 Ctrl-C 结束）</translation>
+        <translation>运行指定的秒数后结束（默认：按 Ctrl-C 结束）</translation>
     </message>
     <message>
         <source>raw value (85), physical value with unit (8.5V, 90deg) or name (position)</source>
@@ -5487,10 +5487,10 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>read from a history server: its connection string, or &quot;default&quot; for the configured server</source>
-        <translation>读取历史记录服务器：填连接字符串，或用 &quot;default&quot; 表示已设置的服务器</translation>
+        <translation>读取历史记录服务器：填连接字符串，或用“default”表示已设置的服务器</translation>
     </message>
     <message>
-        <source>only data that this bench has sent to the server</source>
+        <source>only data sent to the server by the bench with this name</source>
         <translation>仅显示该工位发送到服务器的数据</translation>
     </message>
     <message>
@@ -5499,15 +5499,15 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>&quot;%1&quot; is not an ID range; example: 1-20</source>
-        <translation>“%1” 不是 ID 范围；例如 1-20</translation>
+        <translation>“%1”不是 ID 范围；例如 1-20</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a whole number from %2 to %3</source>
-        <translation>“%1” 不是 %2 到 %3 之间的整数</translation>
+        <translation>“%1”不是 %2 到 %3 之间的整数</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number above 0</source>
-        <translation>“%1” 不是大于 0 的数</translation>
+        <translation>“%1”不是大于 0 的数</translation>
     </message>
     <message>
         <source>unsupported baud rate &quot;%1&quot; (%2)</source>
@@ -5519,7 +5519,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>&quot;%1&quot; must have the form KEY=VALUE, without spaces</source>
-        <translation>“%1” 应写成 KEY=VALUE（名称=数值），中间不留空格</translation>
+        <translation>“%1”应写成 KEY=VALUE（名称=数值），中间不留空格</translation>
     </message>
     <message>
         <source>only entries since this time: 2026-11-22, 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w</source>
@@ -5543,11 +5543,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>no servo &quot;%1&quot; in the history; &quot;history --kind servos&quot; lists all servos</source>
-        <translation>历史记录中没有舵机“%1”；用 &quot;history --kind servos&quot; 列出</translation>
+        <translation>历史记录中没有舵机“%1”；“history --kind servos”可列出全部舵机</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not valid; expected: %2</source>
-        <translation>“%1”无效；应为%2</translation>
+        <translation>“%1”无效；应为：%2</translation>
     </message>
     <message>
         <source>use only one of --step, --both-sides, --random, --sine and --points</source>
@@ -5578,12 +5578,12 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>终点：原始值或带单位</translation>
     </message>
     <message>
-        <source>time from one goal to the next, whether reached or not</source>
+        <source>time from one goal to the next, whether or not the goal is reached</source>
         <translation>从一个目标到下一个目标的时间，不管是否到位</translation>
     </message>
     <message>
         <source>pause after each goal is reached, instead of --delay</source>
-        <translation>改为每次到位后停留的时间（代替 --delay）</translation>
+        <translation>每次到位后停留的时间（代替 --delay）</translation>
     </message>
     <message>
         <source>number of cycles (default: 10)</source>
@@ -5591,7 +5591,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>end after this many seconds</source>
-        <translation>经过这么多秒后结束</translation>
+        <translation>运行指定的秒数后结束</translation>
     </message>
     <message>
         <source>move in steps of this size, up and down</source>
@@ -5622,7 +5622,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>结束时卸力（默认保持）</translation>
     </message>
     <message>
-        <source>end at the first failed limit</source>
+        <source>stop at the first limit that is not met</source>
         <translation>出现第一个不合格项时结束</translation>
     </message>
     <message>
@@ -5631,7 +5631,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>write the report to this file, and the readings to a CSV file next to it</source>
-        <translation>写报告；采样数据写到旁边的 CSV</translation>
+        <translation>将报告写入此文件，采样数据写入同一目录下的 CSV 文件</translation>
     </message>
     <message>
         <source>operator name for the report</source>
@@ -5647,7 +5647,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>another servo replies: not changed</source>
-        <translation>应答的是另一个舵机：不予处理</translation>
+        <translation>应答的是另一个舵机：未作更改</translation>
     </message>
     <message>
         <source>no reply</source>
@@ -5659,11 +5659,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>still in progress in another program</source>
-        <translation>另一个程序仍在进行</translation>
+        <translation>仍在另一个程序中进行</translation>
     </message>
     <message>
         <source>value has since changed: left unchanged</source>
-        <translation>数值之后已改变：保持不变</translation>
+        <translation>数值此后已被改动：未作更改</translation>
     </message>
     <message numerus="yes">
         <source>%n register(s)</source>
@@ -5684,7 +5684,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>未更改</translation>
     </message>
     <message>
-        <source>Change %1: registers left unchanged because their values have since changed, or because writing them would move the servo: %2</source>
+        <source>Change %1: registers left as they are because their values have since changed, or because writing them would move the servo: %2</source>
         <translation>更改 %1：以下参数未处理，因为之后已被改动，或写入会使舵机转动：%2</translation>
     </message>
     <message>
@@ -5692,15 +5692,15 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
         <translation>状态</translation>
     </message>
     <message>
-        <source>Still in progress in another program, which will finish it: %1</source>
-        <translation>另一个程序仍在进行，由该程序完成：%1</translation>
+        <source>Still in progress in another program, which will finish the change: %1</source>
+        <translation>仍在另一个程序中进行，将由该程序完成：%1</translation>
     </message>
     <message>
         <source>Port %1 still exists. To list its changes (%2): %3</source>
         <translation>端口 %1 仍然存在。列出其更改（%2）：%3</translation>
     </message>
     <message>
-        <source>ServoDesk cannot distinguish the servo from another one with the same model and ID. Only if you are sure that the same servo is now connected to %1, run: %2</source>
+        <source>ServoDesk cannot distinguish the servo from another one with the same model and ID. Run the following only if you are sure that the same servo is now connected to %1: %2</source>
         <translation>ServoDesk 无法将该舵机与型号和 ID 相同的另一个舵机区分开。仅当您确定同一个舵机现在连接在 %1 上时，才运行：%2</translation>
     </message>
     <message>
@@ -5725,7 +5725,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>Skipped</source>
-        <translation>未写入</translation>
+        <translation>跳过</translation>
     </message>
     <message>
         <source>The file is from another model: registers are matched by name.</source>
@@ -5778,7 +5778,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message numerus="yes">
         <source>%n row(s) skipped: %1</source>
         <translation>
-            <numerusform>%n 行未写入：%1</numerusform>
+            <numerusform>跳过 %n 行：%1</numerusform>
         </translation>
     </message>
     <message>
@@ -5796,7 +5796,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     <message numerus="yes">
         <source>%n row(s) skipped</source>
         <translation>
-            <numerusform>%n 行未写入</numerusform>
+            <numerusform>跳过 %n 行</numerusform>
         </translation>
     </message>
     <message>
@@ -5829,7 +5829,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>number of retries after a communication error</source>
-        <translation>通信受干扰时的重试次数</translation>
+        <translation>通信出错时的重试次数</translation>
     </message>
     <message>
         <source>silence between Modbus frames in microseconds (default: 1750 above 19200 baud, as in the standard)</source>
@@ -5861,7 +5861,7 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>The settings of servo %1 could not be saved, so nothing was written to it.</source>
-        <translation>未能先保存舵机 %1 的设置，因此不向它写入任何内容。</translation>
+        <translation>未能保存舵机 %1 的设置，因此未向其写入任何内容。</translation>
     </message>
     <message>
         <source>No setting was changed; %1 has been deleted.</source>
@@ -5893,11 +5893,11 @@ ID：一般不变；个别舵机会恢复为 1。如有其他舵机使用 ID 1�
     </message>
     <message>
         <source>%1 contains servos %2; choose one, for example %1:%3, or use --servo</source>
-        <translation>%1 含舵机 %2；请指明是哪一个，如 %1:%3 或用 --servo</translation>
+        <translation>%1 含舵机 %2；请指明是哪一个，例如 %1:%3，或使用 --servo</translation>
     </message>
     <message>
         <source>
-Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the replies took less than %5 ms.</source>
+Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the replies took less than %5 ms.</source>
         <translation>
 总计：找到舵机 %1 个；请求 %2 次，应答 %3 次，重试 %4 次；半数应答用时不到 %5 毫秒。</translation>
     </message>
@@ -5907,7 +5907,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>On the bus: settings read, EPROM unlocked, value written and read back, EPROM locked and checked.</source>
-        <translation>线路上的过程：读取参数、解锁、写入、回读、上锁并确认。</translation>
+        <translation>总线上的过程：读取参数、EPROM 解锁、写入数值并回读、EPROM 上锁并确认。</translation>
     </message>
     <message>
         <source>Turn the power to all servos off and on again</source>
@@ -5915,7 +5915,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Restore the old value</source>
-        <translation>恢复旧值</translation>
+        <translation>恢复原值</translation>
     </message>
     <message numerus="yes">
         <source>%n servo(s) found in %1 s</source>
@@ -5925,7 +5925,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>no servo on this bus is in position mode and free of alarms</source>
-        <translation>此总线上没有处于位置模式且无报警的舵机</translation>
+        <translation>此总线上找不到可用的舵机（须处于位置模式且无报警）</translation>
     </message>
     <message numerus="yes">
         <source>%n register(s) in the table</source>
@@ -5955,11 +5955,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>only this servo: its label, or its number as listed by &quot;history --kind servos&quot;</source>
-        <translation>仅此舵机：它在 &quot;history --kind servos&quot; 中的编号，或它的标签</translation>
+        <translation>仅此舵机：它的标签，或“history --kind servos”列出的编号</translation>
     </message>
     <message>
         <source>only servos with this label</source>
-        <translation>仅此标签的舵机</translation>
+        <translation>仅限带此标签的舵机</translation>
     </message>
     <message>
         <source>several servos have the label &quot;%1&quot;; specify a number instead, as listed by &quot;history --kind servos&quot;</source>
@@ -5982,8 +5982,8 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>更改前的阶跃响应：历史记录中的编号，或 .json 报告文件</translation>
     </message>
     <message>
-        <source>step response after</source>
-        <translation>之后的阶跃响应</translation>
+        <source>step response after the change</source>
+        <translation>更改后的阶跃响应</translation>
     </message>
     <message>
         <source>write both runs to a file</source>
@@ -6032,34 +6032,38 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>Exit codes: 0 success, 1 not executed by the servo, 2 usage error, 3 port error, 4 no reply, 5 file error.
 &quot;servodesk-cli help COMMAND&quot; describes a command.</source>
-        <translation>退出码：0 完成，1 舵机未执行，2 用法错误，3 端口，4 无应答，5 文件。
-“servodesk-cli help 命令” 显示该命令的详细说明。</translation>
+        <translation>退出码：0 成功，1 舵机未执行，2 用法错误，3 端口错误，4 无应答，5 文件错误。
+“servodesk-cli help 命令”显示该命令的详细说明。</translation>
     </message>
     <message>
-        <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters; before a servo counts as silent, 250)</source>
-        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；判定舵机无应答前为 250）</translation>
+        <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters; a servo counts as silent after 500)</source>
+        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；500 后才判定舵机无应答）</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>示例：</translation>
     </message>
 </context>
 <context>
     <name>text</name>
     <message>
-        <source>it has no acceleration setting</source>
+        <source>the servo has no acceleration setting</source>
         <translation>没有加速度参数</translation>
     </message>
     <message>
-        <source>it has no speed setting</source>
+        <source>the servo has no speed setting</source>
         <translation>没有速度参数</translation>
     </message>
     <message>
-        <source>it has no damping</source>
+        <source>the servo has no damping</source>
         <translation>没有阻尼功能</translation>
     </message>
     <message>
-        <source>it has no torque switch</source>
+        <source>the servo has no torque switch</source>
         <translation>没有扭矩开关</translation>
     </message>
     <message>
-        <source>it does not report its position</source>
+        <source>the servo does not report its position</source>
         <translation>不反馈位置</translation>
     </message>
     <message>
@@ -6072,7 +6076,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>this servo does not support a travel time in its present mode</source>
-        <translation>此舵机在当前模式下没有运行时间</translation>
+        <translation>此舵机在当前模式下不支持设定运行时间</translation>
     </message>
     <message>
         <source>time and speed cannot be combined</source>
@@ -6084,7 +6088,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>A safe change requires more than writing one register.</source>
-        <translation>安全地修改它不只是写一个参数。</translation>
+        <translation>要安全地更改，只写一个参数是不够的。</translation>
     </message>
     <message>
         <source>port not found</source>
@@ -6100,11 +6104,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Your account does not belong to the group that owns serial ports.</source>
-        <translation>您的账户不在拥有端口的用户组里。</translation>
+        <translation>您的账户不属于串口所属的用户组。</translation>
     </message>
     <message>
         <source>Run &quot;sudo usermod -aG %1 $USER&quot;, then log in again.</source>
-        <translation>执行 “sudo usermod -aG %1 $USER”，然后重新登录。</translation>
+        <translation>请执行“sudo usermod -aG %1 $USER”，然后重新登录。</translation>
     </message>
     <message>
         <source>the port could not be opened</source>
@@ -6124,7 +6128,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>This register is set by the factory or by the servo itself.</source>
-        <translation>由出厂设定或舵机自己改写。</translation>
+        <translation>此参数由厂家或舵机自身设定。</translation>
     </message>
     <message>
         <source>Save a snapshot, then repeat the write and confirm it explicitly.</source>
@@ -6174,7 +6178,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>舵机 %1</translation>
     </message>
     <message>
-        <source>The acknowledgment came from ID %1.</source>
+        <source>The reply came from ID %1.</source>
         <translation>应答来自 ID %1。</translation>
     </message>
     <message>
@@ -6275,7 +6279,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>波特率不能修改</translation>
     </message>
     <message>
-        <source>This family has no command for this.</source>
+        <source>This family has no such command.</source>
         <translation>该系列没有这种指令。</translation>
     </message>
     <message>
@@ -6312,12 +6316,12 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>过温</translation>
     </message>
     <message>
-        <source>encoder</source>
+        <source>sensor</source>
         <translation>传感器</translation>
     </message>
     <message>
         <source>the alarm has changed since you confirmed clearing it</source>
-        <translation>您确认解除之后报警已改变</translation>
+        <translation>您确认解除报警后，报警已发生变化</translation>
     </message>
     <message>
         <source>the servo is not in a position mode</source>
@@ -6530,7 +6534,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>An earlier version of this program saved the password in the settings as plain text.</source>
-        <translation>早期版本曾将它以明文保存在设置中。</translation>
+        <translation>本程序的早期版本曾将密码以明文保存在设置中。</translation>
     </message>
     <message>
         <source>limit of another model</source>
@@ -6562,7 +6566,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>the servo family is unclear: firmware %1, byte order flag %2 and model number %3 contradict each other</source>
-        <translation>系列不明：固件 %1、字节序标志 %2 与型号 %3 互相矛盾</translation>
+        <translation>系列不明：固件 %1、字节序标志 %2 与型号编号 %3 互相矛盾</translation>
     </message>
     <message>
         <source>not sent</source>
@@ -6608,10 +6612,10 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The supply voltage is outside the servo&apos;s limits: a wrong or weak power supply, or thin wires with a voltage drop under load.</source>
-        <translation>供电超出舵机限值：电源不对、功率不足，或线太细、带载压降大。</translation>
+        <translation>供电电压超出舵机限值：电源不对、功率不足，或线太细、带载压降大。</translation>
     </message>
     <message>
-        <source>The servo is too hot: a prolonged load, a stall, poor cooling, or a low limit. Remove the load and let the servo cool down.</source>
+        <source>The servo is too hot: a prolonged load, a stall, poor cooling, or a temperature limit that is set too low. Remove the load and let the servo cool down.</source>
         <translation>舵机过温：长时间负载、堵转、散热差，或限值设得太低。请去除负载，等待冷却。</translation>
     </message>
     <message>
@@ -6624,23 +6628,23 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Setting a goal slightly back from the stalled position clears this alarm: the shaft turns back a little and holds there.</source>
-        <translation>设定一个从堵转位置稍微往回的目标即可解除：输出轴往回转一点并保持。</translation>
+        <translation>将目标设为从堵转位置稍往回一点，即可解除报警：输出轴往回转一点并保持。</translation>
     </message>
     <message>
         <source>Setting a new goal at the present position clears this alarm: torque is turned on and the servo holds there.</source>
-        <translation>以当前位置为新目标即可解除：打开扭矩并保持在该位置。</translation>
+        <translation>将新目标设为当前位置即可解除报警：舵机打开扭矩并保持在该位置。</translation>
     </message>
     <message>
         <source>Writing the fault reset register clears this alarm. Before that, the servo is set to hold its position.</source>
-        <translation>通过故障复位寄存器清除。先让舵机在当前位置保持。</translation>
+        <translation>写入故障复位参数即可解除报警。在此之前，先让舵机保持在当前位置。</translation>
     </message>
     <message>
         <source>This alarm clears when the value is back within its limits. Nothing is written.</source>
-        <translation>数值回到限值之内会自动解除。不写入任何内容。</translation>
+        <translation>数值回到限值之内后，报警自动解除。不写入任何内容。</translation>
     </message>
     <message>
         <source>Only turning the servo off and on clears this alarm.</source>
-        <translation>只有断电后重新上电才能清除。</translation>
+        <translation>只有断电后重新上电才能解除此报警。</translation>
     </message>
     <message>
         <source>The meaning of this status bit is not documented. Try turning the servo off and on.</source>
@@ -6648,7 +6652,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>specified twice</source>
-        <translation>重复给出</translation>
+        <translation>重复指定</translation>
     </message>
     <message>
         <source>its operating mode is unknown</source>
@@ -6664,7 +6668,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>its reply cannot be decoded</source>
-        <translation>该处有应答，但无法解析</translation>
+        <translation>其应答无法解析</translation>
     </message>
     <message>
         <source>exception 1: function not supported</source>
@@ -6692,11 +6696,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Use the torque command to turn torque on or off. When torque is turned on, the servo holds its present position.</source>
-        <translation>请用 torque 切换扭矩开关；打开后保持在当前位置。</translation>
+        <translation>请用 torque 命令打开扭矩或卸力；打开扭矩后，舵机保持在当前位置。</translation>
     </message>
     <message>
         <source>Each write automatically unlocks the EPROM and locks it again.</source>
-        <translation>每次写入都会自动解锁和上锁，无需手动操作。</translation>
+        <translation>每次写入都会自动给 EPROM 解锁并重新上锁，无需手动操作。</translation>
     </message>
     <message>
         <source>this register cannot be written directly</source>
@@ -6728,7 +6732,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>the servo&apos;s present position is outside its limits (%1)</source>
-        <translation>舵机的当前位置在限制之外（%1）</translation>
+        <translation>舵机的当前位置超出限制（%1）</translation>
     </message>
     <message>
         <source>the braille service (brltty) has taken over the adapter (%1)</source>
@@ -6740,7 +6744,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>To hold its present position, the servo would need a goal outside its limits.</source>
-        <translation>保持在当前位置意味着目标超出限制。</translation>
+        <translation>要保持在当前位置，目标位置就会超出限制。</translation>
     </message>
     <message>
         <source>The servo replies with an ID other than its own, or another program is using the bus.</source>
@@ -6755,8 +6759,8 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>它把这种芯片的适配器当作盲文显示器，端口因此消失。</translation>
     </message>
     <message>
-        <source>Turn the shaft into its range by hand, or send a goal within the limits.</source>
-        <translation>请用手转回范围内，或给一个范围内的目标位置。</translation>
+        <source>Turn the shaft back into its range by hand, or send a goal within the limits.</source>
+        <translation>请用手将输出轴转回范围内，或设定一个范围内的目标位置。</translation>
     </message>
     <message>
         <source>Close other programs that use the bus, connect only this servo, and search for it.</source>
@@ -6764,7 +6768,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>If you need the value %1, set it in the memory table; this step will not be offered again.</source>
-        <translation>如果需要 %1，请在内存表中修改；此步骤不再提供。</translation>
+        <translation>如果需要数值 %1，请在内存表中写入；此步骤不再提供。</translation>
     </message>
     <message>
         <source>If braille is not used on this computer, run &quot;sudo apt remove brltty&quot;, then plug the adapter in again.</source>
@@ -6792,7 +6796,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The system refused access, or the other side did not accept the connection.</source>
-        <translation>系统拒绝，或对方没有接受连接。</translation>
+        <translation>系统拒绝访问，或对方没有接受连接。</translation>
     </message>
     <message>
         <source>Unplug the adapter and plug it in again; for tcp://, check the host and port.</source>
@@ -6804,7 +6808,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The adapter&apos;s chip or driver supports only some baud rates.</source>
-        <translation>其芯片或驱动只支持部分波特率。</translation>
+        <translation>适配器的芯片或驱动只支持部分波特率。</translation>
     </message>
     <message>
         <source>Use another baud rate or another adapter.</source>
@@ -6820,7 +6824,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Plug the adapter in again. If a change was in progress, check the interrupted writes (%recover) first.</source>
-        <translation>重新插好。如果正在修改参数，请先查看中断的写入（%recover）。</translation>
+        <translation>重新插好适配器。如果正在修改参数，请先查看中断的写入（%recover）。</translation>
     </message>
     <message>
         <source>The servo has no power, a wire is loose, or the ID, baud rate or protocol does not match.</source>
@@ -6848,7 +6852,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Another program or controller is using the bus, or two servos have the same ID.</source>
-        <translation>总线上有另一个程序或主机，或 ID 重复。</translation>
+        <translation>有另一个程序或主机在使用总线，或 ID 重复。</translation>
     </message>
     <message>
         <source>Close other programs that use the bus, and connect only this servo.</source>
@@ -6868,19 +6872,19 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>no acknowledgment received, so it is unknown whether the servo executed the request</source>
-        <translation>没有收到应答，不能确定舵机是否已执行</translation>
+        <translation>没有收到应答，不能确定舵机是否已执行请求</translation>
     </message>
     <message>
         <source>Possible causes: noise on the line or a voltage drop. Do not repeat this request without checking the servo.</source>
-        <translation>可能的原因：线路受干扰或电压波动。请勿未检查舵机就重发此请求。</translation>
+        <translation>可能的原因：线路受干扰或电压跌落。检查舵机之前，请勿重发此请求。</translation>
     </message>
     <message>
         <source>Read the servo&apos;s state first, then decide whether to repeat the request.</source>
-        <translation>先读取舵机状态，再决定是否重做。</translation>
+        <translation>先读取舵机状态，再决定是否重发请求。</translation>
     </message>
     <message>
         <source>You stopped the operation.</source>
-        <translation>由您停止。</translation>
+        <translation>操作已被您停止。</translation>
     </message>
     <message>
         <source>Start again when you are ready; the remaining steps were not executed.</source>
@@ -6904,15 +6908,15 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Wait until the task ends, or stop it.</source>
-        <translation>等它结束，或先停止它。</translation>
+        <translation>请等任务结束，或先停止任务。</translation>
     </message>
     <message>
         <source>invalid input</source>
         <translation>输入无效</translation>
     </message>
     <message>
-        <source>A value is malformed, missing, or contradicts another value.</source>
-        <translation>数值格式不对、缺失，或与其他参数矛盾。</translation>
+        <source>A value is malformed or missing, or it contradicts another value.</source>
+        <translation>数值格式不对、缺失，或与其他数值矛盾。</translation>
     </message>
     <message>
         <source>this servo has no register with that name</source>
@@ -6940,7 +6944,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The register&apos;s range or the servo&apos;s angle limits do not allow this value.</source>
-        <translation>超出参数范围或舵机自身的角度限制。</translation>
+        <translation>数值超出参数范围或舵机的角度限制。</translation>
     </message>
     <message>
         <source>Use a value within the range, or change the limits first.</source>
@@ -6968,7 +6972,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Two servos with the same ID reply at the same time, and their replies collide.</source>
-        <translation>两个舵机 ID 相同会同时应答，互相干扰。</translation>
+        <translation>两个 ID 相同的舵机会同时应答，互相干扰。</translation>
     </message>
     <message>
         <source>Choose a free ID, or change the ID of the other servo first.</source>
@@ -6979,12 +6983,12 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>舵机没有执行请求</translation>
     </message>
     <message>
-        <source>The firmware did not accept the request, a protection has tripped, or the movement is blocked.</source>
-        <translation>固件不接受、已进入保护，或被卡住。</translation>
+        <source>The firmware did not accept the request, the servo&apos;s protection has tripped, or the movement is blocked.</source>
+        <translation>固件不接受该请求、舵机已进入保护，或输出轴被卡住。</translation>
     </message>
     <message>
         <source>Check the servo&apos;s status and mode, remove the cause, and try again.</source>
-        <translation>查看舵机状态和模式，排除障碍后再试。</translation>
+        <translation>查看舵机状态和模式，排除原因后再试。</translation>
     </message>
     <message>
         <source>the value read back differs from the value written</source>
@@ -7024,11 +7028,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The servo is a variant that is not in the model list, or its identity data is damaged. This data determines the memory table; with the wrong table, a write would change a different register, so nothing is written.</source>
-        <translation>型号表中没有的变型，或身份数据已损坏。内存表由这些信息决定；用错内存表，写入会改动别的参数，因此不写入任何内容。</translation>
+        <translation>该舵机是型号表中没有的变型，或其身份数据已损坏。内存表由身份数据决定；用错内存表，写入会改动别的参数，因此不写入任何内容。</translation>
     </message>
     <message>
         <source>Connect only this servo and read it again. If the values stay the same, check the label on the servo. Then add a model file with this model number and the servo&apos;s actual family.</source>
-        <translation>请单独连接该舵机并重新读取。若数值不变，请核对舵机标签，再添加型号文件，写明该型号的实际系列。</translation>
+        <translation>请单独连接该舵机并重新读取。若数值不变，请核对舵机标签，再添加型号文件，写明此型号编号和舵机的实际系列。</translation>
     </message>
     <message>
         <source>two servos reply with this ID</source>
@@ -7036,11 +7040,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Two servos with the same ID are connected. A write would change both, but only one of the old values would be recorded.</source>
-        <translation>接有两个 ID 相同的舵机。写入会同时改动两个舵机，而只记录其中一个的原值。</translation>
+        <translation>总线上接有两个 ID 相同的舵机。写入会同时改动两个舵机，但只会记录其中一个的原值。</translation>
     </message>
     <message>
         <source>Connect one servo at a time and change its ID. If only this servo is connected, check the wires and the ground, then try again; the check for duplicate IDs is repeated each time. A torque-off command still reaches both servos.</source>
-        <translation>每次只连接一个舵机并更改其 ID。如果只连接了这一个舵机，请检查导线和地线后重试：每次都会重新检查。卸力指令仍能到达两个舵机。</translation>
+        <translation>每次只连接一个舵机并更改其 ID。如果只连接了这一个舵机，请检查导线和地线后重试：每次都会重新检查 ID 是否重复。卸力指令仍能到达两个舵机。</translation>
     </message>
     <message>
         <source>another servo replies with this ID</source>
@@ -7072,7 +7076,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Select a protocol with --protocol, or change the ID of one of the servos.</source>
-        <translation>用 --protocol 指明协议，或给其中一个改 ID。</translation>
+        <translation>用 --protocol 指明协议，或修改其中一个舵机的 ID。</translation>
     </message>
     <message>
         <source>The name is misspelled, or the file was moved.</source>
@@ -7092,7 +7096,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Use an undamaged copy, or create the file again.</source>
-        <translation>换用完好的副本，或重新生成。</translation>
+        <translation>换用完好的副本，或重新生成文件。</translation>
     </message>
     <message>
         <source>The folder is missing or read-only, or belongs to another user.</source>
@@ -7100,7 +7104,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Choose a folder you can write to.</source>
-        <translation>请换到有写入权限的位置。</translation>
+        <translation>请选择有写入权限的文件夹。</translation>
     </message>
     <message>
         <source>There is no space left, or your quota is used up.</source>
@@ -7116,11 +7120,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>If an adapter with a CH340 chip (1a86:7523) disappears right after it is plugged in, the braille service has taken it over: run &quot;sudo apt remove brltty&quot;.</source>
-        <translation>如果 CH340 适配器（1a86:7523）插上后立即消失，是被盲文服务占用了：“sudo apt remove brltty”。</translation>
+        <translation>如果 CH340 适配器（1a86:7523）插上后立即消失，是被盲文服务占用了：请运行“sudo apt remove brltty”。</translation>
     </message>
     <message>
         <source>%1 A torque-off command was sent anyway, but its effect is not confirmed.</source>
-        <translation>%1仍已发送卸力指令，但无法证明其已生效。</translation>
+        <translation>%1仍发送了卸力指令，但不能确认其已生效。</translation>
     </message>
     <message>
         <source>the servo family is unclear: according to firmware %1, byte order flag %2 and model number %3, the EPROM lock is at address %4, but that byte is %5</source>
@@ -7140,14 +7144,14 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The replies of two servos collide; noise on the line can look the same. A write would change both servos, but only one of the old values would be recorded.</source>
-        <translation>两者的应答互相冲突；线路受干扰时也会如此。写入会同时改动两个舵机，而只记录其中一个的原值。</translation>
+        <translation>两个舵机的应答互相冲突；线路受干扰时也可能出现同样的现象。写入会同时改动两个舵机，但只会记录其中一个的原值。</translation>
     </message>
     <message>
         <source>Turn the servo off and on, and read it again. If the byte is still neither 0 nor 1, do not write to this servo: ask the vendor for its memory table.</source>
         <translation>请给舵机断电再上电，然后重新读取。若该字节仍不是 0 或 1，请勿写入该舵机，并向厂商索取其内存表。</translation>
     </message>
     <message>
-        <source>This version is older and cannot record changes in the history, so nothing is written to the servo.</source>
+        <source>This version is too old to record changes in the history, so nothing is written to the servo.</source>
         <translation>此版本较旧，无法把更改记入该历史记录，因此不向舵机写入任何内容。</translation>
     </message>
     <message>
@@ -7160,15 +7164,15 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Another program keeps the history locked, or the history is on a network drive that does not respond. Without the history, nothing is written to the servo.</source>
-        <translation>另一个程序一直锁着它，或者它所在的网络盘没有响应。没有历史记录就不向舵机写入。</translation>
+        <translation>另一个程序一直锁着历史记录，或者历史记录所在的网络盘没有响应。没有历史记录就不向舵机写入。</translation>
     </message>
     <message>
         <source>Part of the file was lost on the disk, or the file is of another type. Without the history, nothing is written to the servo.</source>
-        <translation>磁盘丢失了其中一部分，或者文件类型不对。没有历史记录就不向舵机写入。</translation>
+        <translation>文件的一部分在磁盘上丢失，或者文件类型不对。没有历史记录就不向舵机写入。</translation>
     </message>
     <message>
         <source>Close the program and move history.sqlite, together with history.sqlite-wal and -shm, to a safe place; a new history is created. &quot;sqlite3 history.sqlite .recover&quot; recovers what is still readable in the old one.</source>
-        <translation>关闭程序，把 history.sqlite 连同 history.sqlite-wal 和 -shm 移到安全的地方；程序会建立新的历史记录。&quot;sqlite3 history.sqlite .recover&quot; 可取出旧历史记录中还能读的内容。</translation>
+        <translation>关闭程序，把 history.sqlite 连同 history.sqlite-wal 和 -shm 移到安全的地方；程序会建立新的历史记录。“sqlite3 history.sqlite .recover”可取出旧历史记录中还能读的内容。</translation>
     </message>
     <message>
         <source>The history file or its folder is read-only or belongs to another user. Without the history, nothing is written to the servo.</source>
@@ -7180,15 +7184,15 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>no snapshot was taken before that time</source>
-        <translation>到那时还没有保存过快照</translation>
+        <translation>在该时间之前没有保存过快照</translation>
     </message>
     <message>
-        <source>The memory table at a past time is calculated from the last snapshot before that time and the writes since then.</source>
-        <translation>过去的内存表由此前最后一个快照加上此后的写入得出。</translation>
+        <source>The memory table at a past time is calculated from the last snapshot before that time and the writes that followed the snapshot.</source>
+        <translation>过去某一时间的内存表由该时间之前的最后一个快照加上快照之后的写入得出。</translation>
     </message>
     <message>
         <source>A stopped or interrupted test does not show how a good servo performs.</source>
-        <translation>停止或中断的测试不能说明好舵机的状况。</translation>
+        <translation>停止或中断的测试不能反映正常舵机的性能。</translation>
     </message>
     <message>
         <source>Choose a completed test.</source>
@@ -7196,7 +7200,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Later tests of this model are compared with the reference.</source>
-        <translation>参考用于与该型号以后的测试对比。</translation>
+        <translation>该型号以后的测试会与此参考对比。</translation>
     </message>
     <message>
         <source>Torque was turned off.</source>
@@ -7204,11 +7208,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Sending the goal turned torque on.</source>
-        <translation>目标指令使能了扭矩。</translation>
+        <translation>目标指令打开了扭矩。</translation>
     </message>
     <message>
         <source>Torque stays off until you turn it on.</source>
-        <translation>扭矩保持关闭，直到您打开它。</translation>
+        <translation>在您打开扭矩之前，扭矩保持关闭。</translation>
     </message>
     <message>
         <source>The servo holds its position (%3 = %1).</source>
@@ -7232,15 +7236,15 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The angle limits %1 … %2 are saved and will be restored when you switch back to position mode.</source>
-        <translation>角度限制 %1 … %2 已记下，切换回位置模式时恢复。</translation>
+        <translation>角度限制 %1～%2 已记下，切换回位置模式时恢复。</translation>
     </message>
     <message>
         <source>The angle limits %1 … %2 were restored.</source>
-        <translation>角度限制 %1 … %2 已恢复。</translation>
+        <translation>角度限制 %1～%2 已恢复。</translation>
     </message>
     <message>
         <source>The previous angle limits are unknown, so %1 … %2 were set.</source>
-        <translation>没有记下原来的角度限制；已设为 %1 … %2。</translation>
+        <translation>没有记下原来的角度限制；已设为 %1～%2。</translation>
     </message>
     <message>
         <source>The speed for position mode, %1 (%3), was restored.</source>
@@ -7260,7 +7264,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The value was already set; nothing was written.</source>
-        <translation>原本就是如此；没有写入。</translation>
+        <translation>原来就是此值；没有写入。</translation>
     </message>
     <message>
         <source>%3 is above %1, the highest useful value.</source>
@@ -7272,19 +7276,19 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Overcurrent: torque is off until a new goal is sent. Remove the cause first.</source>
-        <translation>过流：扭矩已关闭，重新写目标后恢复。请先排除原因。</translation>
+        <translation>过流：扭矩已关闭，重新写入目标后恢复。请先排除原因。</translation>
     </message>
     <message>
-        <source>Voltage: clears when the supply voltage is back within the servo&apos;s limits.</source>
-        <translation>电压：供电回到允许范围后自动解除。</translation>
+        <source>Voltage: the alarm clears when the supply voltage is back within the servo&apos;s limits.</source>
+        <translation>过压欠压：供电电压回到允许范围后，报警自动解除。</translation>
     </message>
     <message>
-        <source>Temperature: clears only when the servo cools down.</source>
-        <translation>温度：只有冷却后才会解除。</translation>
+        <source>Temperature: the alarm clears only when the servo cools down.</source>
+        <translation>过温：舵机冷却后，报警才会解除。</translation>
     </message>
     <message>
-        <source>Encoder: turn the servo off and on; if the alarm returns, the servo needs repair.</source>
-        <translation>传感器：请重新上电；如再次出现，需要返修。</translation>
+        <source>Sensor: turn the servo off and on; if the alarm returns, the servo needs repair.</source>
+        <translation>传感器：请断电再上电；如再次报警，舵机需要返修。</translation>
     </message>
     <message>
         <source>The servo replied %1 ms after the reboot.</source>
@@ -7307,8 +7311,8 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>回读确认没有生效，已重新发送。</translation>
     </message>
     <message>
-        <source>%3 was saved with the command from the data sheet; only turning the servo off and on can confirm it.</source>
-        <translation>%3 已按资料所述的指令保存；只有断电再上电才能验证。</translation>
+        <source>%3 was saved with the command from the data sheet; this can be verified only by turning the servo off and on.</source>
+        <translation>%3 已按资料所述的指令保存；只有断电再上电才能验证是否已保存。</translation>
     </message>
     <message>
         <source>The current limit %1 (%3) was restored.</source>
@@ -7324,7 +7328,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Not recorded: the result of this change could not be saved to the history (%3). The change stays listed as unfinished; use %recover when the history is writable again.</source>
-        <translation>未记录：这次更改的结果无法存入历史记录（%3）。它仍列为未写完；历史记录可以写入后，请使用%recover处理。</translation>
+        <translation>未记录：这次更改的结果无法存入历史记录（%3）。该更改仍列为未写完；历史记录可以写入后，请使用%recover处理。</translation>
     </message>
     <message>
         <source>%3 could not be restored to %1; this is recorded in the journal. Use %recover when the servo replies again. At power-off, the servo discards the temporary value.</source>
@@ -7339,7 +7343,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>未上锁</translation>
     </message>
     <message>
-        <source>not confirmed as locked</source>
+        <source>not confirmed</source>
         <translation>未确认上锁</translation>
     </message>
     <message>
@@ -7360,7 +7364,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Set the other servos and the port to this baud rate.</source>
-        <translation>把其他舵机和端口设为它的波特率。</translation>
+        <translation>把其他舵机和端口设为此波特率。</translation>
     </message>
     <message>
         <source>no reply</source>
@@ -7368,7 +7372,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>This register affects the servo&apos;s communication, protection or direction of rotation.</source>
-        <translation>此参数决定舵机的通信、保护或转向。</translation>
+        <translation>此参数决定舵机的通信、保护或旋转方向。</translation>
     </message>
     <message>
         <source>Position goals have no meaning in the present mode.</source>
@@ -7381,10 +7385,6 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     <message>
         <source>the servo has no reboot command</source>
         <translation>舵机没有重启指令</translation>
-    </message>
-    <message>
-        <source>This family has no such command.</source>
-        <translation>该系列没有这种指令。</translation>
     </message>
     <message>
         <source>Turn the power supply off and on.</source>
@@ -7440,7 +7440,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Use a travel time instead.</source>
-        <translation>请改给运行时间。</translation>
+        <translation>请改用运行时间。</translation>
     </message>
     <message>
         <source>no reply to this read request</source>
@@ -7476,7 +7476,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Write the value permanently, then write the old value back.</source>
-        <translation>请正常写入，之后再写回旧值。</translation>
+        <translation>请永久写入该值，之后再写回原值。</translation>
     </message>
     <message>
         <source>the servo has no controllable LED</source>
@@ -7484,10 +7484,10 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>This family&apos;s memory table has no LED register.</source>
-        <translation>该系列的内存表没有对应的参数。</translation>
+        <translation>该系列的内存表没有 LED 参数。</translation>
     </message>
     <message>
-        <source>With torque off, turn a shaft by hand and check which servo changes its position.</source>
+        <source>With torque off, turn a shaft by hand and check which servo&apos;s position changes.</source>
         <translation>请先卸力，用手转动输出轴，看哪个舵机的位置在变化。</translation>
     </message>
     <message>
@@ -7499,12 +7499,12 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>要让它闪烁，就得解锁并多次改写出厂参数。</translation>
     </message>
     <message>
-        <source>in this mode, the servo cannot turn back just slightly from the stalled position</source>
+        <source>in this mode, the servo cannot turn back just a little from the stalled position</source>
         <translation>此模式下舵机无法只往回转一点来解除堵转</translation>
     </message>
     <message>
         <source>Only turning in the opposite direction clears an overload; in this mode, the shaft would keep turning.</source>
-        <translation>过载只能靠反方向解除，而在此模式下输出轴会一直转下去。</translation>
+        <translation>过载只能靠反方向转动解除，而在此模式下输出轴会一直转下去。</translation>
     </message>
     <message>
         <source>Remove the load and send a command in the opposite direction, or turn the power supply off and on.</source>
@@ -7567,24 +7567,24 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>请给出不小于 1 的步长。</translation>
     </message>
     <message>
-        <source>The path goes from start to end and back, so the step has no direction.</source>
-        <translation>路径从起始到结束再返回，步长没有方向。</translation>
+        <source>The path runs in both directions, so the step has no sign.</source>
+        <translation>路径往返都走，步长不分正负。</translation>
     </message>
     <message>
         <source>Enter a step of 1 or more; to reverse the direction, swap start and end.</source>
-        <translation>请给出 1 或更大的步长；若要反方向，请对调起始和结束。</translation>
+        <translation>请给出不小于 1 的步长；若要反方向，请对调起点和终点。</translation>
     </message>
     <message>
         <source>the step is larger than the distance from start to end</source>
-        <translation>步长大于整个行程</translation>
+        <translation>步长大于起点到终点的距离</translation>
     </message>
     <message>
         <source>Start and end are closer together than one step.</source>
         <translation>起点与终点的距离比步长还小。</translation>
     </message>
     <message>
-        <source>Use a smaller step or a longer travel.</source>
-        <translation>请减小步长或加大行程。</translation>
+        <source>Use a smaller step, or move start and end farther apart.</source>
+        <translation>请减小步长，或加大起点与终点的距离。</translation>
     </message>
     <message>
         <source>the list has fewer than two goals</source>
@@ -7616,11 +7616,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>the period of the sine wave is not set</source>
-        <translation>正弦没有周期</translation>
+        <translation>没有设置正弦的周期</translation>
     </message>
     <message>
         <source>The speed of the movement is undefined.</source>
-        <translation>没有说明跟随的快慢。</translation>
+        <translation>运动的速度无法确定。</translation>
     </message>
     <message>
         <source>Enter the period in seconds.</source>
@@ -7632,7 +7632,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Enter a nonzero step; it may be negative.</source>
-        <translation>请给出不为 0 的步数，可为负数。</translation>
+        <translation>请给出不为 0 的阶跃量，可为负数。</translation>
     </message>
     <message>
         <source>the time between goals is out of range</source>
@@ -7640,7 +7640,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>All readings of a response are stored, so the time is limited to ten seconds.</source>
-        <translation>每次响应的所有采样都会保存，最长十秒。</translation>
+        <translation>每次响应的所有采样都会保存，因此时间最长为十秒。</translation>
     </message>
     <message>
         <source>Enter ten seconds or less, or leave the field empty to use the calculated time.</source>
@@ -7652,11 +7652,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>All readings are stored, so a run is limited to fifty steps in each direction.</source>
-        <translation>所有采样都会保存，最多往返五十次。</translation>
+        <translation>所有采样都会保存，因此一次测试最多往返五十次。</translation>
     </message>
     <message>
-        <source>Enter 1 to 50.</source>
-        <translation>请给出 1 到 50。</translation>
+        <source>Enter a number from 1 to 50.</source>
+        <translation>请给出 1 到 50 之间的数。</translation>
     </message>
     <message>
         <source>this register cannot be used in a trial</source>
@@ -7664,7 +7664,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>A trial can set gains, startup force, integral limit and dead zones, if the servo has them.</source>
-        <translation>试用只设置增益、启动力、积分限制和死区（视舵机而定）。</translation>
+        <translation>试用只能设置增益、启动力、积分限制和死区（视舵机而定）。</translation>
     </message>
     <message>
         <source>no data is being read</source>
@@ -7712,7 +7712,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Make sure that nothing can move unexpectedly, turn torque on, then start again.</source>
-        <translation>请确认不会有任何动作，先打开扭矩，再重新开始。</translation>
+        <translation>请确认不会有东西意外转动，先打开扭矩，再重新开始。</translation>
     </message>
     <message>
         <source>writing this value moves the shaft immediately</source>
@@ -7732,7 +7732,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
-        <translation>请避开机构，再明确确认后重新执行。</translation>
+        <translation>请远离机构，然后重新执行此操作并明确确认。</translation>
     </message>
     <message>
         <source>clearing this alarm turns torque on</source>
@@ -7740,14 +7740,14 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Only a new goal clears an overcurrent.</source>
-        <translation>过流只能靠重新写目标解除。</translation>
+        <translation>过流只能靠重新写入目标解除。</translation>
     </message>
     <message>
         <source>Remove the cause and keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
-        <translation>请排除原因并避开机构，再明确确认后重新执行。</translation>
+        <translation>请排除原因并远离机构，然后重新执行此操作并明确确认。</translation>
     </message>
     <message>
-        <source>The servo&apos;s state has changed since then.</source>
+        <source>The servo&apos;s state has changed in the meantime.</source>
         <translation>其间舵机状态已改变。</translation>
     </message>
     <message>
@@ -7776,7 +7776,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The servo replies but shows no sign of a reboot: it ignored the command, or rebooted too quickly to be noticed.</source>
-        <translation>舵机有应答，但没有迹象表明它重启过：它不理会该指令，或启动太快而未被察觉。</translation>
+        <translation>舵机有应答，但没有迹象表明它重启过：它没有理会该指令，或重启太快而未被察觉。</translation>
     </message>
     <message>
         <source>To be sure, turn the power supply off and on.</source>
@@ -7788,7 +7788,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The servo is blocked, too weak or too slow, or its limits prevent the movement.</source>
-        <translation>舵机可能被卡住、力量不足或太慢，或者限制使其无法到达。</translation>
+        <translation>舵机可能被卡住、力量不足或太慢，或因其限制而无法到达。</translation>
     </message>
     <message>
         <source>Remove the obstacle, then check the torque limit, speed and alarms.</source>
@@ -7804,7 +7804,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Check the plug and the power supply, then measure the step response again.</source>
-        <translation>请检查插头和供电，然后重新运行阶跃测试。</translation>
+        <translation>请检查插头和供电，然后重新测量阶跃响应。</translation>
     </message>
     <message>
         <source>the servo&apos;s operating mode has changed</source>
@@ -7824,7 +7824,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The next Execute command, from any program, will move the servo to this goal.</source>
-        <translation>下一次“异步执行”会执行这个目标，无论由哪个程序发送。</translation>
+        <translation>下一条“异步执行”指令（无论来自哪个程序）会让舵机转到这个目标。</translation>
     </message>
     <message>
         <source>Turn the servo off and on to discard this goal.</source>
@@ -7856,15 +7856,15 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>the servo did not acknowledge the command, and all values are unchanged, so it is unknown whether the command was executed</source>
-        <translation>舵机没有应答，所有值都与之前相同，因此不知道是否已执行</translation>
+        <translation>舵机没有应答该指令，所有值都与之前相同，因此不知道指令是否已执行</translation>
     </message>
     <message>
         <source>The firmware ignores this command, or all settings already had their default values.</source>
-        <translation>固件忽略该指令，或其设置原本就是出厂值。</translation>
+        <translation>固件忽略该指令，或所有设置原本就是出厂值。</translation>
     </message>
     <message>
         <source>Compare the servo&apos;s memory table with the defaults, and write the values that differ.</source>
-        <translation>请将内存表与出厂值对比，并写入不同的值。</translation>
+        <translation>请将内存表与出厂值对比，并写入有差异的值。</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -7880,7 +7880,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>ID and baud rate identify the servo. They are written only on request, as the last step.</source>
-        <translation>ID 和波特率决定这台舵机的身份。仅在要求时写入，且放在最后。</translation>
+        <translation>ID 和波特率决定舵机的身份。仅在要求时写入，且放在最后。</translation>
     </message>
     <message>
         <source>live value: never restored</source>
@@ -7888,7 +7888,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Torque, goals and the lock are saved for reference only, because writing them back could turn the shaft.</source>
-        <translation>扭矩、目标和锁只作记录保存，因为写回可能使舵机轴转动。</translation>
+        <translation>扭矩、目标和锁只作记录保存，因为写回可能使输出轴转动。</translation>
     </message>
     <message>
         <source>lost at power-off: not written by default</source>
@@ -7900,19 +7900,19 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>shifts the zero position of the shaft</source>
-        <translation>会移动轴的零点</translation>
+        <translation>会移动输出轴的零点</translation>
     </message>
     <message>
         <source>After the write, the same goal means a different position: the shaft may turn immediately or when torque is turned on.</source>
-        <translation>写入后同一目标对应另一位置：轴可能立即转动，或在打开扭矩时转动。</translation>
+        <translation>写入后同一目标对应另一位置：输出轴可能立即转动，或在打开扭矩时转动。</translation>
     </message>
     <message>
         <source>The factory set this value for this individual servo.</source>
-        <translation>此值由厂家为这台舵机单独设定。</translation>
+        <translation>此值由厂家为该舵机单独设定。</translation>
     </message>
     <message>
         <source>The file is from another model or firmware; this row cannot be written.</source>
-        <translation>文件来自另一型号或固件；此行无法写入这台舵机。</translation>
+        <translation>文件来自另一型号或固件；此行无法写入。</translation>
     </message>
     <message>
         <source>The file is from another model or firmware; this row stays unchanged.</source>
@@ -7924,7 +7924,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>A value that cannot be read back cannot be verified, so it is not written.</source>
-        <translation>读不出的值无法验证，因此不写入。</translation>
+        <translation>无法回读的值不能验证，因此不写入。</translation>
     </message>
     <message>
         <source>This servo does not accept the value in the file.</source>
@@ -7936,7 +7936,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The unit or number format in the file differs from that of this servo.</source>
-        <translation>文件中的单位或数值格式与这台舵机的不同。</translation>
+        <translation>文件中的单位或数值格式与该舵机的不同。</translation>
     </message>
     <message>
         <source>unitless number from another family</source>
@@ -7964,7 +7964,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>This value was written temporarily and would be lost at power-off. It will be written again permanently.</source>
-        <translation>舵机现在是这个值，但来自断电即失效的临时写入。将再写一次，以永久保存。</translation>
+        <translation>舵机现在已是此值，但它是临时写入的，断电即失效。将再次写入，以永久保存。</translation>
     </message>
     <message>
         <source>The present reading is outside this limit: the servo would report an alarm as soon as the limit is written.</source>
@@ -7992,7 +7992,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>another servo; not changed</source>
-        <translation>是另一台舵机；未作改动</translation>
+        <translation>是另一个舵机；未作更改</translation>
     </message>
     <message>
         <source>immediate voltage alarm: limit %1, present voltage %2</source>
@@ -8000,7 +8000,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>immediate temperature alarm: limit %1, present temperature %2</source>
-        <translation>立即过热报警：限制 %1，舵机当前 %2</translation>
+        <translation>立即过温报警：限制 %1，当前温度 %2</translation>
     </message>
     <message>
         <source>overcurrent alarm: limit %1, present current %2</source>
@@ -8024,7 +8024,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The server accepts connections but does not reply: it hangs, a firewall blocks it, or it is not a PostgreSQL server.</source>
-        <translation>对方接受连接但不应答：服务器卡死、防火墙拦截，或对方不是 PostgreSQL。</translation>
+        <translation>服务器接受连接但没有响应：服务器卡死、被防火墙拦截，或者不是 PostgreSQL 服务器。</translation>
     </message>
     <message>
         <source>No data is lost: pending data is sent when the server responds again. Check the server, host and port.</source>
@@ -8040,7 +8040,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Create the database on the server: &quot;createdb -E UTF8 -O USER DATABASE&quot;.</source>
-        <translation>请在服务器上创建：&quot;createdb -E UTF8 -O USER DATABASE&quot;。</translation>
+        <translation>请在服务器上创建：“createdb -E UTF8 -O USER DATABASE”。</translation>
     </message>
     <message>
         <source>the history server does not allow this</source>
@@ -8048,7 +8048,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>This user cannot log in from here, has only read permission, or cannot create tables in this database.</source>
-        <translation>该用户不能从此处登录、只能读取，或不能在该数据库中建表。</translation>
+        <translation>该用户不能从此处登录、只有读取权限，或不能在该数据库中建表。</translation>
     </message>
     <message>
         <source>Ask the owner of the database for permission (GRANT, pg_hba.conf), or use another user.</source>
@@ -8056,11 +8056,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The certificate has expired, this computer does not trust its issuer, or another computer is posing as the server.</source>
-        <translation>证书已过期，本机不信任其签发机构，或者是另一台计算机在冒充该服务器应答。</translation>
+        <translation>证书已过期，本机不信任其签发机构，或者有另一台计算机在冒充该服务器。</translation>
     </message>
     <message>
         <source>The connection string uses another name for the server, or another computer is posing as the server.</source>
-        <translation>连接字符串中的服务器名称与证书不同，或者是另一台计算机在冒充它应答。</translation>
+        <translation>连接字符串中的服务器名称与证书不同，或者有另一台计算机在冒充该服务器。</translation>
     </message>
     <message>
         <source>Use the host name in the certificate, or get a certificate for this host name. sslmode=verify-ca checks only the issuer.</source>
@@ -8068,7 +8068,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Other users could read the password in the settings and in the process list, so it is neither used nor saved.</source>
-        <translation>其他人可能从设置文件和进程列表中读到密码，因此既不使用也不保存。</translation>
+        <translation>其他人可能从设置文件和进程列表中读到密码，因此既不使用也不保存该密码。</translation>
     </message>
     <message>
         <source>The parameter is misspelled, or it might contain a password.</source>
@@ -8100,7 +8100,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Install the driver (Debian: &quot;sudo apt install libqt6sql6-psql&quot;), then restart the program.</source>
-        <translation>请安装驱动（Debian：&quot;sudo apt install libqt6sql6-psql&quot;），然后重新启动程序。</translation>
+        <translation>请安装驱动（Debian：“sudo apt install libqt6sql6-psql”），然后重新启动程序。</translation>
     </message>
     <message>
         <source>Another bench uses a newer version, which has updated the tables on the server.</source>
@@ -8108,7 +8108,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Update this program as well. Until then, all data is kept on this computer.</source>
-        <translation>请同样升级本程序。在此之前，所有数据都保存在本机。</translation>
+        <translation>请把本程序也升级。在此之前，所有数据都保存在本机。</translation>
     </message>
     <message>
         <source>The tables are updated when a bench with this version sends data for the first time.</source>
@@ -8116,7 +8116,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Send data from a bench that uses this version.</source>
-        <translation>请让一个使用此版本的工位向其发送历史记录。</translation>
+        <translation>请从使用此版本的工位发送数据。</translation>
     </message>
     <message>
         <source>no data has been sent to this history server yet</source>
@@ -8136,7 +8136,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Create another database: &quot;createdb -E UTF8 -T template0 DATABASE&quot;.</source>
-        <translation>请另建一个：&quot;createdb -E UTF8 -T template0 DATABASE&quot;。</translation>
+        <translation>请另建一个数据库：“createdb -E UTF8 -T template0 DATABASE”。</translation>
     </message>
     <message>
         <source>The server has reached its maximum number of connections, or the tables are locked.</source>
@@ -8148,7 +8148,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>There is no space left for the database tables.</source>
-        <translation>没有空间存放其数据表。</translation>
+        <translation>没有空间存放数据库的表。</translation>
     </message>
     <message>
         <source>Free some space on the server. Until then, data is kept on this computer and sent later.</source>
@@ -8159,12 +8159,12 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>这不是有效的 PostgreSQL 连接字符串</translation>
     </message>
     <message>
-        <source>The string has neither the form postgresql://USER@HOST/DATABASE nor host=HOST dbname=DATABASE user=USER, or part of it is not recognized.</source>
-        <translation>它既不是 postgresql://USER@HOST/DATABASE，也不是 host=HOST dbname=DATABASE user=USER，或含有无法识别的部分。</translation>
+        <source>The string has neither the form postgresql://USER@HOST/DATABASE nor the form host=HOST dbname=DATABASE user=USER, or part of it is not recognized.</source>
+        <translation>该字符串既不是 postgresql://USER@HOST/DATABASE 的形式，也不是 host=HOST dbname=DATABASE user=USER 的形式，或含有无法识别的部分。</translation>
     </message>
     <message>
         <source>Correct the string; the PostgreSQL manual describes its format under &quot;Connection Strings&quot;.</source>
-        <translation>请更正；PostgreSQL 手册的 &quot;Connection Strings&quot; 一节有说明。</translation>
+        <translation>请更正该字符串；PostgreSQL 手册的“Connection Strings”一节说明了其格式。</translation>
     </message>
     <message>
         <source>The server is not in the state this program expects.</source>
@@ -8180,7 +8180,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Both servos have the same model, firmware and ID, so only the label distinguishes them.</source>
-        <translation>两者型号、固件和 ID 相同，只有标签能区分。</translation>
+        <translation>两个舵机的型号、固件和 ID 都相同，只能靠标签区分。</translation>
     </message>
     <message>
         <source>Choose another label, or specify that the servo now replying is the one with this label.</source>
@@ -8369,11 +8369,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>“%1”: each selected servo is read, and only the rows that differ are written. IDs and baud rates are never written here.</source>
-        <translation>“%1”：逐个读取已勾选的舵机，只写入不同的行。这里绝不写入 ID 和波特率。</translation>
+        <translation>“%1”：逐个读取已勾选的舵机，只写入有差异的行。这里绝不写入 ID 和波特率。</translation>
     </message>
     <message>
         <source>If a row fails, restore the old values of this servo</source>
-        <translation>若有一行失败，把该舵机恢复原样</translation>
+        <translation>若有一行写入失败，恢复该舵机的原值</translation>
     </message>
     <message>
         <source>If not selected, writing to this servo stops at the failed row; values already written stay in the servo</source>
@@ -8393,7 +8393,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Also writes rows where a wrong value can make a servo unreachable</source>
-        <translation>也写入值错误时可能使舵机无法连接的行</translation>
+        <translation>也写入数值错误时可能使舵机失联的行</translation>
     </message>
     <message>
         <source>Reads the servos and shows what would be written to each</source>
@@ -8401,7 +8401,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Writes the differing rows to each selected servo</source>
-        <translation>向每个已勾选的舵机写入不同的行</translation>
+        <translation>把有差异的行写入每个已勾选的舵机</translation>
     </message>
     <message>
         <source>Stops after the current servo has been written</source>
@@ -8427,7 +8427,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Dangerous rows are selected: a wrong value can make a servo unreachable.</source>
-        <translation>已勾选的行中有危险项：错误的值可能使舵机无法连接。</translation>
+        <translation>已勾选的行中有危险项：错误的值可能使舵机失联。</translation>
     </message>
     <message>
         <source>%1 of %2 servos failed; their tooltips show the reason.</source>
@@ -8435,7 +8435,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Written, but rows were skipped on %1 of %2 servos; their tooltips show which rows and why.</source>
-        <translation>已写入，但 %2 个舵机中有 %1 个跳过了一些行；各行提示说明哪些及原因。</translation>
+        <translation>已写入，但 %2 个舵机中有 %1 个跳过了一些行；各行提示列出跳过的行及原因。</translation>
     </message>
     <message>
         <source>All %1 servos match the snapshot.</source>
@@ -8508,7 +8508,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Part of the register name</source>
-        <translation>名称的一部分</translation>
+        <translation>参数名称的一部分</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -8532,7 +8532,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Drawn as value × scale + offset; cursors show the actual value</source>
-        <translation>曲线按“数值 × 倍数 + 偏移”绘制；游标显示原值</translation>
+        <translation>曲线按“数值 × 倍数 + 偏移”绘制；游标显示实际值</translation>
     </message>
     <message>
         <source>Added to the drawn value, in the same unit</source>
@@ -8575,7 +8575,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Mark the items you have checked</source>
-        <translation>检查过的打勾</translation>
+        <translation>请勾选已检查的项目</translation>
     </message>
 </context>
 <context>
@@ -8618,11 +8618,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>A write is unfinished. Close anyway?</source>
-        <translation>有写入尚未写完。仍要关闭吗？</translation>
+        <translation>有一项写入未写完。仍要关闭吗？</translation>
     </message>
     <message>
         <source>A write is unfinished. Disconnect anyway?</source>
-        <translation>有写入尚未写完。仍要断开吗？</translation>
+        <translation>有一项写入未写完。仍要断开吗？</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8646,7 +8646,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>ID %1: the unfinished write is recorded in the journal. The next time you connect, ServoDesk offers to finish or undo it.</source>
-        <translation>ID %1：写入日志中仍有未写完的写入。下次连接时可选择完成或撤销。</translation>
+        <translation>ID %1：未写完的写入已记入写入日志。下次连接时可选择完成或撤销。</translation>
     </message>
     <message>
         <source>The EPROM of ID %1 is unlocked. It will be locked first.</source>
@@ -8658,7 +8658,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The EPROM of the servo with ID %1 was unlocked, and ServoDesk could not confirm that it was locked again.</source>
-        <translation>ID 为 %1 的舵机的 EPROM 锁已打开，无法确认已重新上锁。</translation>
+        <translation>ID %1 的舵机的 EPROM 曾被解锁，ServoDesk 未能确认其已重新上锁。</translation>
     </message>
     <message>
         <source>Leave unlocked</source>
@@ -8711,7 +8711,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>复制所选（或全部）舵机的标签，每行一个</translation>
     </message>
     <message>
-        <source>IDs to come: %1</source>
+        <source>Next IDs: %1</source>
         <translation>待分配 ID：%1</translation>
     </message>
     <message>
@@ -8732,7 +8732,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>%1 set aside</source>
-        <translation>搁置 %1 个</translation>
+        <translation>剔除 %1 个</translation>
     </message>
     <message>
         <source>%1 unfinished</source>
@@ -8799,7 +8799,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Commissioning ends when this ID has been assigned</source>
-        <translation>分配完此 ID 后结束</translation>
+        <translation>分配完此 ID 后，批量设置结束</translation>
     </message>
     <message>
         <source>Baud rate</source>
@@ -8835,7 +8835,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Only for servos with a command to set the midpoint; move the horn to the midpoint first</source>
-        <translation>适用于有设为中位指令的舵机：请先将舵盘摆到位</translation>
+        <translation>仅适用于带“设为中位”指令的舵机；请先将舵盘摆到中位</translation>
     </message>
     <message>
         <source>Set up without confirmation</source>
@@ -8843,7 +8843,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Sets up each servo without asking; servos with an alarm or a mismatch are set aside</source>
-        <translation>无需点击：有报警或不符的舵机会被剔除</translation>
+        <translation>设置每个舵机时不再询问；有报警或不符的舵机会被剔除</translation>
     </message>
     <message>
         <source>Include dangerous rows of the template</source>
@@ -8881,11 +8881,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
         <translation>首次写入前的内存表已保存：%1</translation>
     </message>
     <message>
-        <source>ID and baud rate when it was connected</source>
+        <source>ID and baud rate of the servo when connected</source>
         <translation>连接时的 ID 和波特率</translation>
     </message>
     <message>
-        <source>ID and baud rate it was given</source>
+        <source>ID and baud rate given to the servo</source>
         <translation>设置后的 ID 和波特率</translation>
     </message>
     <message>
@@ -8909,7 +8909,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Connect the next servo</source>
-        <translation>插入下一个舵机</translation>
+        <translation>接上下一个舵机</translation>
     </message>
     <message>
         <source>Commissioning</source>
@@ -8961,7 +8961,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Ends commissioning; the batch can be resumed at any time</source>
-        <translation>结束；之后可随时继续该批次</translation>
+        <translation>结束批量设置；之后可随时继续该批次</translation>
     </message>
     <message>
         <source>Connects the next simulated servo</source>
@@ -8973,17 +8973,17 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Disconnects the current simulated servo</source>
-        <translation>拔下当前的模拟舵机</translation>
+        <translation>拔下当前接上的模拟舵机</translation>
     </message>
 </context>
 <context>
     <name>ui::CommissionStatus</name>
     <message>
         <source>Commissioning has ended</source>
-        <translation>已结束</translation>
+        <translation>批量设置已结束</translation>
     </message>
     <message>
-        <source>One servo after another</source>
+        <source>One servo at a time</source>
         <translation>逐个设置舵机</translation>
     </message>
     <message>
@@ -8992,7 +8992,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Connect the next servo</source>
-        <translation>插入下一个舵机</translation>
+        <translation>接上下一个舵机</translation>
     </message>
     <message>
         <source>Several servos reply: disconnect all but one</source>
@@ -9004,7 +9004,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>A servo replies but cannot be identified</source>
-        <translation>有应答，但无法识别</translation>
+        <translation>有舵机应答，但无法识别</translation>
     </message>
     <message>
         <source>Set up as ID %1?</source>
@@ -9012,11 +9012,11 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Disconnect the servo</source>
-        <translation>请拔下</translation>
+        <translation>请拔下舵机</translation>
     </message>
     <message>
         <source>Disconnect the servo: ID %1 is done</source>
-        <translation>请拔下：ID %1 已完成</translation>
+        <translation>请拔下舵机：ID %1 已完成</translation>
     </message>
     <message>
         <source>Checking the bus…</source>
@@ -9036,27 +9036,27 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>A servo of this model is unfinished in this batch. Continue only if this is that servo.</source>
-        <translation>此批次中有一个同型号的舵机未完成。仅当就是这一个时才继续。</translation>
+        <translation>此批次中有一个同型号的舵机未完成。确认接上的就是该舵机后再继续。</translation>
     </message>
     <message>
         <source>A servo of this model is unfinished, and no IDs are left for other servos. If this is that servo, click &quot;%1&quot;.</source>
-        <translation>有一个同型号的舵机未完成，且已没有 ID 可分配给其他舵机。如果就是这一个，请点“%1”。</translation>
+        <translation>有一个同型号的舵机未完成，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点“%1”。</translation>
     </message>
     <message>
         <source>A servo of this model is unfinished; its assigned ID is %1. If this is that servo, click &quot;%2&quot;; otherwise it is set up as a new servo.</source>
-        <translation>有一个同型号的舵机未完成，分配给它的 ID 是 %1。如果就是这一个，请点“%2”；否则按新舵机设置。</translation>
+        <translation>有一个同型号的舵机未完成，分配给它的 ID 是 %1。如果接上的就是该舵机，请点“%2”；否则按新舵机设置。</translation>
     </message>
     <message>
         <source>Connect one servo at a time. Each servo receives the template, an ID and the baud rate; it is then checked and recorded in the batch. Nothing moves.</source>
-        <translation>每次只接一个舵机，写入模板、ID 和波特率，检查后记入批次。舵机不会转动。</translation>
+        <translation>每次只接一个舵机。程序会写入模板、ID 和波特率，检查后记入批次。舵机不会转动。</translation>
     </message>
     <message>
         <source>The servos in the list have changed. Searching the bus again.</source>
-        <translation>列表中的舵机已变化，正在搜索当前总线上的舵机。</translation>
+        <translation>列表中的舵机已变化，正在重新搜索总线。</translation>
     </message>
     <message>
         <source>Connect all servos to the bus and search to see them.</source>
-        <translation>将舵机串联后搜索，即可看到全部舵机。</translation>
+        <translation>将全部舵机接到总线上再搜索，即可看到它们。</translation>
     </message>
     <message>
         <source>Label: %1</source>
@@ -9084,15 +9084,15 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>This servo was unfinished and is now being completed.</source>
-        <translation>该舵机先前未完成，现在继续。</translation>
+        <translation>该舵机先前未完成，现在继续设置。</translation>
     </message>
     <message>
         <source>Set ID %1</source>
         <translation>设为 ID %1</translation>
     </message>
     <message>
-        <source>Writes template, ID and baud rate; saves the memory table first</source>
-        <translation>写入模板、ID 和波特率；先保存其内存表</translation>
+        <source>Saves the memory table, then writes the template, ID and baud rate</source>
+        <translation>先保存内存表，再写入模板、ID 和波特率</translation>
     </message>
     <message>
         <source>Memory table saved before the first write: %1 in %2</source>
@@ -9100,10 +9100,10 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Resume setup</source>
-        <translation>是同一个舵机</translation>
+        <translation>继续设置</translation>
     </message>
     <message>
-        <source>Confirms that this is the unfinished servo; it gets its assigned ID</source>
+        <source>Confirms that this is the unfinished servo and gives it its assigned ID</source>
         <translation>确认这是未完成的舵机，使用分配给它的 ID</translation>
     </message>
     <message>
@@ -9138,7 +9138,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
 <context>
     <name>ui::CompareDialog</name>
     <message>
-        <source>Save as page…</source>
+        <source>Save as web page…</source>
         <translation>保存为网页…</translation>
     </message>
     <message>
@@ -9199,7 +9199,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Settings that differed at the start of the tests</source>
-        <translation>测试开始时两个舵机不同的参数</translation>
+        <translation>测试开始时两个舵机取值不同的参数</translation>
     </message>
 </context>
 <context>
@@ -9324,7 +9324,7 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>The adapter was unplugged or has no power. A running test continues when the adapter is back; torque is not turned on again on servos that have rebooted in the meantime.</source>
-        <translation>适配器已拔出或断电。适配器恢复后，正在运行的测试将继续；其间已重启的舵机不会再次输出扭矩。</translation>
+        <translation>适配器已拔出或断电。适配器恢复后，正在运行的测试将继续；其间重启过的舵机不会重新打开扭矩。</translation>
     </message>
     <message>
         <source>%1 reads/s · %2 error · bus %3 %</source>
@@ -9336,12 +9336,12 @@ Total: servos found: %1; requests: %2, answered: %3, retries: %4; half of the re
     </message>
     <message>
         <source>Port: %1 at %2 baud
-Sent: %3, answered: %4
+Sent: %3, replies: %4
 Lost: %5, damaged: %6, foreign: %7, late: %8
 Retries: %9</source>
         <translation>端口：%1，波特率 %2
 已发送：%3，已应答：%4
-丢失：%5，损坏：%6，异常来源：%7，迟到：%8
+丢失：%5，损坏：%6，来源异常：%7，迟到：%8
 重试：%9</translation>
     </message>
     <message>
@@ -9466,11 +9466,11 @@ Retries: %9</source>
     <name>ui::ControlHeader</name>
     <message>
         <source>Motion</source>
-        <translation>舵机操作</translation>
+        <translation>运动</translation>
     </message>
     <message>
         <source>Motion — ID %1</source>
-        <translation>舵机操作 — ID %1</translation>
+        <translation>运动 — ID %1</translation>
     </message>
     <message>
         <source>+ %1 more</source>
@@ -9478,7 +9478,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Stopped, but torque is on. Press Esc to turn it off.</source>
-        <translation>已急停，但扭矩仍为开启。按 Esc 卸力。</translation>
+        <translation>已急停，但扭矩仍处于打开状态。按 Esc 卸力。</translation>
     </message>
     <message>
         <source>Stopped. Turn torque on to continue.</source>
@@ -9517,11 +9517,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Enter the data sheet value for your supply voltage; it is stored for this model, not written to the servo</source>
-        <translation>请输入规格书中对应供电电压的数值；按型号记住，不写入舵机</translation>
+        <translation>请输入规格书中您所用供电电压下的数值；该值按型号保存，不写入舵机</translation>
     </message>
     <message>
-        <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo slower. Only for parts of equal mass.</source>
-        <translation>夹持：按物体能承受的程度设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。速度会变慢。仅适合质量相同的物品。</translation>
+        <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo slower. Use this only for parts of equal mass.</source>
+        <translation>夹持：按工件能承受的力设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。舵机也会变慢。仅适合质量相同的工件。</translation>
     </message>
     <message>
         <source>Torque limit details</source>
@@ -9540,7 +9540,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1. Click to preview what switching to this mode changes.</source>
-        <translation>%1。点击后先显示切换会改变什么。</translation>
+        <translation>%1。点击可预览切换到此模式会改变什么。</translation>
     </message>
 </context>
 <context>
@@ -9574,7 +9574,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Writes to one servo after another; each write is acknowledged</source>
-        <translation>逐个舵机写入，每个都有应答</translation>
+        <translation>逐个舵机写入，每次写入都有应答</translation>
     </message>
     <message>
         <source>Sync</source>
@@ -9582,7 +9582,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Sends one packet to all selected servos; they start together</source>
-        <translation>所有选中的舵机共用一个数据包：同时启动</translation>
+        <translation>向所有选中的舵机发送同一个数据包，使其同时启动</translation>
     </message>
     <message>
         <source>Async</source>
@@ -9617,7 +9617,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>● Torque on</source>
-        <translation>● 扭矩</translation>
+        <translation>● 扭矩已打开</translation>
     </message>
     <message>
         <source>◐ Damping</source>
@@ -9633,7 +9633,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>On: the servo holds its present position in any mode. Off: the shaft is free.</source>
-        <translation>打开：无论何种模式，舵机都保持在当前位置。关闭：输出轴自由。</translation>
+        <translation>打开：无论何种模式，舵机都保持在当前位置。关闭：输出轴可自由转动。</translation>
     </message>
     <message>
         <source>More torque options</source>
@@ -9648,7 +9648,7 @@ Retries: %9</source>
     <name>ui::CursorTable</name>
     <message>
         <source>Copy readings</source>
-        <translation>复制采样数据</translation>
+        <translation>复制读数</translation>
     </message>
     <message>
         <source>Copies the whole table for pasting into a spreadsheet</source>
@@ -9708,11 +9708,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Slope of the least-squares line through the samples, per second</source>
-        <translation>采样点最小二乘直线的斜率，每秒</translation>
+        <translation>采样点的最小二乘拟合直线的斜率（每秒）</translation>
     </message>
     <message>
         <source>Standard deviation of the samples</source>
-        <translation>采样本身的标准差</translation>
+        <translation>采样值的标准差</translation>
     </message>
     <message>
         <source>Number of samples between A and B; ≈: for some of them, only the extremes are stored</source>
@@ -9771,7 +9771,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>ID %1: the rows are written in this order, and each is read back. Nothing has been written yet.</source>
-        <translation>ID %1，按此顺序写入，每一行都会回读；目前尚未写入任何内容。</translation>
+        <translation>ID %1：将按此顺序写入，每一行都会回读；目前尚未写入任何内容。</translation>
     </message>
     <message>
         <source>Copies the steps as text</source>
@@ -9800,8 +9800,8 @@ Retries: %9</source>
 <context>
     <name>ui::ErrorHistogram</name>
     <message>
-        <source>Legs: %1. From %2 to %3 %4, mean %5 %4.</source>
-        <translation>程数：%1。%2 至 %3 %4，平均 %5 %4。</translation>
+        <source>Moves: %1. Error: %2 to %3 %4, mean %5 %4.</source>
+        <translation>行程数：%1。误差：%2 至 %3 %4，平均 %5 %4。</translation>
     </message>
     <message>
         <source>Beyond the warning limit of %1 %2: %3.</source>
@@ -9812,8 +9812,8 @@ Retries: %9</source>
         <translation>超出限值 %1 %2：%3。</translation>
     </message>
     <message>
-        <source>%1 to %2 %3: %4 of %5 legs (%6 %)</source>
-        <translation>%1 至 %2 %3：%4 / %5 程（%6%）</translation>
+        <source>%1 to %2 %3: %4 of %5 moves (%6 %)</source>
+        <translation>%1 至 %2 %3：%5 个行程中有 %4 个（%6%）</translation>
     </message>
     <message>
         <source>No steady-state error has been measured yet.</source>
@@ -9862,8 +9862,8 @@ Retries: %9</source>
 <context>
     <name>ui::HelpWindow</name>
     <message>
-        <source>ServoDesk — help</source>
-        <translation>ServoDesk — 帮助</translation>
+        <source>ServoDesk Help</source>
+        <translation>ServoDesk 帮助</translation>
     </message>
     <message>
         <source>Help</source>
@@ -9913,7 +9913,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Kind of entries to list</source>
-        <translation>列出的内容</translation>
+        <translation>要列出的记录类型</translation>
     </message>
     <message>
         <source>Servo</source>
@@ -9921,7 +9921,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows only entries of this servo</source>
-        <translation>只看这个舵机</translation>
+        <translation>只看此舵机的记录</translation>
     </message>
     <message>
         <source>Register</source>
@@ -9961,7 +9961,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows only entries from this period</source>
-        <translation>只看这段时间</translation>
+        <translation>只看这段时间的记录</translation>
     </message>
     <message>
         <source>From</source>
@@ -9984,7 +9984,7 @@ Retries: %9</source>
         <translation>只看问题</translation>
     </message>
     <message>
-        <source>Failed writes and alarms that are still active</source>
+        <source>Failed writes, and alarms that are still active</source>
         <translation>失败的写入和尚未解除的报警</translation>
     </message>
 </context>
@@ -10044,7 +10044,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows reports and comparisons of saved tests</source>
-        <translation>以往测试的报告与对比</translation>
+        <translation>显示以往测试的报告与对比</translation>
     </message>
     <message>
         <source>Opens the snapshot to compare and restore it</source>
@@ -10072,7 +10072,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Some register values at that time are unknown.</source>
-        <translation>那一刻有些参数的值未知。</translation>
+        <translation>当时有些参数的值未知。</translation>
     </message>
     <message>
         <source>These registers were changed by unrecorded operations: %1.</source>
@@ -10084,11 +10084,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>The servo had ID %1 at that time.</source>
-        <translation>那一刻舵机的 ID 是 %1。</translation>
+        <translation>当时舵机的 ID 是 %1。</translation>
     </message>
     <message>
         <source>Writes made under ID %1 are in the history of the servo with that ID, not in this memory table.</source>
-        <translation>以该 ID 进行的写入在 ID %1 舵机的历史记录中，不在此内存表中。</translation>
+        <translation>以 ID %1 进行的写入记在该 ID 舵机的历史记录中，不在此内存表中。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln row(s) saved: %1</source>
@@ -10122,11 +10122,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows this run on the Step response page, where the next run is compared with it</source>
-        <translation>在“阶跃响应”页显示，下一次运行与它对比</translation>
+        <translation>在“阶跃响应”页显示此次运行，下一次运行将与它对比</translation>
     </message>
     <message>
         <source>No entries. Writes, snapshots, tests and alarms are listed here, unless a filter above hides them.</source>
-        <translation>没有记录。写入、快照、测试和报警都列在这里，除非被上方的筛选隐藏。</translation>
+        <translation>没有记录。写入、快照、测试和报警都列在这里；也可能被上方的筛选条件隐藏。</translation>
     </message>
     <message>
         <source>Select a write.</source>
@@ -10137,8 +10137,8 @@ Retries: %9</source>
         <translation>撤销此写入</translation>
     </message>
     <message>
-        <source>Writes the old value to the servo again, after asking</source>
-        <translation>询问后将旧值重新写入舵机</translation>
+        <source>Writes the old value back to the servo after you confirm</source>
+        <translation>经确认后将原值写回舵机</translation>
     </message>
     <message>
         <source>Newest first</source>
@@ -10149,7 +10149,7 @@ Retries: %9</source>
         <translation>此舵机的全部条目</translation>
     </message>
     <message>
-        <source>Lists only entries of the servo of this row</source>
+        <source>Lists only entries for the servo in this row</source>
         <translation>仅列出该行舵机的条目</translation>
     </message>
 </context>
@@ -10201,7 +10201,7 @@ Retries: %9</source>
         <translation>本工位名称</translation>
     </message>
     <message>
-        <source>The server is set by SERVODESK_HISTORY_SERVER.</source>
+        <source>The server is set by the environment variable SERVODESK_HISTORY_SERVER.</source>
         <translation>服务器由环境变量 SERVODESK_HISTORY_SERVER 指定。</translation>
     </message>
     <message>
@@ -10213,8 +10213,8 @@ Retries: %9</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Store the password in ~/.pgpass, not in the string. A server on another computer must use TLS with a valid certificate; to change that, add ?sslmode=… to the string.</source>
-        <translation>密码请存放在 ~/.pgpass 中，不要写在连接字符串里。其他计算机上的服务器必须使用带有效证书的 TLS；如需更改，请在字符串后加 ?sslmode=…。</translation>
+        <source>Store the password in ~/.pgpass, not in the connection string. A server on another computer must use TLS with a valid certificate; to change that, add ?sslmode=… to the connection string.</source>
+        <translation>密码请存放在 ~/.pgpass 中，不要写在连接字符串里。其他计算机上的服务器必须使用带有效证书的 TLS；如需更改，请在连接字符串后加 ?sslmode=…。</translation>
     </message>
     <message>
         <source>PostgreSQL connection string; leave empty to send no copies</source>
@@ -10226,7 +10226,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Saves the settings and starts sending</source>
-        <translation>保存并开始发送</translation>
+        <translation>保存设置并开始发送</translation>
     </message>
     <message>
         <source>Discards the changes</source>
@@ -10234,7 +10234,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Writes, snapshots, labels and tests of this bench are copied to a PostgreSQL server, where all benches can be viewed together. This computer keeps its own complete history; an unreachable server never blocks a write.</source>
-        <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里一起查看所有工位。本机自己保存全部内容；服务器连接不上绝不影响写入。</translation>
+        <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里集中查看所有工位的记录。本机仍保存自己完整的历史记录；服务器连接不上绝不影响写入。</translation>
     </message>
 </context>
 <context>
@@ -10276,8 +10276,8 @@ Retries: %9</source>
         <translation>限值</translation>
     </message>
     <message>
-        <source>Load built-in</source>
-        <translation>内置限值</translation>
+        <source>Load built-in limits</source>
+        <translation>载入内置限值</translation>
     </message>
     <message>
         <source>Loads the limits that come with the program</source>
@@ -10333,10 +10333,10 @@ Retries: %9</source>
     </message>
     <message>
         <source>Appears in the report</source>
-        <translation>写入报告</translation>
+        <translation>记入报告</translation>
     </message>
     <message>
-        <source>Models or series that these limits apply to, separated by commas; leave empty for any</source>
+        <source>Models or families that these limits apply to, separated by commas; leave empty for any</source>
         <translation>适用的型号或系列，以逗号分隔；留空表示任意</translation>
     </message>
     <message>
@@ -10392,11 +10392,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Only for sine tests; ignored in other tests</source>
-        <translation>仅用于正弦；其他测试忽略此项</translation>
+        <translation>仅用于正弦测试；其他测试忽略此项</translation>
     </message>
     <message>
         <source>Only for sine tests (% of the amplitude) and random tests (% of the range); ignored in other tests</source>
-        <translation>仅用于正弦（占幅值的百分比）和随机目标（占行程范围的百分比）；其他测试忽略此项</translation>
+        <translation>仅用于正弦测试（占幅值的百分比）和随机目标测试（占行程范围的百分比）；其他测试忽略此项</translation>
     </message>
     <message>
         <source>A limit cannot be negative: errors are judged by their absolute value.</source>
@@ -10442,16 +10442,16 @@ Retries: %9</source>
         <translation>重新连接</translation>
     </message>
     <message>
-        <source>Opens the port again and asks the servos of the list whether they reply; writes nothing</source>
-        <translation>重新打开端口，询问列表中的舵机是否应答；不写入任何内容</translation>
+        <source>Opens the port again and checks whether the servos in the list reply; writes nothing</source>
+        <translation>重新打开端口，检查列表中的舵机是否应答；不写入任何内容</translation>
     </message>
     <message>
-        <source>ServoDesk keeps trying to reconnect; close this message to stop that. A write that was in progress is recorded in the journal and will be checked first.</source>
-        <translation>ServoDesk 会不断尝试重新连接，关闭此提示即停止。正在进行的写入已记在写入日志中，届时会先核对。</translation>
+        <source>ServoDesk keeps trying to reconnect until you close this message. A write that was in progress is recorded in the journal and will be checked first.</source>
+        <translation>ServoDesk 会不断尝试重新连接，关闭此提示即停止尝试。当时正在进行的写入已记在写入日志中，重新连接后会先核对。</translation>
     </message>
     <message>
         <source>Plug the adapter in again and ServoDesk reconnects automatically; close this message to stay disconnected. A write that was in progress is recorded in the journal and will be checked first.</source>
-        <translation>重新插上适配器后，ServoDesk 会自动重新连接；关闭此提示则保持断开。正在进行的写入已记在写入日志中，届时会先核对。</translation>
+        <translation>重新插上适配器后，ServoDesk 会自动重新连接；关闭此提示则保持断开。当时正在进行的写入已记在写入日志中，重新连接后会先核对。</translation>
     </message>
 </context>
 <context>
@@ -10502,15 +10502,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>Pause between Modbus frames. Auto: the standard pause for the baud rate</source>
-        <translation>Modbus 帧之间的停顿。自动：按标准规定</translation>
+        <translation>Modbus 帧之间的停顿。自动：该波特率下的标准停顿</translation>
     </message>
     <message>
         <source>Number of times a lost request is sent again, if it is safe to repeat</source>
         <translation>请求丢失时的重发次数（仅限可重复的请求）</translation>
     </message>
     <message>
-        <source>Time to wait for a reply, on top of the transmission time. Auto: adjusted to this adapter. Before a servo counts as silent, 250 ms</source>
-        <translation>等待应答的时间，不含传输时间。自动：按适配器调整。判定舵机无应答前等待 250 ms</translation>
+        <source>Time to wait for a reply, on top of the transmission time. Auto: adjusted to this adapter; a servo counts as silent after 500 ms</source>
+        <translation>等待应答的时间，不含传输时间。自动：按适配器调整；500 ms 后才判定舵机无应答</translation>
     </message>
 </context>
 <context>
@@ -10545,7 +10545,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Another program left the EPROM unlocked, so every write by any program is kept after power-off. Lock the EPROM when you have finished with that program.</source>
-        <translation>其他程序没有给 EPROM 上锁，因此任何程序的写入都会断电保存。用完该程序后请上锁。</translation>
+        <translation>其他程序没有给 EPROM 上锁，因此任何程序的写入在断电后都会保留。用完该程序后请上锁。</translation>
     </message>
     <message>
         <source>Lock the EPROM</source>
@@ -10561,7 +10561,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>EPROM left unlocked</source>
-        <translation>EPROM 遗留未锁</translation>
+        <translation>EPROM 未重新上锁</translation>
     </message>
 </context>
 <context>
@@ -10617,7 +10617,7 @@ Retries: %9</source>
         <translation>请在左侧选择舵机以查看内存表。选择时只读取，不写入。</translation>
     </message>
     <message>
-        <source>This servo answers but does not report its model, so no memory table is available. Search again, or check whether two servos share this ID.</source>
+        <source>This servo replies but does not report its model, so no memory table is available. Search again, or check whether two servos share this ID.</source>
         <translation>该舵机有应答，但读不到型号信息，因此没有内存表。请重新搜索，或检查是否有两个舵机 ID 相同。</translation>
     </message>
     <message>
@@ -10681,7 +10681,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows registers that differ from the first reading of this session</source>
-        <translation>显示与本次首次读取不同的参数</translation>
+        <translation>显示与本次会话首次读取值不同的参数</translation>
     </message>
     <message>
         <source>Shows registers that differ from their known factory value</source>
@@ -10736,8 +10736,8 @@ Retries: %9</source>
         <translation>列(&amp;C)</translation>
     </message>
     <message>
-        <source>Copy, export or print the table, its columns, and live reading</source>
-        <translation>复制、导出或打印表格，选择列，以及实时读取</translation>
+        <source>Copy, export or print the table, choose its columns, and set the live reading rate</source>
+        <translation>复制、导出或打印表格，选择列，设置实时读取频率</translation>
     </message>
     <message>
         <source>&amp;Live reading: %1</source>
@@ -10825,7 +10825,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Additional information</source>
-        <translation>以后值得知道的任何内容</translation>
+        <translation>其他补充信息</translation>
     </message>
     <message>
         <source>Discards the changes</source>
@@ -10844,7 +10844,7 @@ Retries: %9</source>
         <translation>备注(&amp;N)</translation>
     </message>
     <message>
-        <source>Saves label and note</source>
+        <source>Saves the label and the note</source>
         <translation>保存标签和备注</translation>
     </message>
 </context>
@@ -10971,7 +10971,7 @@ Retries: %9</source>
         <translation>由限值推算：该舵机不上报故障</translation>
     </message>
     <message>
-        <source>Unknown: the servo does not answer, or its fault status has not been read</source>
+        <source>Unknown: the servo does not reply, or its fault status has not been read</source>
         <translation>未知：舵机没有应答，或故障状态尚未读取</translation>
     </message>
     <message>
@@ -10980,7 +10980,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Removes cleared faults from this list; active faults stay</source>
-        <translation>已解除的故障从此处消失，其余保留</translation>
+        <translation>从此列表移除已解除的故障；仍存在的故障保留</translation>
     </message>
     <message>
         <source>Age of the newest value, and number of readings in the last second</source>
@@ -11007,7 +11007,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Memory</source>
-        <translation>编程</translation>
+        <translation>内存表</translation>
     </message>
     <message>
         <source>Read and safely write every setting in the servo&apos;s memory table</source>
@@ -11042,7 +11042,7 @@ Retries: %9</source>
         <translation>批量设置</translation>
     </message>
     <message>
-        <source>Set up servos connected one after another</source>
+        <source>Set up servos one at a time</source>
         <translation>逐个接上并设置舵机</translation>
     </message>
     <message>
@@ -11089,7 +11089,7 @@ Retries: %9</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Selects this port; Connect opens it</source>
+        <source>Selects this port; click Connect to open it</source>
         <translation>选用此端口；点“连接”打开</translation>
     </message>
     <message>
@@ -11210,11 +11210,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Table for spreadsheets (*.csv)</source>
-        <translation>表格，用于电子表格 (*.csv)</translation>
+        <translation>电子表格 (*.csv)</translation>
     </message>
     <message>
         <source>JSON lines for programs (*.jsonl)</source>
-        <translation>JSON 行，用于程序 (*.jsonl)</translation>
+        <translation>供程序使用的 JSON 行 (*.jsonl)</translation>
     </message>
     <message>
         <source>*.csv: a table; *.jsonl: one JSON object per line</source>
@@ -11242,11 +11242,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Stop automatically after</source>
-        <translation>自动停止，时长</translation>
+        <translation>录制以下时长后自动停止</translation>
     </message>
     <message>
         <source>If not selected, recording continues until you stop it</source>
-        <translation>不勾选时，一直录制到停止为止</translation>
+        <translation>不勾选时，一直录制到手动停止为止</translation>
     </message>
     <message>
         <source>Duration in seconds from the first row</source>
@@ -11254,11 +11254,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Starts recording now</source>
-        <translation>现在开始</translation>
+        <translation>立即开始录制</translation>
     </message>
     <message>
         <source>Closes without recording</source>
-        <translation>不录制</translation>
+        <translation>关闭，不录制</translation>
     </message>
 </context>
 <context>
@@ -11289,7 +11289,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>%Ln row(s) could not be stored because the disk was too slow.</source>
         <translation>
-            <numerusform>%Ln 行未能写入而丢失：磁盘太慢。</numerusform>
+            <numerusform>因磁盘太慢，%Ln 行未能写入而丢失。</numerusform>
         </translation>
     </message>
 </context>
@@ -11354,7 +11354,7 @@ Retries: %9</source>
         <translation>写入该值并回读；可保存的参数断电后保留</translation>
     </message>
     <message>
-        <source>Writes the value without unlocking the EPROM; it is lost at power-off</source>
+        <source>Writes the value without unlocking the EPROM; the value is lost at power-off</source>
         <translation>写入该值但不解锁 EPROM，断电后丢失</translation>
     </message>
 </context>
@@ -11406,7 +11406,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>Write %n selected row(s)</source>
         <translation>
-            <numerusform>写入选中的 %n 行</numerusform>
+            <numerusform>写入勾选的 %n 行</numerusform>
         </translation>
     </message>
     <message>
@@ -11419,7 +11419,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1: this limit comes from another model (%2).</source>
-        <translation>%1：该限制来自其他型号（%2）。</translation>
+        <translation>%1：该限值来自其他型号（%2）。</translation>
     </message>
     <message>
         <source>%1: a wrong value can make the servo unreachable or dangerous.</source>
@@ -11431,7 +11431,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1 changes from %2 to %3. Afterwards, the servo can be reached only with the new setting.</source>
-        <translation>%1 从 %2 改为 %3。之后舵机只以新设置应答。</translation>
+        <translation>%1 从 %2 改为 %3。之后只能以新设置与舵机通信。</translation>
     </message>
     <message>
         <source>Write to ID %1?</source>
@@ -11439,7 +11439,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Torque is on: it is turned off first and stays off. A load held by the servo may drop.</source>
-        <translation>扭矩已打开：会先关闭并保持关闭。舵机托住的东西可能掉落。</translation>
+        <translation>扭矩已打开：会先卸力并保持卸力。舵机托住的负载可能掉落。</translation>
     </message>
     <message>
         <source>Write anyway</source>
@@ -11474,12 +11474,12 @@ Retries: %9</source>
         <translation>若有一行失败，全部恢复原值</translation>
     </message>
     <message>
-        <source>If not selected, writing stops at the failed row; values already written stay in the servo</source>
+        <source>Without this option, writing stops at the failed row; values already written stay in the servo</source>
         <translation>不勾选时，在失败的那一行停止，已写入的值保留在舵机中</translation>
     </message>
     <message>
         <source>Writes only the selected rows that differ</source>
-        <translation>只写入已勾选且不同的行</translation>
+        <translation>只写入已勾选且数值不同的行</translation>
     </message>
     <message>
         <source>Dry run…</source>
@@ -11566,7 +11566,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Label of this servo, as written on it:</source>
-        <translation>此舵机的标签（如其上所写）：</translation>
+        <translation>此舵机的标签（与舵机上写的一致）：</translation>
     </message>
     <message numerus="yes">
         <source>Delete %n test(s)?</source>
@@ -11603,7 +11603,7 @@ Retries: %9</source>
         <translation>记录</translation>
     </message>
     <message>
-        <source>When</source>
+        <source>Time</source>
         <translation>时间</translation>
     </message>
     <message>
@@ -11687,19 +11687,19 @@ Retries: %9</source>
     </message>
     <message>
         <source>Compares later tests of this model with this servo; each model has one reference</source>
-        <translation>此型号以后的测试与此舵机对比；每个型号一个参考</translation>
+        <translation>以后此型号的测试都与此舵机对比；每个型号只有一个参考</translation>
     </message>
     <message>
         <source>Stops using this servo as the reference</source>
-        <translation>不再以此舵机作为对比标准</translation>
+        <translation>不再以此舵机作为参考</translation>
     </message>
     <message>
         <source>Select two rows to compare them. Servos have no serial number; they are identified by model, firmware, ID and label.</source>
         <translation>选择两行即可对比。舵机没有序列号：只能按型号、固件、ID 和您的标签区分。</translation>
     </message>
     <message>
-        <source>The metrics, legs and settings of all servos in these tests are deleted from the history. Saved report and data files are kept.</source>
-        <translation>这些测试的指标、各行程数据和参数将从历史记录中删除，包括一同测试的所有舵机。已保存的报告文件和采样数据文件保留。</translation>
+        <source>The metrics, moves and settings of all servos in these tests are deleted from the history. Saved report and data files are kept.</source>
+        <translation>这些测试中所有舵机的指标、行程和设置将从历史记录中删除。已保存的报告文件和数据文件会保留。</translation>
     </message>
     <message>
         <source>The reference %1 (test %2, %3) is ignored because that test did not finish. Under Earlier tests, mark a completed test as the reference.</source>
@@ -11749,8 +11749,8 @@ Retries: %9</source>
         <translation>重新显示舵机</translation>
     </message>
     <message>
-        <source>Commissioning is running. See the Commissioning page for the servos.</source>
-        <translation>批量设置正在进行：舵机显示在其页面上。</translation>
+        <source>Commissioning is running. Its servos are shown on the Commissioning page.</source>
+        <translation>批量设置正在进行，舵机显示在“批量设置”页面上。</translation>
     </message>
     <message numerus="yes">
         <source>%1 % · %n servo(s) · %2 left</source>
@@ -11765,18 +11765,18 @@ Retries: %9</source>
     <message numerus="yes">
         <source>Stopped after %1 · %n servo(s)</source>
         <translation>
-            <numerusform>%1后停止 · %n 个舵机</numerusform>
+            <numerusform>已停止，用时 %1 · %n 个舵机</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Searched for %1 · %n servo(s)</source>
+        <source>Search took %1 · %n servo(s)</source>
         <translation>
             <numerusform>用时 %1 · %n 个舵机</numerusform>
         </translation>
     </message>
     <message>
-        <source>Some servos replied late, so others may have been missed. Search again with &quot;wait longer&quot;.</source>
-        <translation>部分应答迟到：请勾选“延长等待”再搜索，可能还有舵机。</translation>
+        <source>Some servos replied late, so others may have been missed. Select &quot;Wait longer&quot; and search again.</source>
+        <translation>部分舵机应答迟缓，可能还有舵机未搜到。请勾选“延长等待”后再次搜索。</translation>
     </message>
     <message numerus="yes">
         <source>%n ID(s) to search</source>
@@ -11790,15 +11790,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>Search time if no servos are found</source>
-        <translation>一个舵机也没有时搜索所需的时间</translation>
+        <translation>未搜到舵机时所需的搜索时间</translation>
     </message>
     <message>
-        <source>Completed part of the search</source>
+        <source>How much of the search is complete</source>
         <translation>搜索完成了多少</translation>
     </message>
     <message>
         <source>Servos that have replied; selecting one reads it and writes nothing. Hold Ctrl or Shift to select several servos and move them together</source>
-        <translation>有应答的舵机；选择只读取，不写入。按住 Ctrl 或 Shift 可选择多个，一起运动</translation>
+        <translation>有应答的舵机；选中舵机只会读取，不会写入。按住 Ctrl 或 Shift 可选择多个舵机一起运动</translation>
     </message>
     <message>
         <source>Servos appear here when they are found.</source>
@@ -11852,31 +11852,27 @@ Retries: %9</source>
         <translation>协议</translation>
     </message>
     <message>
-        <source>wait longer</source>
-        <translation>延长等待</translation>
-    </message>
-    <message>
         <source>Wait longer</source>
         <translation>延长等待</translation>
     </message>
     <message>
         <source>First ID to search</source>
-        <translation>从哪个 ID 开始询问</translation>
+        <translation>搜索的起始 ID</translation>
     </message>
     <message>
         <source>Last ID to search</source>
-        <translation>询问到哪个 ID</translation>
+        <translation>搜索的结束 ID</translation>
     </message>
     <message>
-        <source>this baud rate</source>
+        <source>This baud rate</source>
         <translation>当前波特率</translation>
     </message>
     <message>
-        <source>selected baud rates</source>
+        <source>Selected baud rates</source>
         <translation>所选波特率</translation>
     </message>
     <message>
-        <source>all baud rates</source>
+        <source>All baud rates</source>
         <translation>全部波特率</translation>
     </message>
     <message>
@@ -11901,7 +11897,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Protocols to search with</source>
-        <translation>用哪些协议询问</translation>
+        <translation>搜索时使用的协议</translation>
     </message>
     <message>
         <source>Queries silent IDs again with a longer timeout, for adapters that reply late</source>
@@ -11951,11 +11947,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Select a servo on the left to see what was written to it.</source>
-        <translation>请在左侧选择舵机，以查看对它的写入。</translation>
+        <translation>请在左侧选择舵机，以查看它的写入记录。</translation>
     </message>
     <message>
         <source>Writes to this servo, newest first, including those made under its earlier IDs</source>
-        <translation>对这个舵机的写入，最新的在前，包括它以前的 ID</translation>
+        <translation>这个舵机的写入记录，最新的在前，包括使用以前的 ID 时的写入</translation>
     </message>
 </context>
 <context>
@@ -11990,7 +11986,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Bus type</source>
-        <translation>接口</translation>
+        <translation>总线类型</translation>
     </message>
 </context>
 <context>
@@ -12015,7 +12011,7 @@ Retries: %9</source>
         <translation>命令</translation>
     </message>
     <message>
-        <source>List all shortcuts</source>
+        <source>Lists all shortcuts</source>
         <translation>列出全部快捷键</translation>
     </message>
     <message>
@@ -12027,8 +12023,8 @@ Retries: %9</source>
         <translation>全部卸力</translation>
     </message>
     <message>
-        <source>Immediately turns torque off on the whole bus. In a field of the motion panel, Esc also shows the present value again. In a table cell being edited, a menu or a dialog, the first Esc only cancels the editing or closes the menu or dialog. While servos are moving or jammed, Esc stops them even from a menu or a dialog.</source>
-        <translation>立即让整条总线卸力。在运动面板的输入框中，Esc 还会重新显示当前值。在正在编辑的表格单元格、菜单或对话框中，第一次 Esc 只取消它们。有舵机正在运动或被卡住时，在菜单或对话框中按 Esc 也会停止舵机。</translation>
+        <source>Immediately turns torque off on the whole bus. In a field of the motion panel, Esc also shows the present value again. In a menu, a dialog or a table cell being edited, the first Esc only closes the menu or dialog or cancels the editing. While servos are moving or jammed, Esc stops them even from a menu or a dialog.</source>
+        <translation>立即让整条总线卸力。在运动面板的输入框中，Esc 还会重新显示当前值。在菜单、对话框或正在编辑的单元格中，第一次按 Esc 只关闭菜单或对话框，或取消编辑。有舵机正在运动或被卡住时，即使在菜单或对话框中，按 Esc 也会停止舵机。</translation>
     </message>
     <message>
         <source>Immediately turns torque off on the whole bus; works everywhere</source>
@@ -12168,11 +12164,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Snapshots whose model and ID match the selected servo, or all snapshots. Servos have no serial number; they are identified only by model, firmware and ID</source>
-        <translation>与所选舵机型号和 ID 相同的快照，或全部快照。舵机没有序列号：能知道的只有型号、固件和 ID</translation>
+        <translation>与所选舵机型号和 ID 相同的快照，或全部快照。舵机没有序列号，只能按型号、固件和 ID 识别</translation>
     </message>
     <message>
         <source>The current snapshot is used for comparing and restoring; hold Ctrl to compare more snapshots</source>
-        <translation>对比和恢复的是当前项；按住 Ctrl 可多选对比</translation>
+        <translation>对比和恢复使用当前快照；按住 Ctrl 可选择更多快照进行对比</translation>
     </message>
     <message>
         <source>Words in model, label, note or file name</source>
@@ -12180,7 +12176,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No snapshots yet. Take one here; one is also saved before the first change to a servo.</source>
-        <translation>还没有快照。可在此保存一个；首次更改舵机之前也会自动保存。</translation>
+        <translation>还没有快照。可在此保存一份；首次更改舵机之前也会自动保存。</translation>
     </message>
     <message>
         <source>No snapshot matches.</source>
@@ -12188,7 +12184,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No snapshots of this servo yet. Take one here; one is also saved before the first change.</source>
-        <translation>此舵机还没有快照。可在此保存一个；首次更改之前也会自动保存。</translation>
+        <translation>此舵机还没有快照。可在此保存一份；首次更改之前也会自动保存。</translation>
     </message>
 </context>
 <context>
@@ -12211,11 +12207,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>= no differences</source>
-        <translation>= 没有不同的设置</translation>
+        <translation>= 设置全部相同</translation>
     </message>
     <message>
         <source>= no differences at that time</source>
-        <translation>= 当时没有不同的设置</translation>
+        <translation>= 当时设置全部相同</translation>
     </message>
     <message>
         <source>= %1 identical</source>
@@ -12233,11 +12229,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>No writable setting differs.</source>
-        <translation>没有不同的设置。</translation>
+        <translation>没有不同的可写设置。</translation>
     </message>
     <message>
         <source>No writable setting differed when the servo was last read.</source>
-        <translation>上次读取舵机时没有不同的设置。</translation>
+        <translation>上次读取舵机时没有不同的可写设置。</translation>
     </message>
     <message>
         <source>Shows identical and read-only rows too</source>
@@ -12339,7 +12335,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Raw value, or a value with its unit; leave empty for the maximum. The previous value is restored afterwards</source>
-        <translation>原始值或带单位；留空：最快。结束后恢复原值</translation>
+        <translation>原始值，或带单位的值；留空：最大值。结束后恢复原值</translation>
     </message>
     <message>
         <source>present position</source>
@@ -12347,7 +12343,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>maximum</source>
-        <translation>最快</translation>
+        <translation>最大</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -12378,7 +12374,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1 … %2; used only for trials until you click Keep gains</source>
-        <translation>%1 … %2；点击“保留增益”之前仅用于试用</translation>
+        <translation>%1～%2；点击“保留增益”之前仅用于试用</translation>
     </message>
 </context>
 <context>
@@ -12429,19 +12425,19 @@ Retries: %9</source>
     </message>
     <message>
         <source>This servo could not be identified, so ServoDesk does not move it.</source>
-        <translation>无法识别该舵机，不会驱动它。</translation>
+        <translation>无法识别该舵机，ServoDesk 不会驱动它。</translation>
     </message>
     <message>
-        <source>A search is running; a run can start when it has ended.</source>
-        <translation>正在搜索；结束后方可运行。</translation>
+        <source>A search is running; a run can start when the search has ended.</source>
+        <translation>正在搜索；搜索结束后才能开始运行。</translation>
     </message>
     <message>
         <source>Another test is running.</source>
         <translation>另一项测试正在运行。</translation>
     </message>
     <message>
-        <source>The servo is in a mode that does not use positions. Select the option to switch modes automatically, or change the mode yourself.</source>
-        <translation>该舵机的当前模式没有位置目标。请勾选切换，或更改模式。</translation>
+        <source>The servo is in a mode that does not use positions. Select &quot;Switch to position mode for the run&quot;, or change the mode yourself.</source>
+        <translation>该舵机的当前运行模式不使用位置。请勾选“运行期间切换到位置模式”，或自行更改模式。</translation>
     </message>
     <message>
         <source>Enter the step size.</source>
@@ -12449,7 +12445,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The servo is moving. Esc turns torque off on all servos.</source>
-        <translation>舵机正在运动。按 Esc 关闭所有舵机的扭矩。</translation>
+        <translation>舵机正在运动。按 Esc 让所有舵机卸力。</translation>
     </message>
     <message>
         <source>Torque is turned on for ID %1 · %2, and the servo moves by itself at maximum speed until the run has ended.</source>
@@ -12461,7 +12457,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Keep hands and objects away from the servo. Esc immediately turns torque off on all servos.</source>
-        <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
+        <translation>请让双手和物体远离舵机的运动范围。按 Esc 立即让所有舵机卸力。</translation>
     </message>
     <message>
         <source>Trial values are still in the servo: %1.</source>
@@ -12469,7 +12465,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The settings changed for the run could not be restored.</source>
-        <translation>为运行更改的设置未能恢复。</translation>
+        <translation>为本次运行所更改的设置未能恢复。</translation>
     </message>
     <message>
         <source>Ends the run; the servo holds its position</source>
@@ -12484,7 +12480,7 @@ Retries: %9</source>
         <translation>请先修改“试用”列中的值。</translation>
     </message>
     <message>
-        <source>Measure and Try gains move the servo.</source>
+        <source>Clicking Measure or Try gains moves the servo.</source>
         <translation>“测量”和“试用增益”会使舵机运动。</translation>
     </message>
     <message>
@@ -12497,7 +12493,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Restore old</source>
-        <translation>恢复旧值</translation>
+        <translation>恢复原值</translation>
     </message>
     <message>
         <source>Resets the values under Trial to the present values</source>
@@ -12524,11 +12520,11 @@ Retries: %9</source>
         <translation>保留增益</translation>
     </message>
     <message>
-        <source>Writes the values under Trial permanently</source>
+        <source>Permanently writes the values listed under Trial</source>
         <translation>将“试用”列的值永久写入</translation>
     </message>
     <message>
-        <source>Blocked by the emergency stop, torque is off. Click Allow movement to turn torque on; nothing moves until you click Measure or Try gains.</source>
+        <source>Movement is blocked by the emergency stop, and torque is off. Click Allow movement to turn torque on; nothing moves until you click Measure or Try gains.</source>
         <translation>急停后已卸力，禁止运动。点“允许运动”打开扭矩；点“测量”或“试用增益”之前不会运动。</translation>
     </message>
 </context>
@@ -12612,7 +12608,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>These results do not suggest any changes.</source>
-        <translation>这些指标无需调整参数。</translation>
+        <translation>从这些结果看，无需调整参数。</translation>
     </message>
     <message>
         <source>Saves these runs as %1</source>
@@ -12623,7 +12619,7 @@ Retries: %9</source>
         <translation>测试 %1</translation>
     </message>
     <message>
-        <source>Test %1 of %2: %3</source>
+        <source>Test %1 (%2): %3</source>
         <translation>测试 %1（%2）：%3</translation>
     </message>
     <message>
@@ -12636,7 +12632,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Lists the stored step responses; you can open one or compare two</source>
-        <translation>显示保存的阶跃响应，可以打开一次或对比两次</translation>
+        <translation>列出已保存的阶跃响应；可打开其中一项，或对比两项</translation>
     </message>
     <message>
         <source>Removes these runs from the page; the servo and the history do not change</source>
@@ -12655,8 +12651,8 @@ Retries: %9</source>
         <translation>响应 — %1</translation>
     </message>
     <message>
-        <source>In steps from the start toward the goal, out and back alike</source>
-        <translation>从起始位置朝目标方向的步数，去程和回程相同</translation>
+        <source>Counted in steps from the start toward the goal, both out and back</source>
+        <translation>从起始位置朝目标方向的步数，去程和回程计法相同</translation>
     </message>
     <message>
         <source>Click Measure to record the servo&apos;s step response. Then change a gain under Trial and click Try gains to compare.</source>
@@ -12671,7 +12667,7 @@ Retries: %9</source>
         <translation>之后</translation>
     </message>
     <message>
-        <source>%1 (measured already)</source>
+        <source>%1 (already measured)</source>
         <translation>%1（已测量）</translation>
     </message>
 </context>
@@ -12686,16 +12682,16 @@ Retries: %9</source>
         <translation>打开</translation>
     </message>
     <message>
-        <source>Shows the selected runs on the Step response page. Two runs are compared with each other; later runs are compared with the newest of them</source>
-        <translation>在“阶跃响应”页显示所选运行：两次互相对比，之后的运行与其中最新的一次对比</translation>
+        <source>Shows the selected runs on the Step response page. Two runs are compared with each other; later runs are compared with the newer one</source>
+        <translation>在“阶跃响应”页显示所选运行。两项运行互相对比；之后的运行与其中较新的一项对比</translation>
     </message>
     <message>
         <source>Select one run to open it, or two to compare them.</source>
-        <translation>选择一次运行即可打开，选择两次即可对比。</translation>
+        <translation>选择一项运行即可打开，选择两项即可对比。</translation>
     </message>
     <message>
         <source>The metrics, responses and settings of these tests are deleted from the history. Report files are kept.</source>
-        <translation>它们的指标、响应和设置将从历史记录中删除。报告文件保留。</translation>
+        <translation>这些测试的指标、响应和设置将从历史记录中删除。报告文件保留。</translation>
     </message>
 </context>
 <context>
@@ -12712,15 +12708,15 @@ Retries: %9</source>
         <translation>提前结束</translation>
     </message>
     <message>
-        <source>alarm</source>
+        <source>Alarm</source>
         <translation>报警</translation>
     </message>
     <message>
         <source>Any alarm that the servo reports, such as over-temperature, overload or voltage</source>
-        <translation>过温、过载、电压：舵机报告的任何报警</translation>
+        <translation>舵机报告的任何报警，如过温、过载或过压欠压</translation>
     </message>
     <message>
-        <source>stall</source>
+        <source>Stall</source>
         <translation>堵转</translation>
     </message>
     <message>
@@ -12728,12 +12724,12 @@ Retries: %9</source>
         <translation>舵机停在离目标较远处不动</translation>
     </message>
     <message>
-        <source>first failure</source>
+        <source>First failure</source>
         <translation>首个不合格项</translation>
     </message>
     <message>
         <source>A metric is beyond its limit; checked after every cycle</source>
-        <translation>超出限值：每个循环后判定</translation>
+        <translation>有指标超出限值；每个循环后判定</translation>
     </message>
 </context>
 <context>
@@ -12904,7 +12900,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Duration of one full sine period, to the end and back</source>
-        <translation>一个完整正弦，去到结束再返回</translation>
+        <translation>一个完整正弦周期的时间，到结束位置再返回</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -12939,12 +12935,12 @@ Retries: %9</source>
         <translation>完成测试的条件</translation>
     </message>
     <message>
-        <source>Counted from the first leg</source>
-        <translation>从第一段行程算起</translation>
+        <source>Counted from the first move</source>
+        <translation>从第一个行程算起</translation>
     </message>
     <message>
         <source>Raw value, or a value with its unit: 30rpm. Leave empty to use the present setting</source>
-        <translation>原始值，或带单位：30rpm。留空：用舵机现有值</translation>
+        <translation>原始值，或带单位的值：30rpm。留空：用舵机现有值</translation>
     </message>
     <message>
         <source>Raw value. Leave empty to use the present setting</source>
@@ -12952,11 +12948,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Travel time of a move in milliseconds. Leave empty to let the speed determine it</source>
-        <translation>一次运动的时间（毫秒）。留空：由速度决定</translation>
+        <translation>一个行程的运动时间（毫秒）。留空：由速度决定</translation>
     </message>
     <message>
         <source>How long the servo moves before measuring starts</source>
-        <translation>先运动这么久，再开始测量</translation>
+        <translation>开始测量前舵机先运动的时长</translation>
     </message>
     <message>
         <source>State of the servos after the test ends or is stopped</source>
@@ -12964,7 +12960,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Appears in the report</source>
-        <translation>写入报告</translation>
+        <translation>记入报告</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -13008,7 +13004,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The test was saved to the file %1.</source>
-        <translation>测试已保存在文件 %1。</translation>
+        <translation>测试已保存到文件 %1。</translation>
     </message>
     <message>
         <source>%1 (old value %2)</source>
@@ -13022,8 +13018,8 @@ Retries: %9</source>
 <context>
     <name>ui::SweepLegsModel</name>
     <message>
-        <source>The last %1 of %2 legs are shown; the CSV and JSON files contain all legs.</source>
-        <translation>仅显示最近 %1 程（共 %2 程）；CSV 和 JSON 文件含全部。</translation>
+        <source>The last %1 of %2 moves are shown; the CSV and JSON files contain all moves.</source>
+        <translation>仅显示最近 %1 个行程（共 %2 个）；CSV 和 JSON 文件含全部行程。</translation>
     </message>
     <message numerus="yes">
         <source>%n reading(s) lost</source>
@@ -13068,7 +13064,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Torque is turned on, and these servos move by themselves until the test has ended: %1</source>
-        <translation>以下舵机将上扭矩并自行运动，直到测试结束：%1</translation>
+        <translation>以下舵机将打开扭矩并自行运动，直到测试结束：%1</translation>
     </message>
     <message>
         <source>Start</source>
@@ -13100,7 +13096,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>range %1 … %2</source>
-        <translation>行程 %1 … %2</translation>
+        <translation>范围 %1～%2</translation>
     </message>
     <message>
         <source>The test was not started.</source>
@@ -13116,7 +13112,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>These servos may still be holding their position or moving to their last goal. Press the emergency stop or disconnect the power supply.</source>
-        <translation>这些舵机可能仍在保持位置，或继续走向最后的目标。请按急停，或切断供电。</translation>
+        <translation>这些舵机可能仍在保持位置，或仍在向最后的目标位置运动。请按急停，或切断供电。</translation>
     </message>
     <message>
         <source>The servo to be tested is no longer in the list or was replaced.</source>
@@ -13131,20 +13127,20 @@ Retries: %9</source>
         <translation>请先连接：尚未打开端口。</translation>
     </message>
     <message>
-        <source>A search is running; the test can start when it has ended.</source>
+        <source>A search is running; the test can start when the search has ended.</source>
         <translation>搜索进行中，结束后才能开始测试。</translation>
     </message>
     <message>
         <source>Select a servo in the list, or select one below.</source>
-        <translation>请在列表中选择舵机，或在此勾选。</translation>
+        <translation>请在列表中选择舵机，或在下方勾选。</translation>
     </message>
     <message>
         <source>Starts the test: the servos will move</source>
         <translation>开始测试：舵机将会运动</translation>
     </message>
     <message>
-        <source>Ends the test; the servos hold their position or torque is turned off, as selected</source>
-        <translation>结束测试；舵机按所选保持或卸力</translation>
+        <source>Ends the test; the servos hold their position or torque is turned off, as selected under Afterwards</source>
+        <translation>结束测试；舵机按“结束后”的选择保持扭矩或卸力</translation>
     </message>
     <message>
         <source>Switches back after the test; nothing is stored permanently in the servo</source>
@@ -13152,7 +13148,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Keep hands and objects away from the servos. Esc immediately turns torque off on all servos.</source>
-        <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
+        <translation>请让双手和物体远离舵机的运动范围。按 Esc 立即让所有舵机卸力。</translation>
     </message>
     <message>
         <source>goals from the list</source>
@@ -13192,7 +13188,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>the speed is unknown, so the delay cannot be checked.</source>
-        <translation>无法得知其速度，因此不能判断延时是否够用。</translation>
+        <translation>速度未知，无法判断延时是否够用。</translation>
     </message>
     <message>
         <source>the longest move takes %1 at this speed.</source>
@@ -13215,7 +13211,7 @@ Retries: %9</source>
         <translation>预热中，尚未开始测量</translation>
     </message>
     <message>
-        <source>Blocked by the emergency stop, torque is off: %1. Click Allow movement to turn torque on; nothing moves until you click Run.</source>
+        <source>Movement is blocked by the emergency stop, and torque is off: %1. Click Allow movement to turn torque on; nothing moves until you click Run.</source>
         <translation>急停后已卸力，禁止运动：%1。点“允许运动”打开扭矩；点“运行”之前不会运动。</translation>
     </message>
 </context>
@@ -13238,7 +13234,7 @@ Retries: %9</source>
         <translation>各项指标与判定</translation>
     </message>
     <message>
-        <source>Legs</source>
+        <source>Moves</source>
         <translation>行程</translation>
     </message>
     <message>
@@ -13266,7 +13262,7 @@ Retries: %9</source>
         <translation>尚未运行测试。在左侧选择测试，确认起始与结束，然后按“运行”：舵机将会运动。</translation>
     </message>
     <message>
-        <source>The tooltip of each row shows more</source>
+        <source>Hover over a row for details</source>
         <translation>鼠标停在某一行上可看到更多内容</translation>
     </message>
     <message>
@@ -13278,15 +13274,15 @@ Retries: %9</source>
         <translation>到位误差</translation>
     </message>
     <message>
-        <source>Saves all legs as a table and all readings in a file next to it</source>
-        <translation>保存全部行程数据的表格，旁边另有全部采样数据的文件</translation>
+        <source>Saves all moves as a table and all readings in a second file in the same folder</source>
+        <translation>将全部行程保存为表格，并在同一文件夹中另存全部采样数据</translation>
     </message>
     <message>
-        <source>Saves the report as %1 and all readings in a file next to it</source>
-        <translation>将报告保存为 %1，旁边另有全部采样数据的文件</translation>
+        <source>Saves the report as %1 and all readings in a second file in the same folder</source>
+        <translation>将报告保存为 %1，并在同一文件夹中另存全部采样数据</translation>
     </message>
     <message>
-        <source>Shows saved tests, compares two, and selects a reference</source>
+        <source>Lists saved tests; you can compare two or select a reference</source>
         <translation>查看已保存的测试，对比两次测试，选定参考舵机</translation>
     </message>
     <message numerus="yes">
@@ -13315,11 +13311,11 @@ Retries: %9</source>
         <translation>舵机</translation>
     </message>
     <message>
-        <source>own start</source>
+        <source>Own start</source>
         <translation>单独起始</translation>
     </message>
     <message>
-        <source>own end</source>
+        <source>Own end</source>
         <translation>单独结束</translation>
     </message>
     <message>
@@ -13344,7 +13340,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Range of this servo; leave empty to use the start and end above</source>
-        <translation>单独的范围；留空：用上面的起始与结束</translation>
+        <translation>此舵机的范围；留空：用上面的起始与结束</translation>
     </message>
     <message>
         <source>Limits: built-in</source>
@@ -13360,7 +13356,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows, edits, loads and saves the limits for the servo in the selected row</source>
-        <translation>所选行的舵机按什么限值判定：查看、编辑、载入、保存</translation>
+        <translation>查看、编辑、载入和保存所选行舵机的限值</translation>
     </message>
 </context>
 <context>
@@ -13412,7 +13408,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes without saving</source>
-        <translation>不保存并关闭</translation>
+        <translation>关闭，不保存</translation>
     </message>
 </context>
 <context>
@@ -13464,7 +13460,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Whole recording</source>
-        <translation>全部记录</translation>
+        <translation>整个录制</translation>
     </message>
     <message>
         <source>All channels are hidden</source>
@@ -13487,8 +13483,8 @@ Retries: %9</source>
         <translation>未选择通道</translation>
     </message>
     <message>
-        <source>Drag: pan. Wheel: zoom time. With Shift: values. Ctrl+drag: zoom into a box. Double-click: show all. Backspace: previous view. Space: pause.</source>
-        <translation>拖动：平移。滚轮：缩放时间。按住 Shift：数值轴。Ctrl+拖动：框选放大。双击：显示全部。Backspace：上一视图。空格：暂停。</translation>
+        <source>Drag: pan. Wheel: zoom time. Shift+wheel: zoom values. Ctrl+drag: zoom into a box. Double-click: show all. Backspace: previous view. Space: pause.</source>
+        <translation>拖动：平移。滚轮：缩放时间。Shift+滚轮：缩放数值。Ctrl+拖动：框选放大。双击：显示全部。Backspace：上一视图。空格：暂停。</translation>
     </message>
 </context>
 <context>
@@ -13524,7 +13520,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The last line is incomplete and is not shown.</source>
-        <translation>最后一行不完整。显示此前测量的数据。</translation>
+        <translation>最后一行不完整，未显示。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln line(s) could not be read</source>
@@ -13629,7 +13625,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes the recording and shows live values</source>
-        <translation>关闭录制，显示当前测量</translation>
+        <translation>关闭录制，显示实时数据</translation>
     </message>
     <message>
         <source>Records measured values to a file</source>
@@ -13692,7 +13688,7 @@ Retries: %9</source>
     <name>ui::TriggerControl</name>
     <message>
         <source>Cancel waiting</source>
-        <translation>等待中 — 取消</translation>
+        <translation>取消等待</translation>
     </message>
     <message>
         <source>Triggered…</source>
@@ -13730,7 +13726,7 @@ Retries: %9</source>
         <translation>出现故障</translation>
     </message>
     <message>
-        <source>A servo stops answering</source>
+        <source>A servo stops replying</source>
         <translation>舵机停止应答</translation>
     </message>
     <message>
@@ -13747,11 +13743,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Seconds before</source>
-        <translation>之前秒数</translation>
+        <translation>触发前秒数</translation>
     </message>
     <message>
         <source>Seconds after</source>
-        <translation>之后秒数</translation>
+        <translation>触发后秒数</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13763,7 +13759,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No values suitable for a trigger are being read</source>
-        <translation>没有正在读取可用于触发的数据</translation>
+        <translation>当前未读取任何可用于触发的数据</translation>
     </message>
     <message>
         <source>The servo starts to move</source>
@@ -13787,11 +13783,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>In the unit of the channel</source>
-        <translation>以通道的单位</translation>
+        <translation>使用通道的单位</translation>
     </message>
     <message>
-        <source>Distance the value must first move to the opposite side of the level; prevents repeated triggering by noise</source>
-        <translation>数值须先移到电平另一侧这么远；避免电平附近的噪声重复触发</translation>
+        <source>How far the value must first move to the other side of the level; prevents repeated triggering by noise</source>
+        <translation>数值须先越到电平另一侧的幅度；避免噪声造成重复触发</translation>
     </message>
     <message>
         <source>Time shown before the trigger</source>
@@ -13807,7 +13803,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes without setting a trigger</source>
-        <translation>不设置触发并关闭</translation>
+        <translation>关闭，不设置触发</translation>
     </message>
 </context>
 <context>
@@ -13834,7 +13830,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Opens the port selected above and searches it for servos</source>
-        <translation>打开上方所选端口并搜索</translation>
+        <translation>打开上方所选端口并搜索舵机</translation>
     </message>
     <message>
         <source>No hardware? The simulated bus has servos of several families, some with faults to find.</source>

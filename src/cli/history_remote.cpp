@@ -87,8 +87,7 @@ std::vector<Option> serverOptions()
                                       "\"default\" for the configured server"),
              "STRING"},
             {"--bench",
-             QT_TRANSLATE_NOOP("cli", "only data that this bench has sent to the "
-                                      "server"),
+             QT_TRANSLATE_NOOP("cli", "only data sent to the server by the bench with this name"),
              "NAME"}};
 }
 

@@ -279,9 +279,8 @@ const std::vector<Option>& globalOptions()
          "NAME"},
         {"--timeout",
          QT_TRANSLATE_NOOP(
-             "cli",
-             "reply timeout in milliseconds, on top of the transmission time "
-             "(default: 25, longer for slow adapters; before a servo counts as silent, 250)"),
+             "cli", "reply timeout in milliseconds, on top of the transmission time "
+                    "(default: 25, longer for slow adapters; a servo counts as silent after 500)"),
          "MS"},
         {"--retries", QT_TRANSLATE_NOOP("cli", "number of retries after a communication error"),
          "N"},

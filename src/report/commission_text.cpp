@@ -15,7 +15,7 @@ using text::NamedText;
 /// %1: the detail
 constexpr std::array issueTexts{
     NamedText{"not-writable",
-              QT_TRANSLATE_NOOP("CommissionText", "no register map fits %1: nothing is written")},
+              QT_TRANSLATE_NOOP("CommissionText", "no register map for %1: nothing is written")},
     NamedText{"no-such-rate",
               QT_TRANSLATE_NOOP("CommissionText", "the servo does not support %1 baud")},
     NamedText{"no-such-id",
@@ -27,7 +27,7 @@ constexpr std::array issueTexts{
     NamedText{"rows-left", QT_TRANSLATE_NOOP("CommissionText", "template rows not written: %1")},
     NamedText{"other-id",
               QT_TRANSLATE_NOOP("CommissionText", "its ID is %1, not the factory default")},
-    NamedText{"no-id-left", QT_TRANSLATE_NOOP("CommissionText", "no ID is left for it")},
+    NamedText{"no-id-left", QT_TRANSLATE_NOOP("CommissionText", "no ID is left to assign")},
     NamedText{"already-done", QT_TRANSLATE_NOOP("CommissionText", "it is already set up")},
     NamedText{"by-hand", QT_TRANSLATE_NOOP("CommissionText", "set aside manually")},
     NamedText{
@@ -60,7 +60,7 @@ constexpr std::array issueTexts{
     NamedText{"wrong-answer",
               QT_TRANSLATE_NOOP("CommissionText", "its replies did not match the requests")},
     NamedText{"line-busy", QT_TRANSLATE_NOOP("CommissionText", "the line was never idle")},
-    NamedText{"refused", QT_TRANSLATE_NOOP("CommissionText", "it did not accept the write")},
+    NamedText{"refused", QT_TRANSLATE_NOOP("CommissionText", "the servo did not accept the write")},
     NamedText{"lock-open",
               QT_TRANSLATE_NOOP("CommissionText", "the EPROM lock could not be confirmed")},
     NamedText{"identity-differs",
@@ -71,7 +71,7 @@ constexpr std::array issueTexts{
               QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo has ID %1")},
     NamedText{
         "unfinished-ids",
-        QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo may have any of these IDs: %1")},
+        QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo may have one of these IDs: %1")},
     NamedText{
         "unfinished-lock",
         QT_TRANSLATE_NOOP("CommissionText",

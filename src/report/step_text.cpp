@@ -115,11 +115,12 @@ Text stepSymptomText(StepSymptom symptom)
     case StepSymptom::Overshoot:
         return translate("StepText", "The servo overshoots: D is too low.");
     case StepSymptom::StaticError:
-        return translate("StepText", "The servo stops short of its goal: static friction and too "
-                                     "little I. Gear backlash cannot be eliminated.");
+        return translate("StepText", "The servo stops short of its goal: I is too low to overcome "
+                                     "static friction. Gear backlash cannot be tuned out.");
     case StepSymptom::Jitter:
-        return translate("StepText", "The servo jitters: I above 0, D or startup force too high, "
-                                     "dead zone too small, or backlash in the mechanism.");
+        return translate("StepText",
+                         "The servo jitters: I is above 0, D or the startup force is too high, the "
+                         "dead zone is too small, or the mechanism has backlash.");
     case StepSymptom::Oscillation:
         return translate("StepText", "The servo oscillates strongly: P is far too high.");
     }
@@ -146,7 +147,7 @@ Text stepRemedyText(StepRemedy remedy)
     case StepRemedy::LowerD:
         return translate("StepText", "Lower D");
     case StepRemedy::RaiseI:
-        return translate("StepText", "Raise I in small steps until the error is smaller");
+        return translate("StepText", "Raise I in small steps until the error is small enough");
     case StepRemedy::DisableI:
         return translate("StepText", "Set I to 0");
     case StepRemedy::LowerStartupForce:

@@ -75,8 +75,8 @@ const CompareTexts& compareTexts()
         translate("SweepCompareText", "Test run"),
         inBoth(QStringLiteral("B − A")),
         translate("SweepCompareText", "Better"),
-        translate("SweepCompareText", "Grade A"),
-        translate("SweepCompareText", "Grade B"),
+        translate("SweepCompareText", "Grade of A"),
+        translate("SweepCompareText", "Grade of B"),
         translate("SweepCompareText", "Differences between the tests"),
         translate("SweepCompareText",
                   "The tests used different movements: their metrics cannot be compared."),
@@ -86,9 +86,9 @@ const CompareTexts& compareTexts()
         translate("SweepCompareText", "Both tests used the same settings."),
         translate("SweepCompareText", "Item"),
         translate("SweepCompareText", "Different settings"),
-        translate("SweepCompareText", "No setting differs."),
+        translate("SweepCompareText", "All settings are the same."),
         translate("SweepCompareText", "Setting"),
-        translate("SweepCompareText", "Steady-state error by leg"),
+        translate("SweepCompareText", "Steady-state error by move"),
     };
     return words;
 }

@@ -45,7 +45,7 @@ void fillTest(SweepTexts& words)
     words.points = translate("SweepText", "Goals");
     words.pace = translate("SweepText", "Timing");
     words.cycles = translate("SweepText", "Cycles");
-    words.asLongAs = translate("SweepText", "until the test ends");
+    words.asLongAs = translate("SweepText", "unlimited");
     words.duration = translate("SweepText", "Maximum duration");
     words.speed = translate("SweepText", "Speed");
     words.acceleration = translate("SweepText", "Acceleration");
@@ -58,7 +58,7 @@ void fillTest(SweepTexts& words)
     words.stopsOn = translate("SweepText", "End early after");
     words.stopOnAlarm = translate("SweepText", "an alarm");
     words.stopOnStall = translate("SweepText", "a stall");
-    words.stopOnFailure = translate("SweepText", "the first failed limit");
+    words.stopOnFailure = translate("SweepText", "the first limit not met");
     words.onlyOnLostLink = translate("SweepText", "only a lost connection");
     words.inSteps = translate("SweepText", "In steps");
     words.tolerance = translate("SweepText", "Goal reached within");
@@ -78,7 +78,7 @@ void fillFigures(SweepTexts& words)
     words.over = translate("SweepText", "above %1");
     words.under = translate("SweepText", "below %1");
     words.noFeedback = translate(
-        "SweepText", "not measured: the servo does not report it, or no move was suitable");
+        "SweepText", "not measured: the servo does not report this value, or no move was suitable");
     words.mean = translate("SweepText", "Mean");
     words.lowest = translate("SweepText", "Min");
     words.highest = translate("SweepText", "Max");
@@ -87,10 +87,10 @@ void fillFigures(SweepTexts& words)
     words.limits = translate("SweepText", "Limits");
     words.gradingNote =
         translate("SweepText", "Errors, overshoot, settling, following, phase lag, repeatability, "
-                               "current and load are judged by the worst leg. Speeds and the time "
+                               "current and load are judged by the worst move. Speeds and the time "
                                "to goal are judged by their mean; counts are judged by their sum.");
-    words.paperNote = translate("SweepText", "The HTML report also has the memory tables and more "
-                                             "about each leg.");
+    words.paperNote = translate(
+        "SweepText", "The HTML report also has the memory tables and more about each move.");
     words.hysteresisNote = translate("SweepText", "Positions are those reported by the servo: gear "
                                                   "backlash after its encoder is not measured.");
 }
@@ -102,23 +102,23 @@ void fillCharts(SweepTexts& words)
     words.position = translate("SweepText", "position");
     words.timeAxis = translate("SweepText", "Time, s");
     words.positionAxis = translate("SweepText", "Position, step");
-    words.histogram = translate("SweepText", "Steady-state error by leg");
+    words.histogram = translate("SweepText", "Steady-state error by move");
     words.errorAxis = translate("SweepText", "Steady-state error, step");
-    words.legsAxis = translate("SweepText", "Legs", "number");
+    words.legsAxis = translate("SweepText", "Moves", "number");
     words.noSeries = translate("SweepText", "No readings were stored for a chart.");
     words.noErrors = translate("SweepText", "No steady-state error was measured.");
 }
 
 void fillLegs(SweepTexts& words)
 {
-    words.legs = translate("SweepText", "Legs");
-    words.legsShown =
-        translate("SweepText", "Shows the first 50, the last 50, and the worst 20 of the remaining "
-                               "legs (%1 legs in total). The CSV and JSON files contain all legs.");
+    words.legs = translate("SweepText", "Moves");
+    words.legsShown = translate(
+        "SweepText", "The first 50, the last 50, and the worst 20 of the remaining moves are shown "
+                     "(%1 moves in total). The CSV and JSON files contain all moves.");
     words.worstShown =
-        translate("SweepText", "Shows the worst %1 of %2 legs. The HTML report shows "
-                               "more, the CSV and JSON files contain all.");
-    words.leg = translate("SweepText", "Leg");
+        translate("SweepText", "Only the worst %1 of %2 moves are shown. The HTML report shows "
+                               "more; the CSV and JSON files contain all moves.");
+    words.leg = translate("SweepText", "Move");
     words.cycle = translate("SweepText", "Cycle");
     words.at = translate("SweepText", "Time, s");
     words.start = translate("SweepText", "Start");
@@ -129,7 +129,7 @@ void fillLegs(SweepTexts& words)
     words.overshoot = translate("SweepText", "Overshoot, %");
     words.steadyError = translate("SweepText", "Error, step");
     words.meanSpeed = translate("SweepText", "Mean speed, step/s");
-    words.following = translate("SweepText", "Following, step");
+    words.following = translate("SweepText", "Following error, step");
     words.current = translate("SweepText", "Peak current, mA");
     words.load = translate("SweepText", "Peak load, %");
     words.voltage = translate("SweepText", "Min voltage, V");
@@ -152,12 +152,12 @@ void fillBus(SweepTexts& words)
     words.gapAt = translate("SweepText", "Time, s");
     words.gapSpan = translate("SweepText", "Duration, s");
     words.noGaps = translate("SweepText", "The connection was never interrupted.");
-    words.parameters = translate("SweepText", "Parameters at the start");
+    words.parameters = translate("SweepText", "Memory table at the start");
     words.address = translate("SweepText", "Address");
     words.name = translate("SweepText", "Register");
     words.raw = translate("SweepText", "Raw");
     words.area = translate("SweepText", "Area");
-    words.readAt = translate("SweepText", "Read");
+    words.readAt = translate("SweepText", "Read at");
     words.none = translate("SweepText", "none");
 }
 
@@ -192,7 +192,7 @@ constexpr std::array metricEntries{
 constexpr std::array unitEntries{
     NamedText{"step", QT_TRANSLATE_NOOP("SweepText", "step")},
     NamedText{"step/s", QT_TRANSLATE_NOOP("SweepText", "step/s")},
-    NamedText{"legs", QT_TRANSLATE_NOOP("SweepText", "legs")},
+    NamedText{"legs", QT_TRANSLATE_NOOP("SweepText", "moves")},
 };
 
 /// By the bit of the status byte, which is the same in all maps that have one.
@@ -277,20 +277,22 @@ Text noVerdictReasonText(results::NoVerdictReason reason)
     case results::NoVerdictReason::Ended:
         return translate("SweepText", "The test ended too early.");
     case results::NoVerdictReason::TooShort:
-        return translate("SweepText", "Too short to judge. Run at least one whole cycle.");
+        return translate("SweepText",
+                         "The test was too short to judge. Run at least one whole cycle.");
     case results::NoVerdictReason::TooFewReadings:
-        return translate("SweepText", "Fewer than 20 readings per period. Use a longer "
+        return translate("SweepText", "There were fewer than 20 readings per period. Use a longer "
                                       "period, fewer servos or a higher baud rate.");
     case results::NoVerdictReason::TooFast:
         return translate("SweepText", "The sine is faster than the speed set for the servo. Use a "
                                       "longer period, a smaller range or a higher speed.");
     case results::NoVerdictReason::NoLimit:
-        return translate("SweepText", "There are no limits for following. Add limits "
-                                      "for the relative following error and the phase lag.");
+        return translate("SweepText", "No limits judge how well the servo follows its goal. Add "
+                                      "limits for the relative following error and the phase lag.");
     case results::NoVerdictReason::ShortMoves:
-        return translate("SweepText",
-                         "The moves are too short for the tolerance, so even a servo "
-                         "that does not move would pass. Move at least three times the tolerance.");
+        return translate(
+            "SweepText",
+            "The moves are too short for the tolerance, so even a servo that does not move would "
+            "pass. Make each move at least three times as long as the tolerance.");
     case results::NoVerdictReason::SlowLink:
         return translate("SweepText",
                          "The servo lags too far behind, but the communication delay "

@@ -11,8 +11,9 @@ QString simulatedBusText(const QString& port)
 {
     static constexpr std::array buses{
         std::pair{"sim:demo", QT_TRANSLATE_NOOP("BusText", "six servos, one with an alarm")},
-        std::pair{"sim:trouble",
-                  QT_TRANSLATE_NOOP("BusText", "mixed baud rates, two servos with one ID, faults")},
+        std::pair{
+            "sim:trouble",
+            QT_TRANSLATE_NOOP("BusText", "mixed baud rates, two servos sharing one ID, faults")},
         std::pair{"sim:modbus", QT_TRANSLATE_NOOP("BusText", "one SMS servo on Modbus-RTU")},
         std::pair{"sim:lx", QT_TRANSLATE_NOOP("BusText", "five Hiwonder LX servos")},
         std::pair{"sim:sweep",

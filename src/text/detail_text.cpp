@@ -14,12 +14,12 @@ using base::ErrorCode;
 namespace {
 constexpr std::array details{
     NamedText{"given twice", QT_TRANSLATE_NOOP("text", "specified twice")},
-    NamedText{"acceleration", QT_TRANSLATE_NOOP("text", "it has no acceleration setting")},
-    NamedText{"speed", QT_TRANSLATE_NOOP("text", "it has no speed setting")},
+    NamedText{"acceleration", QT_TRANSLATE_NOOP("text", "the servo has no acceleration setting")},
+    NamedText{"speed", QT_TRANSLATE_NOOP("text", "the servo has no speed setting")},
     NamedText{"mode", QT_TRANSLATE_NOOP("text", "its operating mode is unknown")},
-    NamedText{"damp", QT_TRANSLATE_NOOP("text", "it has no damping")},
-    NamedText{"torque", QT_TRANSLATE_NOOP("text", "it has no torque switch")},
-    NamedText{"position", QT_TRANSLATE_NOOP("text", "it does not report its position")},
+    NamedText{"damp", QT_TRANSLATE_NOOP("text", "the servo has no damping")},
+    NamedText{"torque", QT_TRANSLATE_NOOP("text", "the servo has no torque switch")},
+    NamedText{"position", QT_TRANSLATE_NOOP("text", "the servo does not report its position")},
     NamedText{"after-failure", QT_TRANSLATE_NOOP("text", "an earlier register did not accept its "
                                                          "value")},
     NamedText{"register", QT_TRANSLATE_NOOP("text", "its memory table has no such register")},
@@ -250,7 +250,8 @@ QString specialRemedy(const base::Error& error)
         return own;
     if (standsOutside(error))
         return translate(
-            "text", "Turn the shaft into its range by hand, or send a goal within the limits.");
+            "text",
+            "Turn the shaft back into its range by hand, or send a goal within the limits.");
     if (!repliedInstead(error).isEmpty())
         return translate("text", "Close other programs that use the bus, connect only this "
                                  "servo, and search for it.");

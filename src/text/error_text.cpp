@@ -101,10 +101,10 @@ constexpr std::array errorEntries{
     ErrorEntry{ErrorCode::Held, QT_TRANSLATE_NOOP("text", "another task is using this servo"),
                QT_TRANSLATE_NOOP("text", "A change in progress must not be interrupted."),
                QT_TRANSLATE_NOOP("text", "Wait until the task ends, or stop it.")},
-    ErrorEntry{
-        ErrorCode::BadArgument, QT_TRANSLATE_NOOP("text", "invalid input"),
-        QT_TRANSLATE_NOOP("text", "A value is malformed, missing, or contradicts another value."),
-        QT_TRANSLATE_NOOP("text", "Correct the value and try again.")},
+    ErrorEntry{ErrorCode::BadArgument, QT_TRANSLATE_NOOP("text", "invalid input"),
+               QT_TRANSLATE_NOOP(
+                   "text", "A value is malformed or missing, or it contradicts another value."),
+               QT_TRANSLATE_NOOP("text", "Correct the value and try again.")},
     ErrorEntry{ErrorCode::UnknownRegister,
                QT_TRANSLATE_NOOP("text", "this servo has no register with that name"),
                QT_TRANSLATE_NOOP("text", "The name is misspelled or belongs to another family."),
@@ -140,8 +140,8 @@ constexpr std::array errorEntries{
         QT_TRANSLATE_NOOP("text", "Choose a free ID, or change the ID of the other servo first.")},
     ErrorEntry{
         ErrorCode::Refused, QT_TRANSLATE_NOOP("text", "the servo did not execute the request"),
-        QT_TRANSLATE_NOOP("text", "The firmware did not accept the request, a protection has "
-                                  "tripped, or the movement is blocked."),
+        QT_TRANSLATE_NOOP("text", "The firmware did not accept the request, the servo's protection "
+                                  "has tripped, or the movement is blocked."),
         QT_TRANSLATE_NOOP("text", "Check the servo's status and mode, remove the cause, and try "
                                   "again.")},
     ErrorEntry{

@@ -10,7 +10,7 @@ namespace {
 constexpr RefusalText newer{
     "newer version",
     QT_TRANSLATE_NOOP("text", "the history was written by a newer version of this program"),
-    QT_TRANSLATE_NOOP("text", "This version is older and cannot record changes in the history, so "
+    QT_TRANSLATE_NOOP("text", "This version is too old to record changes in the history, so "
                               "nothing is written to the servo."),
     QT_TRANSLATE_NOOP("text",
                       "Use the newer version or another data folder (SERVODESK_DATA_DIR).")};
@@ -43,9 +43,9 @@ constexpr std::array refusals{
                 QT_TRANSLATE_NOOP("text", "Choose another label, or specify that the servo now "
                                           "replying is the one with this label.")},
     RefusalText{"no-snapshot", QT_TRANSLATE_NOOP("text", "no snapshot was taken before that time"),
-                QT_TRANSLATE_NOOP("text",
-                                  "The memory table at a past time is calculated from the last "
-                                  "snapshot before that time and the writes since then."),
+                QT_TRANSLATE_NOOP(
+                    "text", "The memory table at a past time is calculated from the last snapshot "
+                            "before that time and the writes that followed the snapshot."),
                 QT_TRANSLATE_NOOP("text", "Choose a later time.")},
     RefusalText{
         "unfinished-reference",

@@ -58,7 +58,7 @@ constexpr std::array noticeEntries{
                                   "The acknowledgment was lost; reading back showed no change, "
                                   "so the request was sent again.")},
     NoticeEntry{NoticeCode::AckFromNewId, "ack-from-new-id",
-                QT_TRANSLATE_NOOP("text", "The acknowledgment came from ID %1.")},
+                QT_TRANSLATE_NOOP("text", "The reply came from ID %1.")},
     NoticeEntry{NoticeCode::AlreadySet, "already-so",
                 QT_TRANSLATE_NOOP("text", "The value was already set; nothing was written.")},
     NoticeEntry{NoticeCode::EffectiveAfterRestart, "acts-after-restart",
@@ -75,16 +75,17 @@ constexpr std::array noticeEntries{
                 QT_TRANSLATE_NOOP("text",
                                   "Overcurrent: torque is off until a new goal is sent. Remove the "
                                   "cause first.")},
+    NoticeEntry{NoticeCode::VoltageAlarmActive, "voltage-holds",
+                QT_TRANSLATE_NOOP("text", "Voltage: the alarm clears when the supply voltage is "
+                                          "back within the servo's limits.")},
     NoticeEntry{
-        NoticeCode::VoltageAlarmActive, "voltage-holds",
+        NoticeCode::TemperatureAlarmActive, "temperature-holds",
+        QT_TRANSLATE_NOOP("text", "Temperature: the alarm clears only when the servo cools down.")},
+    NoticeEntry{
+        NoticeCode::SensorAlarmActive, "sensor-holds",
         QT_TRANSLATE_NOOP(
-            "text", "Voltage: clears when the supply voltage is back within the servo's limits.")},
-    NoticeEntry{NoticeCode::TemperatureAlarmActive, "temperature-holds",
-                QT_TRANSLATE_NOOP("text", "Temperature: clears only when the servo cools down.")},
-    NoticeEntry{NoticeCode::SensorAlarmActive, "sensor-holds",
-                QT_TRANSLATE_NOOP("text",
-                                  "Encoder: turn the servo off and on; if the alarm returns, "
-                                  "the servo needs repair.")},
+            "text",
+            "Sensor: turn the servo off and on; if the alarm returns, the servo needs repair.")},
     NoticeEntry{NoticeCode::RebootedAfter, "rebooted-after",
                 QT_TRANSLATE_NOOP("text", "The servo replied %1 ms after the reboot.")},
     NoticeEntry{NoticeCode::RateChanged, "rate-changed",
@@ -102,8 +103,8 @@ constexpr std::array noticeEntries{
     NoticeEntry{NoticeCode::PersistenceUndocumented, "persistence-not-stated",
                 QT_TRANSLATE_NOOP("text", "Whether %3 is kept after power-off is not documented.")},
     NoticeEntry{NoticeCode::SaveUnverified, "saved-per-sheet",
-                QT_TRANSLATE_NOOP("text", "%3 was saved with the command from the data sheet; only "
-                                          "turning the servo off and on can confirm it.")},
+                QT_TRANSLATE_NOOP("text", "%3 was saved with the command from the data sheet; this "
+                                          "can be verified only by turning the servo off and on.")},
     NoticeEntry{
         NoticeCode::CurrentLimitZero, "no-current-allowed",
         QT_TRANSLATE_NOOP("text", "%3 is 0, which allows no current: the servo has no torque.")},
@@ -150,7 +151,7 @@ constexpr std::array outcomes{
 constexpr std::array locks{
     NamedText{"closed", QT_TRANSLATE_NOOP("text", "locked")},
     NamedText{"open", QT_TRANSLATE_NOOP("text", "unlocked")},
-    NamedText{"unknown", QT_TRANSLATE_NOOP("text", "not confirmed as locked")},
+    NamedText{"unknown", QT_TRANSLATE_NOOP("text", "not confirmed")},
     NamedText{"none", QT_TRANSLATE_NOOP("text", "not affected")},
 };
 

@@ -25,7 +25,7 @@ constexpr std::array notSupported{
                 QT_TRANSLATE_NOOP("text", "Turn the power supply off and on.")},
     RefusalText{"no-restore",
                 QT_TRANSLATE_NOOP("text", "the servo cannot reset itself to factory defaults"),
-                QT_TRANSLATE_NOOP("text", "This family has no command for this."),
+                QT_TRANSLATE_NOOP("text", "This family has no such command."),
                 QT_TRANSLATE_NOOP("text", "Write the values back one by one.")},
     RefusalText{
         "no-sync", QT_TRANSLATE_NOOP("text", "the servo cannot share a packet with other servos"),
@@ -44,7 +44,7 @@ constexpr std::array notSupported{
         QT_TRANSLATE_NOOP(
             "text", "A mode change first sets the goal to zero to prevent unexpected movement."),
         QT_TRANSLATE_NOOP("text", "Change the mode first, then send the goal.")},
-    RefusalText{"speed-by-time", QT_TRANSLATE_NOOP("text", "it has no speed setting"),
+    RefusalText{"speed-by-time", QT_TRANSLATE_NOOP("text", "the servo has no speed setting"),
                 QT_TRANSLATE_NOOP("text", "The travel time determines the speed."),
                 QT_TRANSLATE_NOOP("text", "Use a travel time instead.")},
     RefusalText{"not-readable", QT_TRANSLATE_NOOP("text", "no reply to this read request"),
@@ -64,23 +64,26 @@ constexpr std::array notSupported{
         QT_TRANSLATE_NOOP(
             "text", "The servo stores the value immediately and has no lock to prevent this."),
         QT_TRANSLATE_NOOP("text", "Write the value permanently, then write the old value back.")},
-    RefusalText{"no-led", QT_TRANSLATE_NOOP("text", "the servo has no controllable LED"),
-                QT_TRANSLATE_NOOP("text", "This family's memory table has no LED register."),
-                QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and check "
-                                          "which servo changes its position.")},
+    RefusalText{
+        "no-led", QT_TRANSLATE_NOOP("text", "the servo has no controllable LED"),
+        QT_TRANSLATE_NOOP("text", "This family's memory table has no LED register."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "With torque off, turn a shaft by hand and check which servo's position changes.")},
     RefusalText{
         "factory-led",
         QT_TRANSLATE_NOOP("text", "the servo's LED setting is one of the factory values"),
         QT_TRANSLATE_NOOP(
             "text",
             "To blink the LED, these values would have to be unlocked and rewritten many times."),
-        QT_TRANSLATE_NOOP("text", "With torque off, turn a shaft by hand and check "
-                                  "which servo changes its position.")},
+        QT_TRANSLATE_NOOP(
+            "text",
+            "With torque off, turn a shaft by hand and check which servo's position changes.")},
     RefusalText{
         "release-mode",
         QT_TRANSLATE_NOOP(
             "text",
-            "in this mode, the servo cannot turn back just slightly from the stalled position"),
+            "in this mode, the servo cannot turn back just a little from the stalled position"),
         QT_TRANSLATE_NOOP("text", "Only turning in the opposite direction clears an overload; in "
                                   "this mode, the shaft would keep turning."),
         QT_TRANSLATE_NOOP("text", "Remove the load and send a command in the opposite direction, "
@@ -113,14 +116,14 @@ constexpr std::array badArgument{
                 QT_TRANSLATE_NOOP("text", "Enter a step of 1 or more.")},
     RefusalText{
         "negative-step", QT_TRANSLATE_NOOP("text", "the step is negative"),
-        QT_TRANSLATE_NOOP(
-            "text", "The path goes from start to end and back, so the step has no direction."),
+        QT_TRANSLATE_NOOP("text", "The path runs in both directions, so the step has no sign."),
         QT_TRANSLATE_NOOP(
             "text", "Enter a step of 1 or more; to reverse the direction, swap start and end.")},
-    RefusalText{"step-too-long",
-                QT_TRANSLATE_NOOP("text", "the step is larger than the distance from start to end"),
-                QT_TRANSLATE_NOOP("text", "Start and end are closer together than one step."),
-                QT_TRANSLATE_NOOP("text", "Use a smaller step or a longer travel.")},
+    RefusalText{
+        "step-too-long",
+        QT_TRANSLATE_NOOP("text", "the step is larger than the distance from start to end"),
+        QT_TRANSLATE_NOOP("text", "Start and end are closer together than one step."),
+        QT_TRANSLATE_NOOP("text", "Use a smaller step, or move start and end farther apart.")},
     RefusalText{"no-points", QT_TRANSLATE_NOOP("text", "the list has fewer than two goals"),
                 QT_TRANSLATE_NOOP("text", "A test moves the servo between at least two positions."),
                 QT_TRANSLATE_NOOP("text", "Put at least two goals in the file, one per line.")},
@@ -151,7 +154,7 @@ constexpr std::array badArgument{
         QT_TRANSLATE_NOOP(
             "text",
             "All readings are stored, so a run is limited to fifty steps in each direction."),
-        QT_TRANSLATE_NOOP("text", "Enter 1 to 50.")},
+        QT_TRANSLATE_NOOP("text", "Enter a number from 1 to 50.")},
     RefusalText{"no-gain", QT_TRANSLATE_NOOP("text", "this register cannot be used in a trial"),
                 QT_TRANSLATE_NOOP("text", "A trial can set gains, startup force, integral limit "
                                           "and dead zones, if the servo has them."),
@@ -203,7 +206,7 @@ constexpr std::array consent{
     RefusalText{
         "alarm-changed",
         QT_TRANSLATE_NOOP("text", "the alarm has changed since you confirmed clearing it"),
-        QT_TRANSLATE_NOOP("text", "The servo's state has changed since then."),
+        QT_TRANSLATE_NOOP("text", "The servo's state has changed in the meantime."),
         QT_TRANSLATE_NOOP("text", "Check the alarm again, then decide whether to clear it.")},
 };
 

@@ -145,9 +145,9 @@ constexpr std::array serverKinds{
                                           "on this computer and sent later.")},
     RefusalText{
         "string", QT_TRANSLATE_NOOP("text", "this is not a valid PostgreSQL connection string"),
-        QT_TRANSLATE_NOOP("text",
-                          "The string has neither the form postgresql://USER@HOST/DATABASE nor "
-                          "host=HOST dbname=DATABASE user=USER, or part of it is not recognized."),
+        QT_TRANSLATE_NOOP(
+            "text", "The string has neither the form postgresql://USER@HOST/DATABASE nor the form "
+                    "host=HOST dbname=DATABASE user=USER, or part of it is not recognized."),
         QT_TRANSLATE_NOOP("text", "Correct the string; the PostgreSQL manual describes its format "
                                   "under \"Connection Strings\".")},
     RefusalText{"server", QT_TRANSLATE_NOOP("text", "the history server reports an error"),

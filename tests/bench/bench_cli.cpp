@@ -68,7 +68,7 @@ void watch()
     const QString csv = cli.dataFolder() + QStringLiteral("/watch.csv");
     const double before = cpuSeconds(ended());
     const auto result = cli.run(words("watch 1-6 --rate 50 --csv")
-                                << csv << QStringLiteral("--for") << QString::number(seconds));
+                                << csv << QStringLiteral("--duration") << QString::number(seconds));
     std::printf("%s", qPrintable(result.out));
     figure("CPU of watch, six servos at 50 Hz, share of a core",
            100 * (cpuSeconds(ended()) - before) / seconds, "%", 10);

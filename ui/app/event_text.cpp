@@ -82,7 +82,7 @@ QString lockText(device::LockState lock)
     case device::LockState::Open:
         return text::translate("EventText", ", EPROM UNLOCKED");
     case device::LockState::Unknown:
-        return text::translate("EventText", ", EPROM not confirmed as locked");
+        return text::translate("EventText", ", EPROM lock not confirmed");
     case device::LockState::None:
         break;
     }
@@ -137,7 +137,7 @@ EventText searchEnded(const Event& event)
         line +
         text::translate("EventText", ". No reply: ID %1").arg(missing.join(QStringLiteral(", "))));
     eventText.details << text::translate(
-        "EventText", "These servos were expected and were queried several times.");
+        "EventText", "These servos were expected, but did not reply to several queries.");
     return eventText;
 }
 

@@ -74,7 +74,7 @@ HelpWindow::HelpWindow(QWidget* parent)
 
 void HelpWindow::fill()
 {
-    setWindowTitle(tr("ServoDesk — help"));
+    setWindowTitle(tr("ServoDesk Help"));
     m_text->setAccessibleName(tr("Help"));
     m_text->setToolTip(tr("Help"));
     const bool chinese = text::isUiChinese();

@@ -40,7 +40,7 @@ constexpr std::array allPages{
     Page{"snapshots", Command::PageSnapshots, QT_TRANSLATE_NOOP("ui::Pages", "Snapshots"),
          QT_TRANSLATE_NOOP("ui::Pages", "Save, compare and restore the settings of servos")},
     Page{"commission", Command::PageCommission, QT_TRANSLATE_NOOP("ui::Pages", "Commissioning"),
-         QT_TRANSLATE_NOOP("ui::Pages", "Set up servos connected one after another")},
+         QT_TRANSLATE_NOOP("ui::Pages", "Set up servos one at a time")},
     Page{"history", Command::PageHistory, QT_TRANSLATE_NOOP("ui::Pages", "History"),
          QT_TRANSLATE_NOOP("ui::Pages", "All writes, snapshots, tests and alarms")}};
 } // namespace

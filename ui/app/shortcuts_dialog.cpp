@@ -28,13 +28,13 @@ ShortcutsDialog::ShortcutsDialog(const Commands& commands, QWidget* parent)
     auto* list = new QTreeWidget(this);
     list->setObjectName(QStringLiteral("shortcuts"));
     list->setAccessibleName(tr("Keyboard shortcuts"));
-    list->setToolTip(tr("List all shortcuts"));
+    list->setToolTip(tr("Lists all shortcuts"));
     list->setRootIsDecorated(false);
     list->setHeaderLabels({tr("Keys"), tr("Command"), tr("Action")});
     addRow(*list, QStringLiteral("Esc"), tr("All torque off"),
            tr("Immediately turns torque off on the whole bus. In a field of the motion panel, Esc "
-              "also shows the present value again. In a table cell being edited, a menu or a "
-              "dialog, the first Esc only cancels the editing or closes the menu or dialog. While "
+              "also shows the present value again. In a menu, a dialog or a table cell being "
+              "edited, the first Esc only closes the menu or dialog or cancels the editing. While "
               "servos are moving or jammed, Esc stops them even from a menu or a dialog."));
     addRow(*list, QStringLiteral("Shift+Esc"), tr("All torque off"),
            tr("Immediately turns torque off on the whole bus; works everywhere"));

@@ -221,7 +221,7 @@ void TrendChart::retranslate()
 {
     m_private->plot->setAccessibleName(tr("Trend chart"));
     m_private->plot->setToolTip(
-        tr("Drag: pan. Wheel: zoom time. With Shift: values. Ctrl+drag: zoom into a box. "
+        tr("Drag: pan. Wheel: zoom time. Shift+wheel: zoom values. Ctrl+drag: zoom into a box. "
            "Double-click: show all. Backspace: previous view. Space: pause."));
     m_private->overview->setAccessibleName(tr("Whole recording"));
     m_private->overview->setToolTip(

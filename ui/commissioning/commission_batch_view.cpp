@@ -115,7 +115,7 @@ void CommissionBatchView::showSummary()
     if (unfinished > 0)
         parts << tr("%1 unfinished").arg(unfinished);
     if (const QString ids = idsToComeText(); !ids.isEmpty())
-        parts << tr("IDs to come: %1").arg(ids);
+        parts << tr("Next IDs: %1").arg(ids);
     m_summary->setText(parts.join(QStringLiteral(" · ")));
     m_table->setVisible(!m_batch.rows.empty());
     m_emptyLabel->setVisible(m_batch.rows.empty());

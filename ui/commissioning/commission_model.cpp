@@ -123,8 +123,8 @@ QVariant CommissionModel::data(const QModelIndex& index, int role) const
 QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (role == Qt::ToolTipRole && orientation == Qt::Horizontal) {
-        return section == Before  ? tr("ID and baud rate when it was connected")
-               : section == After ? tr("ID and baud rate it was given")
+        return section == Before  ? tr("ID and baud rate of the servo when connected")
+               : section == After ? tr("ID and baud rate given to the servo")
                                   : headerData(section, orientation, Qt::DisplayRole);
     }
     if (role != Qt::DisplayRole)

@@ -118,7 +118,7 @@ QString CommissionStatus::headline() const
 {
     const jobs::CommissionView& view = m_commissioning.view();
     if (!m_commissioning.isRunning())
-        return m_hasEnded ? tr("Commissioning has ended") : tr("One servo after another");
+        return m_hasEnded ? tr("Commissioning has ended") : tr("One servo at a time");
     switch (view.step) {
     case CommissionStep::Waiting:
         if (view.obstacle == jobs::CommissionObstacle::Lost)
@@ -245,7 +245,7 @@ void CommissionStatus::showView()
     const bool confirm = m_commissioning.isRunning() && view.step == CommissionStep::Confirm;
     const bool begins = confirm && !m_continue->isVisible();
     setButtonText(m_continue, tr("Set ID %1").arg(view.newId),
-                  tr("Writes template, ID and baud rate; saves the memory table first"));
+                  tr("Saves the memory table, then writes the template, ID and baud rate"));
     m_continue->setVisible(confirm && view.newId != view.candidateId);
     m_aside->setVisible(confirm);
     m_same->setVisible(confirm && view.candidateId >= 0);
@@ -278,7 +278,7 @@ void CommissionStatus::retranslate()
 {
     m_steps->setSteps({tr("Connect"), tr("Identify"), tr("Write"), tr("Check"), tr("Disconnect")});
     setButtonText(m_same, tr("Resume setup"),
-                  tr("Confirms that this is the unfinished servo; it gets its assigned ID"));
+                  tr("Confirms that this is the unfinished servo and gives it its assigned ID"));
     setButtonText(m_aside, tr("Set aside"),
                   tr("Writes nothing to this servo and records it in the batch as set aside"));
     showView();

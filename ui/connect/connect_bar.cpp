@@ -269,8 +269,8 @@ void ConnectBar::showStatistics()
                               .arg(qRound(now.busLoad * 100));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
     const QString more =
-        tr("Port: %1 at %2 baud\nSent: %3, answered: %4\nLost: %5, damaged: %6, foreign: %7, "
-           "late: %8\nRetries: %9")
+        tr("Port: %1 at %2 baud\nSent: %3, replies: %4\nLost: %5, damaged: %6, foreign: %7, late: "
+           "%8\nRetries: %9")
             .arg(m_workbench.link().lastRequest().name,
                  m_workbench.link().canSetBaud() ? rateText(m_workbench.link().baud())
                                                  : QStringLiteral("–"),

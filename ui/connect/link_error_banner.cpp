@@ -136,8 +136,8 @@ void LinkErrorBanner::linkLost()
                                                  : tr("%1 was unplugged.").arg(port);
             const QString remedy =
                 bridge
-                    ? tr("ServoDesk keeps trying to reconnect; close this message to stop that. "
-                         "A write that was in progress is recorded in the journal and will be "
+                    ? tr("ServoDesk keeps trying to reconnect until you close this message. A "
+                         "write that was in progress is recorded in the journal and will be "
                          "checked first.")
                     : tr("Plug the adapter in again and ServoDesk reconnects automatically; close "
                          "this message to stay disconnected. A write that was in progress is "
@@ -207,8 +207,8 @@ void LinkErrorBanner::retranslate()
     m_retry->setText(tr("Try again"));
     m_retry->setToolTip(tr("Opens the port again with the settings above"));
     m_reconnect->setText(tr("Reconnect"));
-    m_reconnect->setToolTip(tr("Opens the port again and asks the servos of the list whether they "
-                               "reply; writes nothing"));
+    m_reconnect->setToolTip(
+        tr("Opens the port again and checks whether the servos in the list reply; writes nothing"));
 }
 
 /// A plain QObject gets language changes only through a widget.

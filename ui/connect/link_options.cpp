@@ -95,7 +95,7 @@ void LinkOptions::retranslate()
     name(m_parity, tr("Parity"), tr("Servos are set to no parity at the factory"));
     name(m_replyTimeout, tr("Timeout"),
          tr("Time to wait for a reply, on top of the transmission time. Auto: adjusted to this "
-            "adapter. Before a servo counts as silent, 250 ms"));
+            "adapter; a servo counts as silent after 500 ms"));
     name(m_silence, tr("Modbus silence"),
          tr("Pause between Modbus frames. Auto: the standard pause for the baud rate"));
     name(m_retries, tr("Retries"),

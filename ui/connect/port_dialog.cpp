@@ -65,7 +65,7 @@ void PortDialog::retranslate()
                           "tcp://192.168.1.20:4000, sim:sts3215@1,scs15@2"));
     m_edit->setAccessibleName(tr("Port or address"));
     QPushButton* ok = m_buttons->button(QDialogButtonBox::Ok);
-    setButtonText(ok, tr("Choose"), tr("Selects this port; Connect opens it"));
+    setButtonText(ok, tr("Choose"), tr("Selects this port; click Connect to open it"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
     setButtonText(cancel, tr("Cancel"), tr("Keeps the previously selected port"));
 }

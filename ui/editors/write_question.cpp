@@ -52,8 +52,8 @@ QString modeRisk(const session::ServoEntry& entry, const catalog::Mode& to)
                          "In this mode, the shaft turns continuously as soon as the servo receives "
                          "a command. Clear the area around the mechanism first.");
     if (to.limitsZero && entry.servo.profile->byRole(Role::MinAngle) != nullptr)
-        return translate("WriteQuestion", "In this mode, no angle limits restrict the shaft. Clear "
-                                          "the area around the mechanism first.");
+        return translate("WriteQuestion", "In this mode, the shaft is not restricted by angle "
+                                          "limits. Clear the area around the mechanism first.");
     return {};
 }
 
@@ -92,10 +92,10 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
     if (device::classify(reg, raw).procedure == device::WriteProcedure::Center)
         return translate("WriteQuestion",
                          "The present position becomes the midpoint. Afterwards, every position "
-                         "corresponds to a different angle, also for other programs.");
+                         "corresponds to a different angle than before, in other programs too.");
     switch (reg.role) {
     case Role::Id:
-        return translate("WriteQuestion", "After this, the servo answers as ID %1. Programs that "
+        return translate("WriteQuestion", "After this, the servo replies as ID %1. Programs that "
                                           "use the old ID will no longer find it.")
             .arg(raw);
     case Role::BaudRate:
@@ -109,15 +109,15 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
     case Role::UnloadCondition:
         return translate(
             "WriteQuestion",
-            "If a protection is turned off, the motor can burn out and the gears can break.");
+            "With protection turned off, the motor can burn out and the gears can break.");
     case Role::Phase:
         return translate("WriteQuestion", "This changes the direction, feedback and drive of the "
                                           "motor. A wrong value can make the motor run away.");
     case Role::PositionOffset:
     case Role::AngleResolution:
         return translate("WriteQuestion",
-                         "Afterwards, every position corresponds to a different angle. Clear the "
-                         "area around the mechanism before turning torque on.");
+                         "Afterwards, every position corresponds to a different angle than before. "
+                         "Clear the area around the mechanism before turning torque on.");
     default:
         return translate("WriteQuestion", "A wrong value can make the servo unreachable or "
                                           "dangerous. Note the old value before you continue.");
@@ -147,8 +147,9 @@ Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog:
              : QStringLiteral("\n\n") + joinSentences({torque, persistenceSentence(temporary)}));
     question.risk = joinSentences(
         {device::classify(reg, raw).moves
-             ? translate("WriteQuestion", "The shaft turns as soon as this is written. "
-                                          "Keep clear of the mechanism.")
+             ? translate(
+                   "WriteQuestion",
+                   "The shaft turns as soon as the value is written. Keep clear of the mechanism.")
              : QString(),
          roleRisk(reg, raw)});
     question.acceptText = translate("WriteQuestion", "Write");

@@ -256,7 +256,7 @@ void HistoryFilterBar::retranslate()
     setAccessText(m_from, tr("From"), tr("First day"));
     setAccessText(m_until, tr("Until"), tr("Last day"));
     setButtonText(m_onlyErrors, tr("Only problems"),
-                  tr("Failed writes and alarms that are still active"));
+                  tr("Failed writes, and alarms that are still active"));
     showSources();
 }
 

@@ -222,12 +222,13 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryAlarm& row) const
                   servoName(row.model, row.servoId, row.label), text::alarmLabel(row.key),
                   row.port};
     line.tone = isCleared ? Tone::Good : Tone::Warn;
-    line.details =
-        detailsOf(HistoryKind::Alarms, line.cells,
-                  {{{},
-                    row.derived ? translate("History", "Derived from the limits, not reported by "
-                                                       "the servo.")
-                                : QString()}});
+    line.details = detailsOf(
+        HistoryKind::Alarms, line.cells,
+        {{{},
+          row.derived
+              ? translate("History",
+                          "This alarm is derived from the limits, not reported by the servo.")
+              : QString()}});
     line.label = row.label;
     return line;
 }

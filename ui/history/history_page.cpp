@@ -277,7 +277,7 @@ void HistoryPage::showActions()
     m_undo->setVisible(writes && !isRemote());
     m_undo->setEnabled(refusal.isEmpty());
     setButtonText(m_undo, tr("Undo this write"),
-                  refusal.isEmpty() ? tr("Writes the old value to the servo again, after asking")
+                  refusal.isEmpty() ? tr("Writes the old value back to the servo after you confirm")
                                     : refusal);
     m_ofServo->setVisible(kind != HistoryKind::Servos && kind != HistoryKind::Runs &&
                           kind != HistoryKind::Recordings);
@@ -435,7 +435,7 @@ void HistoryPage::retranslate()
            "you assign; two identical servos without a label cannot be distinguished."));
     setAccessText(m_view, tr("History"), tr("Newest first"));
     setButtonText(m_ofServo, tr("All entries of this servo"),
-                  tr("Lists only entries of the servo of this row"));
+                  tr("Lists only entries for the servo in this row"));
     setButtonText(m_label, tr("Label…"), tr("Labels the servo or the snapshot"));
     setButtonText(m_export, tr("Export…"), tr("Saves the filtered list as CSV or JSON"));
     setButtonText(m_serverSet, tr("Server…"),

@@ -113,11 +113,12 @@ void HistoryServerDialog::retranslate()
     m_bench->setToolTip(
         tr("Name under which other benches find this bench's history on the server"));
     setError(m_error);
-    m_hint->setText(m_address->isEnabled()
-                        ? tr("Store the password in ~/.pgpass, not in the string. A server on "
-                             "another computer must use TLS with a valid certificate; to change "
-                             "that, add ?sslmode=… to the string.")
-                        : tr("The server is set by SERVODESK_HISTORY_SERVER."));
+    m_hint->setText(
+        m_address->isEnabled()
+            ? tr("Store the password in ~/.pgpass, not in the connection string. A server on "
+                 "another computer must use TLS with a valid certificate; to change that, add "
+                 "?sslmode=… to the connection string.")
+            : tr("The server is set by the environment variable SERVODESK_HISTORY_SERVER."));
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
     save->setText(tr("Save"));
     save->setAccessibleName(save->text());

@@ -43,7 +43,7 @@ QString undoRefusal(const session::Workbench& workbench, const history::HistoryW
         return translate("History",
                          "This entry is an action, not a value that can be written back.");
     if (entry->displayedRaw(*reg) == write.oldRaw)
-        return translate("History", "The register holds the old value.");
+        return translate("History", "The register already holds the old value.");
     return {};
 }
 
@@ -58,13 +58,13 @@ void askToUndo(QWidget* page, session::Workbench& workbench, const history::Hist
     Question question =
         writeQuestion(entry, reg, write.oldRaw, write.temporary).value_or(Question{});
     question.title = translate("History", "Undo this write?");
-    QStringList sentences{translate("History", "ID %1 · %2: %3 is set from %4 to %5.")
+    QStringList sentences{translate("History", "ID %1 · %2: %3 changes from %4 to %5.")
                               .arg(entry.servo.id)
                               .arg(entry.servo.profile->modelName, text::localized(reg.name),
                                    now ? QString::number(*now) : QStringLiteral("–"),
                                    QString::number(write.oldRaw))};
     if (now && now != write.newRaw)
-        sentences << translate("History", "It was changed again after this write.");
+        sentences << translate("History", "The value was changed again after this write.");
     sentences << question.text;
     sentences.removeAll(QString());
     question.text = sentences.join(QLatin1Char('\n'));

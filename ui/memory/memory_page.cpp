@@ -99,7 +99,7 @@ void MemoryPage::updateVisibility()
         why = tr("Select a servo on the left to see its memory table. Selecting a servo only "
                  "reads it and writes nothing.");
     else if (!known->servo.profile)
-        why = tr("This servo answers but does not report its model, so no memory table is "
+        why = tr("This servo replies but does not report its model, so no memory table is "
                  "available. Search again, or check whether two servos share this ID.");
     else if (m_filter.rowCount() == 0)
         why = tr("No register matches the filter.");

@@ -38,7 +38,7 @@ TableSheet memorySheet(const MemoryModel& model, const std::vector<int>& rows,
     sheet.title = translate("MemorySheet", "Memory table of %1, ID %2")
                       .arg(servoName(entry), QString::number(servo.id));
     if (servo.profile)
-        sheet.captionLines << translate("MemorySheet", "Firmware %1, map %2")
+        sheet.captionLines << translate("MemorySheet", "Firmware %1, register map %2")
                                   .arg(servo.profile->identity.firmware(), servo.profile->mapKey);
     sheet.captionLines << translate("MemorySheet", "Port %1, %2 baud")
                               .arg(servo.port, QString::number(servo.baud));

@@ -97,10 +97,9 @@ QString memoryHeaderHelp(MemoryColumn column)
     case MemoryColumn::Physical:
         return translate("MemoryTable", "The same value with its unit or name");
     case MemoryColumn::Area:
-        return translate(
-            "MemoryTable",
-            "Memory area: EPROM is kept at power-off, SRAM is lost at power-off, feedback is "
-            "measured, factory is set by the manufacturer");
+        return translate("MemoryTable",
+                         "Memory area: EPROM (kept after power-off), SRAM (lost at power-off), "
+                         "feedback (measured) or factory (set by the manufacturer)");
     case MemoryColumn::Access:
         return translate("MemoryTable",
                          "r: read-only; rw: read/write; ⚠: requires confirmation for each write");

@@ -217,8 +217,9 @@ void MemoryToolbar::retranslate()
     m_live->menuAction()->setToolTip(tr("Read rate of the visible rows; nothing is written"));
     m_help->setText(tr("Explain this &row"));
     m_help->setToolTip(tr("Shows everything that is known about the selected row"));
-    setAccessText(m_more, tr("More"),
-                  tr("Copy, export or print the table, its columns, and live reading"));
+    setAccessText(
+        m_more, tr("More"),
+        tr("Copy, export or print the table, choose its columns, and set the live reading rate"));
     m_readAll->setAccessibleName(m_readAll->defaultAction()->iconText());
 }
 

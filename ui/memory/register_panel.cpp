@@ -236,8 +236,9 @@ void RegisterPanel::retranslate()
     setButtonText(m_write, tr("Write"),
                   tr("Writes this value and reads it back; it is kept after power-off if the "
                      "register supports this"));
-    setButtonText(m_writeTemporarily, tr("Write temporarily"),
-                  tr("Writes the value without unlocking the EPROM; it is lost at power-off"));
+    setButtonText(
+        m_writeTemporarily, tr("Write temporarily"),
+        tr("Writes the value without unlocking the EPROM; the value is lost at power-off"));
     fill();
 }
 

@@ -55,7 +55,7 @@ QString stateDescription(const MemoryRow& row)
     case RowState::NotRead:
         return translate("MemoryTable", "This register has not been read yet. Choose Read all.");
     case RowState::Read:
-        return translate("MemoryTable", "Read from the servo.");
+        return translate("MemoryTable", "The value was read from the servo.");
     case RowState::Unreadable:
         return translate("MemoryTable", "The last reading failed, so no value is shown.");
     case RowState::Pending:

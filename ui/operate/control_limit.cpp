@@ -257,7 +257,7 @@ void ControlLimit::retranslate()
                            "this model, not written to the servo"));
     m_advice->setText(tr("Gripping: set the percentage of the stall torque that the part can "
                          "withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo "
-                         "slower. Only for parts of equal mass."));
+                         "slower. Use this only for parts of equal mass."));
     fill();
 }
 

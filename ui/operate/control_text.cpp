@@ -145,8 +145,9 @@ void addLimits(QStringList& lines, const device::ModePlan& plan)
         return;
     const QString limits = QStringLiteral("%1 … %2");
     if (plan.limitsSaved) {
-        lines << translate("ControlText", "The angle limits %1 are saved and restored when you "
-                                          "switch back.")
+        lines << translate(
+                     "ControlText",
+                     "The angle limits %1 are saved, and will be restored when you switch back.")
                      .arg(limits.arg(*plan.writes[0].oldRaw).arg(*plan.writes[1].oldRaw));
     }
     const QString now = limits.arg(plan.writes[0].newRaw).arg(plan.writes[1].newRaw);
@@ -197,9 +198,9 @@ QString controlObstacle(const session::ServoEntry* entry)
         return translate("ControlText",
                          "Select a servo on the left. Selecting a servo does not move it.");
     if (!entry->servo.profile)
-        return translate("ControlText", "This servo answers but does not report its model, so "
-                                        "ServoDesk cannot move it. Search again, or check whether "
-                                        "two servos share this ID.");
+        return translate("ControlText",
+                         "This servo replies but does not report its model, so ServoDesk cannot "
+                         "move it. Search again, or check whether two servos share this ID.");
     if (entry->servo.profile->conflict) {
         const auto obstacle = device::writeObstacle(entry->servo);
         const text::Description words = text::describe(*obstacle);

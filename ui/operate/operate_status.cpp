@@ -177,12 +177,12 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry,
     }
     m_noAlarm->setVisible(alarms.empty());
     const bool judged = isFresh(entry, workbench) && faultsRead(entry.servo);
-    m_noAlarm->setState(Tone::Quiet, judged ? tr("no alarm") : tr("alarms: –"), {},
-                        !judged ? tr("Unknown: the servo does not answer, or its fault status "
-                                     "has not been read")
-                        : reportsFaults(entry.servo)
-                            ? QString()
-                            : tr("Derived from the limits: this servo does not report faults"));
+    m_noAlarm->setState(
+        Tone::Quiet, judged ? tr("no alarm") : tr("alarms: –"), {},
+        !judged ? tr("Unknown: the servo does not reply, or its fault status has not been read")
+        : reportsFaults(entry.servo)
+            ? QString()
+            : tr("Derived from the limits: this servo does not report faults"));
     m_acknowledge->setVisible(!alarms.empty());
 }
 

@@ -115,7 +115,7 @@ void SearchPanel::showStatus()
         if (m_workbench.link().canSetBaud())
             words += tr(" · at %1").arg(shortRate(m_lastProgress->baud));
     } else if (m_commissioning) {
-        words = tr("Commissioning is running. See the Commissioning page for the servos.");
+        words = tr("Commissioning is running. Its servos are shown on the Commissioning page.");
     } else if (m_searching) {
         words = tr("Starting the search…");
     } else if (m_error) {
@@ -125,11 +125,11 @@ void SearchPanel::showStatus()
     } else if (const auto& report = m_workbench.search().lastReport()) {
         const int found = int(report->found.size());
         words = (report->stopped ? tr("Stopped after %1 · %n servo(s)", nullptr, found)
-                                 : tr("Searched for %1 · %n servo(s)", nullptr, found))
+                                 : tr("Search took %1 · %n servo(s)", nullptr, found))
                     .arg(spanText(report->elapsed));
         if (report->slowPassAdvised)
             words += QLatin1Char('\n') + tr("Some servos replied late, so others may have been "
-                                            "missed. Search again with \"wait longer\".");
+                                            "missed. Select \"Wait longer\" and search again.");
     }
     m_status->setText(words);
     m_status->setToolTip(tip.isEmpty() ? words : words + QLatin1Char('\n') + tip);
@@ -245,7 +245,7 @@ void SearchPanel::retranslate()
         button->setAccessibleName(button->text());
     }
     m_progress->setAccessibleName(tr("Progress of the search"));
-    m_progress->setToolTip(tr("Completed part of the search"));
+    m_progress->setToolTip(tr("How much of the search is complete"));
     m_list->setAccessibleName(tr("Servos"));
     m_list->setToolTip(tr("Servos that have replied; selecting one reads it and writes nothing. "
                           "Hold Ctrl or Shift to select several servos and move them together"));

@@ -180,9 +180,9 @@ void SearchScope::retranslate()
     m_idLabel->setText(tr("ID"));
     setAccessText(m_first, tr("First ID"), tr("First ID to search"));
     setAccessText(m_last, tr("Last ID"), tr("Last ID to search"));
-    m_rates->setItemText(ThisRate, tr("this baud rate"));
-    m_rates->setItemText(ChosenRates, tr("selected baud rates"));
-    m_rates->setItemText(AllRates, tr("all baud rates"));
+    m_rates->setItemText(ThisRate, tr("This baud rate"));
+    m_rates->setItemText(ChosenRates, tr("Selected baud rates"));
+    m_rates->setItemText(AllRates, tr("All baud rates"));
     setAccessText(m_rates, tr("Baud rates"),
                   m_hasBaud
                       ? tr("Baud rates to search; the port's own baud rate is restored afterwards")
@@ -194,7 +194,7 @@ void SearchScope::retranslate()
     for (int i = 0; i < int(words.size()); ++i)
         m_protocol->setItemText(FirstProtocol + i, words[std::size_t(i)]);
     setAccessText(m_protocol, tr("Protocol"), tr("Protocols to search with"));
-    m_slow->setText(tr("wait longer"));
+    m_slow->setText(tr("Wait longer"));
     setAccessText(
         m_slow, tr("Wait longer"),
         tr("Queries silent IDs again with a longer timeout, for adapters that reply late"));

@@ -335,7 +335,7 @@ void RestorePanel::retranslate()
                   tr("Also selects ID and baud rate, which are written last. Afterwards, the servo "
                      "can be reached only with the new settings"));
     setButtonText(m_rollBack, tr("If a row fails, restore all old values"),
-                  tr("If not selected, writing stops at the failed row; values already written "
+                  tr("Without this option, writing stops at the failed row; values already written "
                      "stay in the servo"));
     m_write->setToolTip(tr("Writes only the selected rows that differ"));
     setButtonText(m_dryRun, tr("Dry run…"),

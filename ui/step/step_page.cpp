@@ -147,16 +147,16 @@ QString StepPage::blockedReason() const
     if (!entry->servo.profile || !entry->servo.profile->writable)
         return tr("This servo could not be identified, so ServoDesk does not move it.");
     if (m_workbench.search().isSearching())
-        return tr("A search is running; a run can start when it has ended.");
+        return tr("A search is running; a run can start when the search has ended.");
     if (m_workbench.tasks().isTesting())
         return tr("Another test is running.");
     if (entry->stopped)
         return tr(
-            "Blocked by the emergency stop, torque is off. Click Allow movement to turn torque "
-            "on; nothing moves until you click Measure or Try gains.");
+            "Movement is blocked by the emergency stop, and torque is off. Click Allow movement to "
+            "turn torque on; nothing moves until you click Measure or Try gains.");
     if (otherMode() && !m_switchMode->isChecked())
-        return tr("The servo is in a mode that does not use positions. Select the option to switch "
-                  "modes automatically, or change the mode yourself.");
+        return tr("The servo is in a mode that does not use positions. Select \"Switch to position "
+                  "mode for the run\", or change the mode yourself.");
     if (m_form->spec().size.isEmpty())
         return tr("Enter the step size.");
     return {};
@@ -194,7 +194,7 @@ void StepPage::showState()
     m_progress->setVisible(running);
     m_reasonLabel->setText(running ? tr("The servo is moving. Esc turns torque off on all servos.")
                            : !why.isEmpty() ? why
-                                            : tr("Measure and Try gains move the servo."));
+                                            : tr("Clicking Measure or Try gains moves the servo."));
     m_try->setToolTip(noTrial.isEmpty()
                           ? tr("Measures the same step with these values and restores the old "
                                "values afterwards: %1")

@@ -128,7 +128,7 @@ void StepPage::retranslate()
     m_stop->setText(tr("Stop"));
     m_stop->setToolTip(tr("Ends the run; the servo holds its position"));
     m_accept->setText(tr("Keep gains"));
-    m_accept->setToolTip(tr("Writes the values under Trial permanently"));
+    m_accept->setToolTip(tr("Permanently writes the values listed under Trial"));
     m_switchMode->setText(tr("Switch to position mode for the run"));
     m_switchMode->setAccessibleName(m_switchMode->text());
     m_switchMode->setToolTip(tr("Switches back after the run; nothing is stored permanently in "

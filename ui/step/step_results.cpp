@@ -143,7 +143,7 @@ QString StepResults::storedRunsText() const
     const auto& runs = m_test.runs();
     QStringList lines;
     for (std::size_t i = 0; i < opened.size(); ++i)
-        lines << tr("Test %1 of %2: %3")
+        lines << tr("Test %1 (%2): %3")
                      .arg(qint64(opened[i]))
                      .arg(runs[i].at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm")),
                           stepDetailsText(runs[i], m_catalog));
@@ -285,7 +285,7 @@ QWidget* StepResults::adviceRow(const results::StepAdvice& advice)
     if (advice.key.isEmpty())
         return row;
     if (jobs::wasMeasured(advice, m_test.runs())) {
-        words->setText(tr("%1 (measured already)").arg(sentence));
+        words->setText(tr("%1 (already measured)").arg(sentence));
         return row;
     }
     auto* button = new QPushButton(tr("Use"), row);

@@ -162,7 +162,7 @@ void StepResults::retranslate()
                                     .arg(m_test.runs().back().parameters.servo.model)
                               : QString();
     m_title->setText(name.isEmpty() ? tr("Response") : tr("Response — %1").arg(name));
-    m_title->setToolTip(tr("In steps from the start toward the goal, out and back alike"));
+    m_title->setToolTip(tr("Counted in steps from the start toward the goal, both out and back"));
     m_choiceLabel->setText(tr("Step"));
     m_choiceLabel->setVisible(m_choice->count() > 1);
     m_choice->setVisible(m_choice->count() > 1);

@@ -30,7 +30,7 @@ void StepRunsDialog::retranslate()
     setWindowTitle(tr("Earlier step responses"));
     setButtonText(m_open, tr("Open"),
                   tr("Shows the selected runs on the Step response page. Two runs are compared "
-                     "with each other; later runs are compared with the newest of them"));
+                     "with each other; later runs are compared with the newer one"));
     m_detailsOf = 0;
     RunListDialog::retranslate();
 }

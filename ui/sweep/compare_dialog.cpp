@@ -145,7 +145,7 @@ void CompareDialog::retranslate()
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
-    m_save->setText(tr("Save as page…"));
+    m_save->setText(tr("Save as web page…"));
     setTexts(m_save, m_save->text(), tr("Saves the comparison as a bilingual web page"));
     m_close->setText(tr("Close"));
     setTexts(m_close, m_close->text(), tr("Closes this comparison"));

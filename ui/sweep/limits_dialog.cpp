@@ -296,7 +296,7 @@ void LimitsDialog::retranslate()
     };
     label(m_name, tr("Name"), tr("Appears in the report"));
     label(m_models, tr("Models"),
-          tr("Models or series that these limits apply to, separated by commas; leave empty for "
+          tr("Models or families that these limits apply to, separated by commas; leave empty for "
              "any"));
     label(
         m_tolerance, tr("Tolerance, steps"),
@@ -312,7 +312,8 @@ void LimitsDialog::retranslate()
     };
     setTexts(m_add, tr("Add limit"), tr("Adds a limit for another metric"));
     setTexts(m_remove, tr("Remove limit"), tr("Removes the limit for the selected metric"));
-    setTexts(m_builtIn, tr("Load built-in"), tr("Loads the limits that come with the program"));
+    setTexts(m_builtIn, tr("Load built-in limits"),
+             tr("Loads the limits that come with the program"));
     setTexts(m_load, tr("Load…"), tr("Load limits"));
     setTexts(m_save, tr("Save as…"), QString());
     setTexts(m_cancel, tr("Cancel"), tr("Discards the changes"));

@@ -78,7 +78,7 @@ void RunsDialog::updateButtons()
 
 QString RunsDialog::deletionText() const
 {
-    return tr("The metrics, legs and settings of all servos in these tests are deleted from the "
+    return tr("The metrics, moves and settings of all servos in these tests are deleted from the "
               "history. Saved report and data files are kept.");
 }
 

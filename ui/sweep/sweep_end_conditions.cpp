@@ -45,12 +45,12 @@ void SweepEndConditions::writeTo(results::SweepSpec& spec) const
 void SweepEndConditions::retranslate()
 {
     m_title->setText(tr("End early on"));
-    m_onAlarm->setText(tr("alarm"));
+    m_onAlarm->setText(tr("Alarm"));
     m_onAlarm->setToolTip(
         tr("Any alarm that the servo reports, such as over-temperature, overload or voltage"));
-    m_onStall->setText(tr("stall"));
+    m_onStall->setText(tr("Stall"));
     m_onStall->setToolTip(tr("The servo stops too far from its goal"));
-    m_onFailure->setText(tr("first failure"));
+    m_onFailure->setText(tr("First failure"));
     m_onFailure->setToolTip(tr("A metric is beyond its limit; checked after every cycle"));
     for (QCheckBox* box : {m_onAlarm, m_onStall, m_onFailure})
         box->setAccessibleName(m_title->text() + QLatin1Char(' ') + box->text());

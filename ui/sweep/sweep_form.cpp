@@ -418,7 +418,7 @@ void SweepForm::retranslate()
             : tr("Time from one goal to the next, whether or not the goal is reached"));
     set(Until, tr("End after"), tr("Condition that completes the test"));
     set(Cycles, tr("Cycles"), tr("One cycle goes to the end and back"));
-    set(Minutes, tr("Duration"), tr("Counted from the first leg"));
+    set(Minutes, tr("Duration"), tr("Counted from the first move"));
     set(Speed, tr("Speed"),
         tr("Raw value, or a value with its unit: 30rpm. Leave empty to use the present setting"));
     set(Acceleration, tr("Acceleration"), tr("Raw value. Leave empty to use the present setting"));

@@ -136,7 +136,7 @@ QString SweepLegsModel::notice() const
     if (m_total <= m_legs.size())
         return {};
     const QLocale locale;
-    return tr("The last %1 of %2 legs are shown; the CSV and JSON files contain all legs.")
+    return tr("The last %1 of %2 moves are shown; the CSV and JSON files contain all moves.")
         .arg(locale.toString(qulonglong(m_legs.size())), locale.toString(qulonglong(m_total)));
 }
 

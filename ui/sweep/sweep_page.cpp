@@ -273,13 +273,13 @@ QString SweepPage::blockedReason() const
     if (m_workbench.link().state() != session::LinkState::Open)
         return tr("Connect first: no port is open.");
     if (m_workbench.search().isSearching())
-        return tr("A search is running; the test can start when it has ended.");
+        return tr("A search is running; the test can start when the search has ended.");
     if (m_servos->selected().empty())
         return tr("Select a servo in the list, or select one below.");
     const QString held = blockedByStopText(m_workbench.registry(), m_servos->selected());
     if (!held.isEmpty())
-        return tr("Blocked by the emergency stop, torque is off: %1. Click Allow movement to turn "
-                  "torque on; nothing moves until you click Run.")
+        return tr("Movement is blocked by the emergency stop, and torque is off: %1. Click Allow "
+                  "movement to turn torque on; nothing moves until you click Run.")
             .arg(held);
     return m_form->inputError();
 }
@@ -433,8 +433,8 @@ void SweepPage::retranslate()
     m_run->setText(tr("Run"));
     m_run->setToolTip(tr("Starts the test: the servos will move"));
     m_stop->setText(tr("Stop"));
-    m_stop->setToolTip(
-        tr("Ends the test; the servos hold their position or torque is turned off, as selected"));
+    m_stop->setToolTip(tr("Ends the test; the servos hold their position or torque is turned off, "
+                          "as selected under Afterwards"));
     m_switchMode->setText(tr("Switch to position mode for the test"));
     m_switchMode->setToolTip(tr("Switches back after the test; nothing is stored permanently in "
                                 "the servo"));

@@ -350,8 +350,8 @@ void SweepResults::retranslate()
     if (m_tabs->count() > 2)
         m_tabs->setTabText(2, tr("Report"));
     m_verdictView->setAccessibleName(tr("Metrics and their grades"));
-    m_legsView->setAccessibleName(tr("Legs"));
-    m_verdictView->setToolTip(tr("The tooltip of each row shows more"));
+    m_legsView->setAccessibleName(tr("Moves"));
+    m_verdictView->setToolTip(tr("Hover over a row for details"));
     m_legsView->setToolTip(m_verdictView->toolTip());
     m_all->setText(tr("All metrics"));
     m_all->setToolTip(tr("Shows metrics without a limit, too"));
@@ -360,15 +360,16 @@ void SweepResults::retranslate()
     for (QPushButton* button : m_reports) {
         button->setToolTip(
             button->text() == QLatin1StringView("CSV")
-                ? tr("Saves all legs as a table and all readings in a file next to it")
-                : tr("Saves the report as %1 and all readings in a file next to it")
+                ? tr("Saves all moves as a table and all readings in a second file in the same "
+                     "folder")
+                : tr("Saves the report as %1 and all readings in a second file in the same folder")
                       .arg(button->text()));
         button->setAccessibleName(button->toolTip());
     }
     for (QPushButton* button : {m_previousTests, m_emptyPreviousTests}) {
         button->setText(tr("Earlier tests…"));
         button->setAccessibleName(button->text());
-        button->setToolTip(tr("Shows saved tests, compares two, and selects a reference"));
+        button->setToolTip(tr("Lists saved tests; you can compare two or select a reference"));
     }
     m_all->setAccessibleName(m_all->text());
     if (m_saveError) {

@@ -170,8 +170,8 @@ void SweepServos::showVerdicts()
     m_filling = false;
     m_table->setColumnHidden(Verdicts, m_verdicts.empty());
     const bool narrow = !m_verdicts.empty();
-    m_table->horizontalHeaderItem(Start)->setText(narrow ? tr("Start") : tr("own start"));
-    m_table->horizontalHeaderItem(End)->setText(narrow ? tr("End") : tr("own end"));
+    m_table->horizontalHeaderItem(Start)->setText(narrow ? tr("Start") : tr("Own start"));
+    m_table->horizontalHeaderItem(End)->setText(narrow ? tr("End") : tr("Own end"));
 }
 
 void SweepServos::markRow(session::ServoRef ref)
@@ -306,7 +306,7 @@ void SweepServos::retranslate()
     m_title->setText(tr("Servos"));
     m_table->setAccessibleName(tr("Servos to test"));
     m_table->setHorizontalHeaderLabels(
-        {tr("Servo"), tr("own start"), tr("own end"), tr("Verdict")});
+        {tr("Servo"), tr("Own start"), tr("Own end"), tr("Verdict")});
     m_table->setToolTip(
         tr("Select the servos to test; enter their own start and end where needed"));
     m_limits->setText(tr("Limits…"));

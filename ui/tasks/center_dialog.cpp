@@ -43,7 +43,8 @@ CenterDialog::CenterDialog(session::Workbench& workbench, session::ServoRef serv
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("center"), detail,
                               entry()->servo.id};
     showResult([refused] {
-        return refusedText(refused, translate("ServoTasks", "Not supported by this servo."));
+        return refusedText(refused,
+                           translate("ServoTasks", "This servo does not support this action."));
     });
 }
 

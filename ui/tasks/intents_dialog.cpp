@@ -42,8 +42,9 @@ QString remainingChangesLine(const RecoveryResult& one, const catalog::Catalog& 
         names << text::registerName(profile.get(), key);
     return names.isEmpty()
                ? QString()
-               : translate("ServoTasks", "Left unchanged because the value has since changed, or "
-                                         "because writing it would move the servo: %1")
+               : translate("ServoTasks",
+                           "These registers were left unchanged because their values have since "
+                           "changed or because writing them would move the servo: %1")
                      .arg(names.join(QStringLiteral(", ")));
 }
 

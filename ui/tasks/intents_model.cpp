@@ -220,11 +220,11 @@ QVariant IntentsModel::headerData(int section, Qt::Orientation orientation, int 
         return {};
     switch (static_cast<IntentColumn>(section)) {
     case IntentColumn::When:
-        return translate("ServoTasks", "When");
+        return translate("ServoTasks", "Time");
     case IntentColumn::Servo:
         return translate("ServoTasks", "Servo");
     case IntentColumn::What:
-        return translate("ServoTasks", "What");
+        return translate("ServoTasks", "Operation");
     case IntentColumn::Change:
         return translate("ServoTasks", "Change");
     case IntentColumn::Found:

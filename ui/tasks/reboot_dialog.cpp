@@ -16,7 +16,8 @@ RebootDialog::RebootDialog(session::Workbench& workbench, session::ServoRef serv
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("reboot"),
                               QStringLiteral("no-reboot"), entry()->servo.id};
     showResult([refused] {
-        return refusedText(refused, translate("ServoTasks", "Not supported by this servo."));
+        return refusedText(refused,
+                           translate("ServoTasks", "This servo does not support this action."));
     });
 }
 
@@ -33,9 +34,9 @@ void RebootDialog::retranslate()
         translate("ServoTasks",
                   "Torque is turned off first, so a load hanging on the shaft will drop. "
                   "Temporarily written values and the turn count are lost. ServoDesk keeps the "
-                  "whole bus quiet for up to two seconds until the servo answers again."),
+                  "whole bus quiet for up to two seconds until the servo replies again."),
         translate("ServoTasks", "Reboot"),
-        translate("ServoTasks", "Turns torque off, reboots the servo and waits until it answers"));
+        translate("ServoTasks", "Turns torque off, reboots the servo and waits for its reply"));
 }
 
 void RebootDialog::refresh()
@@ -63,7 +64,7 @@ void RebootDialog::runAction()
         showResult([elapsed] {
             return TaskText{
                 Tone::Good,
-                translate("ServoTasks", "The servo has rebooted and answers again."),
+                translate("ServoTasks", "The servo has rebooted and replies again."),
                 {translate("ServoTasks", "The reboot took %1 ms. Torque is off.").arg(*elapsed)}};
         });
     });

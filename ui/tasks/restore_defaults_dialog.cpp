@@ -42,7 +42,8 @@ RestoreDefaultsDialog::RestoreDefaultsDialog(session::Workbench& workbench, sess
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("restore-defaults"),
                               QStringLiteral("no-restore"), entry()->servo.id};
     showResult([refused] {
-        return refusedText(refused, translate("ServoTasks", "Not supported by this servo."));
+        return refusedText(refused,
+                           translate("ServoTasks", "This servo does not support this action."));
     });
 }
 

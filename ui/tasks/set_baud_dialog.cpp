@@ -91,7 +91,7 @@ void SetBaudDialog::validate()
         lines << translate("ServoTasks", "The servo already uses this baud rate.");
     } else {
         lines << translate("ServoTasks",
-                           "After this, the servo answers only at %1 baud. ServoDesk switches "
+                           "After this, the servo replies only at %1 baud. ServoDesk switches "
                            "automatically; other programs must be set to the new baud rate.")
                      .arg(m_rates->currentText());
         if (const int others = neighbors(); others > 0)

@@ -152,16 +152,16 @@ void SetIdDialog::validate()
     if (own)
         m_state->setText(translate("ServoTasks", "The servo already has this ID."));
     else if (holder != nullptr)
-        m_state->setText(translate("ServoTasks", "ID %1 belongs to another servo (%2). Two "
-                                                 "servos with the same ID answer at the same "
-                                                 "time, and neither reply can be read.")
+        m_state->setText(translate("ServoTasks",
+                                   "ID %1 belongs to another servo (%2). Two servos with the same "
+                                   "ID reply at the same time, so neither reply can be read.")
                              .arg(id)
                              .arg(modelName(*holder)));
     else
         m_state->setText(
             translate(
                 "ServoTasks",
-                "ServoDesk first checks ID %1 and writes it only if no servo answers with this ID.")
+                "ServoDesk first checks ID %1 and writes it only if no servo replies with this ID.")
                 .arg(id));
     setReady(!own && holder == nullptr);
 }

@@ -152,7 +152,7 @@ QString markText(const session::ServoRegistry& registry, const recording::Mark& 
     else if (mark.kind == MarkKind::LinkError)
         words = translate("Trend", "no reply");
     else if (mark.kind == MarkKind::LinkRestored)
-        words = translate("Trend", "answers again");
+        words = translate("Trend", "replies again");
     else if (mark.kind == MarkKind::Stop)
         words = translate("Trend", "emergency stop");
     else if (mark.kind == MarkKind::Write) // "position_p 32 → 40"

@@ -202,14 +202,14 @@ void TriggerDialog::retranslate()
                       tr("The value is above a level"), tr("The value is below a level"),
                       tr("The servo starts to move"), tr("The servo has stopped"),
                       tr("A fault appears"), tr("A value is written"),
-                      tr("A servo stops answering")});
+                      tr("A servo stops replying")});
     m_kind->setCurrentIndex(kind);
     setFieldText(m_form, m_kind, tr("Wait until"), tr("Event that the chart waits for"));
     setFieldText(m_form, m_curve, tr("Channel"), tr("Channel that is monitored"));
     setFieldText(m_form, m_level, tr("Level"), tr("In the unit of the channel"));
     setFieldText(m_form, m_hysteresis, tr("Hysteresis"),
-                 tr("Distance the value must first move to the opposite side of the level; "
-                    "prevents repeated triggering by noise"));
+                 tr("How far the value must first move to the other side of the level; prevents "
+                    "repeated triggering by noise"));
     setFieldText(m_form, m_pre, tr("Seconds before"), tr("Time shown before the trigger"));
     setFieldText(m_form, m_post, tr("Seconds after"),
                  tr("Time shown after the trigger; then the chart pauses"));

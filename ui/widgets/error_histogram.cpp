@@ -161,7 +161,7 @@ QString ErrorHistogram::summary() const
     if (m_count == 0)
         return tr("No steady-state error has been measured yet.");
     const QString step = unitName(QStringLiteral("step"));
-    QStringList lines{tr("Legs: %1. From %2 to %3 %4, mean %5 %4.")
+    QStringList lines{tr("Moves: %1. Error: %2 to %3 %4, mean %5 %4.")
                           .arg(locale().toString(qulonglong(m_count)),
                                signedNumber(double(m_errors.begin()->first) / parts),
                                signedNumber(double(m_errors.rbegin()->first) / parts), step,
@@ -190,7 +190,7 @@ QString ErrorHistogram::barText(const QPoint& bin) const
         if (bin.x() < frame.x(bar.from) || bin.x() >= frame.x(bar.to))
             continue;
         const double share = 100.0 * double(bar.count) / double(m_count);
-        return tr("%1 to %2 %3: %4 of %5 legs (%6 %)")
+        return tr("%1 to %2 %3: %4 of %5 moves (%6 %)")
             .arg(signedNumber(bar.from), signedNumber(bar.to), unitName(QStringLiteral("step")),
                  locale().toString(qulonglong(bar.count)), locale().toString(qulonglong(m_count)),
                  locale().toString(share, 'f', 1));

@@ -279,7 +279,7 @@ QString faultText(const QString& key)
     };
     static constexpr std::array words{
         Word{"voltage", QT_TRANSLATE_NOOP("Feedback", "Voltage out of range")},
-        Word{"sensor", QT_TRANSLATE_NOOP("Feedback", "Encoder fault")},
+        Word{"sensor", QT_TRANSLATE_NOOP("Feedback", "Sensor fault")},
         Word{"temperature", QT_TRANSLATE_NOOP("Feedback", "Over-temperature")},
         Word{"current", QT_TRANSLATE_NOOP("Feedback", "Overcurrent")},
         Word{"angle", QT_TRANSLATE_NOOP("Feedback", "Angle fault")},

@@ -75,7 +75,7 @@ void NoteDialog::retranslate()
     m_note->setAccessibleName(tr("Note"));
     m_note->setToolTip(tr("Additional information"));
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
-    setButtonText(save, tr("Save"), tr("Saves label and note"));
+    setButtonText(save, tr("Save"), tr("Saves the label and the note"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
     setButtonText(cancel, tr("Cancel"), tr("Discards the changes"));
 }

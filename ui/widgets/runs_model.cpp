@@ -131,7 +131,7 @@ QVariant RunsModel::headerData(int section, Qt::Orientation orientation, int rol
     case RunColumn::Number:
         return translate("ui::RunListDialog", "Run");
     case RunColumn::When:
-        return translate("ui::RunListDialog", "When");
+        return translate("ui::RunListDialog", "Time");
     case RunColumn::Servo:
         return translate("ui::RunListDialog", "ID");
     case RunColumn::Model:

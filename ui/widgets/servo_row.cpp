@@ -101,10 +101,10 @@ QString lockRemark(const session::ServoEntry& entry, bool old)
     const bool isReadSinceWrites = isLockReadSinceWrites(entry);
     if (!entry.lockOpenedByUs)
         return isReadSinceWrites ? translate("ServoRow", "EPROM unlocked")
-                                 : translate("ServoRow", "EPROM not confirmed as locked");
+                                 : translate("ServoRow", "EPROM lock not confirmed");
     return isReadSinceWrites && !entry.silent && !old
                ? translate("ServoRow", "EPROM unlocked by ServoDesk")
-               : translate("ServoRow", "EPROM unlocked by ServoDesk, not confirmed as locked");
+               : translate("ServoRow", "EPROM unlocked by ServoDesk, lock not confirmed");
 }
 
 std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,

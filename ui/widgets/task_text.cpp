@@ -99,7 +99,7 @@ bool isAnswering(const device::WriteReport& report)
 
 QString addressText(const device::Servo& servo)
 {
-    return servo.baud > 0 ? translate("ServoTasks", "The servo answers as ID %1 at %2 baud.")
+    return servo.baud > 0 ? translate("ServoTasks", "The servo replies as ID %1 at %2 baud.")
                                 .arg(servo.id)
                                 .arg(rateText(servo.baud))
                           : translate("ServoTasks", "The servo replies as ID %1.").arg(servo.id);
@@ -116,14 +116,15 @@ QString possibleAddressText(const session::ServoEntry& entry, const device::Writ
     const QString before = valueText(entry.servo, write.key, write.oldRaw);
     const QString after = valueText(entry.servo, write.key, write.newRaw);
     if (reg->role == catalog::Role::BaudRate)
-        return translate("ServoTasks",
-                         "The servo did not reply at the end, so its baud rate may be %1 or %2. To "
-                         "find it, use Port → Interrupted writes or search at both baud rates.")
+        return translate(
+                   "ServoTasks",
+                   "The servo did not reply at the end, so its baud rate may be %1 or %2. To find "
+                   "the servo, use Port → Interrupted writes or search at both baud rates.")
             .arg(before, after);
     if (reg->role == catalog::Role::Id)
         return translate("ServoTasks",
                          "The servo did not reply at the end, so its ID may be %1 or %2. To find "
-                         "it, use Port → Interrupted writes or search the bus.")
+                         "the servo, use Port → Interrupted writes or search the bus.")
             .arg(before, after);
     return {};
 }

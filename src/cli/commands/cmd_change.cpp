@@ -138,7 +138,7 @@ Command centerCommand()
 Command rebootCommand()
 {
     return {"reboot",
-            QT_TRANSLATE_NOOP("cli", "reboot a servo and wait until it answers"),
+            QT_TRANSLATE_NOOP("cli", "reboot a servo and wait for its reply"),
             {servoIdArgument},
             {},
             runReboot};

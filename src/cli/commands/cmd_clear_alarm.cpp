@@ -102,7 +102,8 @@ Command clearAlarmCommand()
         "clear-alarm",
         QT_TRANSLATE_NOOP("cli", "show the cause of an alarm and clear it"),
         {servoIdArgument},
-        {{"--move", QT_TRANSLATE_NOOP("cli", "allow slight servo movement and turning torque on")}},
+        {{"--move", QT_TRANSLATE_NOOP(
+                        "cli", "allow the servo to move slightly and its torque to be turned on")}},
         runClearAlarm};
 }
 } // namespace cli

@@ -253,20 +253,22 @@ QString confirmText(const CommissionView& view)
         return text + QLatin1Char(' ') +
                translate("cli", "A servo of this model is unfinished, and no IDs are left for "
                                 "other servos. If this is that servo, type \"s\" and press Enter. "
-                                "To set it aside, type \"a\" and press Enter.");
+                                "To set this servo aside, type \"a\" and press Enter.");
     if (view.candidateId >= 0)
         text +=
             QLatin1Char(' ') +
-            translate("cli",
-                      "A servo of this model is unfinished; its assigned ID is %1. If this is that "
-                      "servo, type \"s\" and press Enter; otherwise it is set up as a new servo.")
+            translate(
+                "cli",
+                "A servo of this model is unfinished; its assigned ID is %1. If this is that "
+                "servo, type \"s\" and press Enter; otherwise this servo is set up as a new one.")
                 .arg(view.candidateId);
     else if (view.isResumed)
         text += QLatin1Char(' ') + translate("cli", "A servo of this model is unfinished in this "
                                                     "batch. Continue only if this is that servo.");
     return text + QLatin1Char(' ') +
-           translate("cli",
-                     "Press Enter to continue, or type \"a\" and press Enter to set it aside.");
+           translate(
+               "cli",
+               "Press Enter to continue, or type \"a\" and press Enter to set the servo aside.");
 }
 
 QString viewText(const CommissionView& view)
@@ -280,20 +282,22 @@ QString viewText(const CommissionView& view)
                     .arg(view.newId),
                 view.issues);
         return view.newId < 0
-                   ? translate("cli", "No IDs are left. Waiting for an unfinished servo.")
+                   ? translate("cli",
+                               "No IDs are left. Waiting for a servo whose setup is not finished.")
                    : translate("cli", "Connect the next servo (it will get ID %1).")
                          .arg(view.newId);
     case CommissionStep::Blocked:
         switch (view.obstacle) {
         case jobs::CommissionObstacle::DuplicateId:
-            return translate("cli", "Several servos are answering. Leave only one connected. "
-                                    "Nothing is written.");
+            return translate("cli",
+                             "Several servos reply. Leave only one connected. Nothing is written.");
         case jobs::CommissionObstacle::DuplicateIds:
-            return translate("cli", "Two servos are answering with ID %1. Leave only one "
-                                    "connected. Nothing is written.")
+            return translate(
+                       "cli",
+                       "Two servos reply with ID %1. Leave only one connected. Nothing is written.")
                 .arg(view.detected.empty() ? -1 : view.detected.front().place.id);
         default:
-            return translate("cli", "A device is answering but could not be identified.");
+            return translate("cli", "A device replies but could not be identified.");
         }
     case CommissionStep::Confirm:
         return confirmText(view);
@@ -452,8 +456,7 @@ Command commissionCommand()
 {
     return {
         "commission",
-        QT_TRANSLATE_NOOP("cli",
-                          "set up servos connected one after another: template, ID, baud rate"),
+        QT_TRANSLATE_NOOP("cli", "set up servos one at a time: template, ID, baud rate"),
         {},
         {{"--batch", QT_TRANSLATE_NOOP("cli", "batch list file; an existing batch is resumed"),
           "FILE.csv"},

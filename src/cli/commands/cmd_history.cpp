@@ -54,7 +54,7 @@ Table tableOf(const std::vector<history::HistoryServo>& servos)
 Table tableOf(const std::vector<history::HistoryWrite>& writes,
               const history::HistoryProfiles& profiles)
 {
-    Table table({translate("cli", "Write"), translate("cli", "When"), translate("cli", "ID"),
+    Table table({translate("cli", "Write"), translate("cli", "Time"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Register"),
                  translate("cli", "Old"), translate("cli", "New"), translate("cli", "Outcome"),
                  translate("cli", "Kind"), translate("cli", "Port")});
@@ -72,7 +72,7 @@ Table tableOf(const std::vector<history::HistoryWrite>& writes,
 
 Table tableOf(const std::vector<history::HistorySnapshot>& snapshots)
 {
-    Table table({translate("cli", "Snapshot"), translate("cli", "When"), translate("cli", "ID"),
+    Table table({translate("cli", "Snapshot"), translate("cli", "Time"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Note"),
                  translate("cli", "Reason"), translate("cli", "Registers"),
                  translate("cli", "File")});
@@ -90,9 +90,9 @@ Table tableOf(const std::vector<history::HistorySnapshot>& snapshots)
 
 Table tableOf(const std::vector<history::HistoryAlarm>& alarms)
 {
-    Table table({translate("cli", "Alarm"), translate("cli", "When"), translate("cli", "Cleared"),
+    Table table({translate("cli", "Alarm"), translate("cli", "Time"), translate("cli", "Cleared"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
-                 translate("cli", "What")});
+                 translate("cli", "Kind")});
     table.alignRight({0, 3});
     for (const history::HistoryAlarm& alarm : alarms)
         table.add({shown(alarm.number), formatTime(alarm.at), formatTime(alarm.clearedAt),
@@ -103,7 +103,7 @@ Table tableOf(const std::vector<history::HistoryAlarm>& alarms)
 
 Table tableOf(const std::vector<history::HistoryRecording>& recordings)
 {
-    Table table({translate("cli", "Recording"), translate("cli", "When"),
+    Table table({translate("cli", "Recording"), translate("cli", "Time"),
                  translate("cli", "Length"), translate("cli", "ID"), translate("cli", "Readings"),
                  translate("cli", "File")});
     table.alignRight({0, 2, 4});
@@ -121,7 +121,7 @@ Table tableOf(const std::vector<history::HistoryRecording>& recordings)
 
 Table tableOf(const std::vector<history::TestRun>& runs)
 {
-    Table table({translate("cli", "Run"), translate("cli", "When"), translate("cli", "Test"),
+    Table table({translate("cli", "Run"), translate("cli", "Time"), translate("cli", "Test"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
                  translate("cli", "Verdict"), translate("cli", "Note")});
     table.alignRight({0, 3});
@@ -190,7 +190,7 @@ base::Result<HistoryKind> kindOf(const Values& values)
     const auto kind = history::historyKindFromName(word);
     if (!kind)
         return badArgument(translate("cli", "--kind must be writes, snapshots, alarms, recordings, "
-                                            "runs, servos or, on a server, benches"));
+                                            "runs or servos; on a server also benches"));
     return *kind;
 }
 

@@ -133,7 +133,7 @@ base::Result<Exit> showWrite(Run& run, const Values& values)
 QString renamedText(const history::HistoryServo& servo, bool another)
 {
     const QString line =
-        another ? translate("cli", "The %1 answering as ID %2 is now servo #%3, \"%4\"")
+        another ? translate("cli", "The %1 replying as ID %2 is now servo #%3, \"%4\"")
         : servo.label.isEmpty()
             ? translate("cli", "The %1 with ID %2, servo #%3, no longer has a label")
             : translate("cli", "The %1 with ID %2, servo #%3, now has the label \"%4\"");
@@ -279,8 +279,9 @@ Command historyLabelCommand()
              {"LABEL", QT_TRANSLATE_NOOP("cli", "new label; \"\" removes it")}},
             {{"--another",
               QT_TRANSLATE_NOOP(
-                  "cli", "from now on, treat the servo that gives these replies as a different "
-                         "servo, with this label; earlier entries stay with the previous servo")}},
+                  "cli",
+                  "from now on, treat the servo that replies with this model and ID as a different "
+                  "servo, with this label; earlier entries stay with the previous servo")}},
             runLabel};
 }
 

@@ -82,7 +82,7 @@ QString infoText(const device::Servo& servo)
     };
     row(translate("cli", "Model known"),
         profile.modelKnown ? translate("cli", "yes") : translate("cli", "no, only the family"));
-    row(translate("cli", "Series, register map"),
+    row(translate("cli", "Family, register map"),
         profile.series.isEmpty() ? profile.mapKey
                                  : QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
     row(translate("cli", "Protocol, line"),
@@ -120,8 +120,8 @@ base::Result<Exit> runInfo(Run& run, const Values& values)
     const catalog::Register* lock = registerOf(*servo, Role::Lock);
     if (lock != nullptr && servo->raw(*lock) == 0) {
         text += (run.hasOpenChange(servo->id)
-                     ? translate("cli", "The EPROM is unlocked because a change to this servo "
-                                        "was interrupted. To finish or undo it: %1")
+                     ? translate("cli", "The EPROM is unlocked because a change to this servo was "
+                                        "interrupted. To finish or undo the change: %1")
                            .arg(run.recoverCommand())
                      : translate("cli", "The EPROM is unlocked. To lock it: servodesk-cli write "
                                         "%1 lock=1")

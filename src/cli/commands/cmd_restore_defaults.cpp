@@ -25,7 +25,7 @@ QString restoreText(const jobs::RestoreDefaultsReport& report)
 {
     const QStringList changed(report.changed.begin(), report.changed.end());
     QStringList lines;
-    lines << translate("cli", "The servo answers as ID %1 at %2 baud.")
+    lines << translate("cli", "The servo replies as ID %1 at %2 baud.")
                  .arg(report.newId)
                  .arg(report.newBaud);
     lines << (changed.isEmpty() ? translate("cli", "No register has changed.")

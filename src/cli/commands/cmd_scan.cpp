@@ -88,8 +88,9 @@ QString remarks(const jobs::ScanReport& report)
         QStringList rates;
         for (const int rate : report.rates)
             rates << QString::number(rate);
-        lines << translate("cli", "No servo answered. Check the power supply and wiring, and "
-                                  "try --bauds all.")
+        lines << translate(
+                     "cli",
+                     "No servo replied. Check the power supply and wiring, and try --bauds all.")
               << translate("cli", "Searched at %1 baud. Only Feetech servos use 1000000 baud; "
                                   "LX, Modbus and most SMS servos use 115200.")
                      .arg(rates.join(QStringLiteral(", ")));
@@ -99,8 +100,9 @@ QString remarks(const jobs::ScanReport& report)
             "cli", "Unreadable data was received, but no servo could be confirmed. Possible "
                    "causes: another baud rate, two servos with the same ID, or noise.");
     if (report.slowPassAdvised)
-        lines << translate("cli", "Several servos answered late, so others may have been "
-                                  "missed. Try again with --slow.");
+        lines << translate(
+            "cli",
+            "Several servos replied late, so others may have been missed. Try again with --slow.");
     for (const int rate : report.unsupportedRates)
         lines << translate("cli", "This adapter does not support %1 baud.").arg(rate);
     for (const int rate : report.busyRates)

@@ -97,7 +97,7 @@ Command stepCompareCommand()
           QT_TRANSLATE_NOOP(
               "cli",
               "step response before the change: number in the history, or a .json report file")},
-         {"B", QT_TRANSLATE_NOOP("cli", "step response after")}},
+         {"B", QT_TRANSLATE_NOOP("cli", "step response after the change")}},
         {{"--report", QT_TRANSLATE_NOOP("cli", "write both runs to a file"),
           "FILE.html|pdf|json|csv"}},
         runStepCompare};

@@ -87,8 +87,8 @@ QString gapsText(const results::SweepRun& run)
         gaps << QStringLiteral("%1–%2 s").arg(seconds(gap.at), seconds(gap.at + gap.span));
     if (gaps.isEmpty())
         return {};
-    return translate("cli", "Gaps without readings: %1. Legs with such a gap have no times or "
-                            "speeds.")
+    return translate("cli",
+                     "Gaps without readings: %1. Moves with such a gap have no times or speeds.")
                .arg(gaps.join(QStringLiteral(", "))) +
            QLatin1Char('\n');
 }
@@ -177,8 +177,9 @@ void SweepCommand::warnAboutSpeed(const device::Context& context)
             continue;
         if (estimate->minMove > 0)
             m_run.console().printMessage(
-                translate("cli", "Servo %1: most legs are too short for a verdict. A goal counts "
-                                 "as reached within %2 steps, so each leg needs at least %3 steps.")
+                translate("cli",
+                          "Servo %1: most moves are too short for a verdict. A goal counts as "
+                          "reached within %2 steps, so each move needs at least %3 steps.")
                     .arg(QString::number(m_servos[i].id), number(estimate->axis.tolerance),
                          QString::number(std::ceil(estimate->minMove))));
         if (!estimate->tooShort)
@@ -187,10 +188,10 @@ void SweepCommand::warnAboutSpeed(const device::Context& context)
             QString::number(estimate->proposedDelay / std::chrono::milliseconds(1));
         const bool sine = m_order.spec.shape == results::SweepShape::Sine;
         m_run.console().printMessage(
-            (sine ? translate("cli", "Servo %1: the sine is faster than the servo can move. Use a "
+            (sine ? translate("cli", "Servo %1: the sine wave is too fast for the servo. Use a "
                                      "period of at least %2 ms.")
                   : translate("cli",
-                              "Servo %1: the delay is too short for the longest leg, so the servo "
+                              "Servo %1: the delay is too short for the longest move, so the servo "
                               "reverses before it arrives. A delay of %2 ms is enough."))
                 .arg(m_servos[i].id)
                 .arg(enough));

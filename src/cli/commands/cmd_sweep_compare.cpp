@@ -213,16 +213,14 @@ base::Result<Exit> runSweepCompare(Run& run, const Values& values)
 
 Command sweepCompareCommand()
 {
-    return {
-        "sweep-compare",
-        QT_TRANSLATE_NOOP("cli", "compare two sweep tests; needs no port"),
-        {{"A",
-          QT_TRANSLATE_NOOP(
-              "cli", "test run in the history (12, or 12:3 for its ID 3), or a .json report file")},
-         {"B", QT_TRANSLATE_NOOP("cli", "test run to compare with the first one")}},
-        {{"--servo", QT_TRANSLATE_NOOP("cli", "servo to compare, if a run has several"), "ID"},
-         {"--report", QT_TRANSLATE_NOOP("cli", "save the comparison as a web page (.html)"),
-          "FILE"}},
-        runSweepCompare};
+    return {"sweep-compare",
+            QT_TRANSLATE_NOOP("cli", "compare two sweep tests; needs no port"),
+            {{"A", QT_TRANSLATE_NOOP("cli", "test run in the history (12, or 12:3 for ID 3 of that "
+                                            "run), or a .json report file")},
+             {"B", QT_TRANSLATE_NOOP("cli", "test run to compare with the first one")}},
+            {{"--servo", QT_TRANSLATE_NOOP("cli", "servo to compare, if a run has several"), "ID"},
+             {"--report", QT_TRANSLATE_NOOP("cli", "save the comparison as a web page (.html)"),
+              "FILE"}},
+            runSweepCompare};
 }
 } // namespace cli

@@ -58,7 +58,7 @@ QString referenceText(const history::TestRun& run, const history::TestServo& ser
 /// A step response has no verdict and no reference.
 QString stepRunsListText(const std::vector<history::TestRun>& runs)
 {
-    Table table({translate("cli", "Run"), translate("cli", "When"), translate("cli", "ID"),
+    Table table({translate("cli", "Run"), translate("cli", "Time"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Firmware"),
                  translate("cli", "Result"), translate("cli", "Label"), translate("cli", "Note")});
     table.alignRight({0, 2});
@@ -75,7 +75,7 @@ QString stepRunsListText(const std::vector<history::TestRun>& runs)
 
 QString sweepRunsText(const std::vector<history::TestRun>& runs)
 {
-    Table table({translate("cli", "Run"), translate("cli", "When"), translate("cli", "ID"),
+    Table table({translate("cli", "Run"), translate("cli", "Time"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Firmware"),
                  translate("cli", "Verdict"), translate("cli", "Reference"),
                  translate("cli", "Label"), translate("cli", "Note")});
@@ -195,11 +195,12 @@ Command stepRunsCommand()
 
 Command sweepReferenceCommand()
 {
-    return {"sweep-reference",
-            QT_TRANSLATE_NOOP("cli", "set a servo of a test run as the reference for its model"),
-            {{"RUN", QT_TRANSLATE_NOOP(
-                         "cli", "test run number in the history: 12, or 12:3 for its ID 3")}},
-            {{"--clear", QT_TRANSLATE_NOOP("cli", "remove the reference mark")}},
-            runReference};
+    return {
+        "sweep-reference",
+        QT_TRANSLATE_NOOP("cli", "set a servo of a test run as the reference for its model"),
+        {{"RUN", QT_TRANSLATE_NOOP(
+                     "cli", "test run number in the history: 12, or 12:3 for ID 3 of that run")}},
+        {{"--clear", QT_TRANSLATE_NOOP("cli", "remove the reference mark")}},
+        runReference};
 }
 } // namespace cli

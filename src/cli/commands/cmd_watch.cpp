@@ -73,7 +73,7 @@ base::Result<jobs::WatchSpec> timesOf(const Values& values)
             return tl::unexpected(hertz.error());
         spec.period = base::Duration(std::llround(1e6 / *hertz));
     }
-    if (const auto length = values.option("--for")) {
+    if (const auto length = values.option("--duration")) {
         const auto seconds = parsePositive(*length);
         if (!seconds)
             return tl::unexpected(seconds.error());
@@ -198,7 +198,7 @@ Command watchCommand()
         {{"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1 2 3, 1-6 or 1,3"), 1, many}},
         {{"--rate", QT_TRANSLATE_NOOP("cli", "readings per second for each servo (default: 20)"),
           "HZ|max"},
-         {"--for",
+         {"--duration",
           QT_TRANSLATE_NOOP("cli", "end after this many seconds (default: run until Ctrl-C)"), "S"},
          {"--csv", QT_TRANSLATE_NOOP("cli", "write the readings to a file"), "FILE"}},
         runWatch};

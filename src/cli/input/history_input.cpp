@@ -52,7 +52,7 @@ base::Result<void> takeFilter(const history::History* history, const Values& val
     const auto limit = [](const QString& word) { return parseInt(word, 1, maxRows); };
     if (const auto id = takeOption(values, "--id", parseId, filter.id); !id)
         return id;
-    if (const auto rows = takeOption(values, "--most", limit, filter.limit); !rows)
+    if (const auto rows = takeOption(values, "--limit", limit, filter.limit); !rows)
         return rows;
     if (const auto from = takeOption(values, "--since", time, filter.from); !from)
         return from;
@@ -82,9 +82,9 @@ std::vector<Option> historyOptions()
          "TIME"},
         {"--until", QT_TRANSLATE_NOOP("cli", "only entries before this time"), "TIME"},
         {"--register", QT_TRANSLATE_NOOP("cli", "only writes to this register"), "KEY"},
-        {"--trouble",
+        {"--problems",
          QT_TRANSLATE_NOOP("cli", "only writes that failed and alarms that are still active")},
-        {"--most", QT_TRANSLATE_NOOP("cli", "maximum number of rows, newest first (default: 200)"),
+        {"--limit", QT_TRANSLATE_NOOP("cli", "maximum number of rows, newest first (default: 200)"),
          "N"},
     };
 }
@@ -104,7 +104,7 @@ base::Result<history::HistoryFilter> historyFilter(const history::History* histo
     filter.model = values.option("--model").value_or(QString());
     filter.label = values.option("--label").value_or(QString());
     filter.key = values.option("--register").value_or(QString());
-    filter.onlyProblems = values.has("--trouble");
+    filter.onlyProblems = values.has("--problems");
     filter.limit = defaultRows;
     if (const auto taken = takeFilter(history, values, filter); !taken)
         return tl::unexpected(taken.error());

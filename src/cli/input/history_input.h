@@ -9,7 +9,7 @@
 #include "history/history_profiles.h"
 
 namespace cli {
-/// --servo, --id, --model, --label, --since, --until, --register, --trouble, --most
+/// --servo, --id, --model, --label, --since, --until, --register, --problems, --limit
 std::vector<Option> historyOptions();
 /// Null: there is no history yet; it is not created.
 base::Result<std::unique_ptr<history::History>> openHistory();

@@ -114,7 +114,7 @@ base::Result<void> takePace(const Values& values, SweepSpec& spec)
 
 base::Result<void> takeEnd(const Values& values, SweepSpec& spec)
 {
-    if (const auto taken = takeSpan(values, "--for", minSpan, maxSpan, spec.length); !taken)
+    if (const auto taken = takeSpan(values, "--duration", minSpan, maxSpan, spec.length); !taken)
         return taken;
     // With a duration, the number of cycles is unlimited unless it is given too.
     spec.cycles = spec.length > base::Duration::zero() ? 0 : 10;
@@ -192,15 +192,15 @@ std::vector<Option> sweepOptions()
          "POS"},
         {"--to", QT_TRANSLATE_NOOP("cli", "end position: raw or with its unit"), "POS"},
         {"--delay",
-         QT_TRANSLATE_NOOP("cli", "time from one goal to the next, whether reached "
-                                  "or not"),
+         QT_TRANSLATE_NOOP("cli",
+                           "time from one goal to the next, whether or not the goal is reached"),
          "MS"},
         {"--dwell",
          QT_TRANSLATE_NOOP("cli", "pause after each goal is reached, instead of "
                                   "--delay"),
          "MS"},
         {"--cycles", QT_TRANSLATE_NOOP("cli", "number of cycles (default: 10)"), "N"},
-        {"--for", QT_TRANSLATE_NOOP("cli", "end after this many seconds"), "S"},
+        {"--duration", QT_TRANSLATE_NOOP("cli", "end after this many seconds"), "S"},
         {"--step", QT_TRANSLATE_NOOP("cli", "move in steps of this size, up and down"), "N"},
         {"--both-sides", QT_TRANSLATE_NOOP("cli", "approach the midpoint from both sides as well")},
         {"--random",
@@ -216,8 +216,8 @@ std::vector<Option> sweepOptions()
         {"--switch-mode",
          QT_TRANSLATE_NOOP(
              "cli", "switch servos in other modes to position mode for the test, then back")},
-        {"--release", QT_TRANSLATE_NOOP("cli", "turn torque off at the end (default: hold)")},
-        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "end at the first failed limit")},
+        {"--torque-off", QT_TRANSLATE_NOOP("cli", "turn torque off at the end (default: hold)")},
+        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "stop at the first limit that is not met")},
         {"--limits", QT_TRANSLATE_NOOP("cli", "limits for the verdict (default: built-in limits)"),
          "FILE"},
         {"--report",
@@ -236,7 +236,7 @@ base::Result<SweepSpec> sweepSpec(const Values& values)
         if (const auto taken = take(values, spec); !taken)
             return tl::unexpected(taken.error());
     }
-    spec.releaseAtEnd = values.has("--release");
+    spec.releaseAtEnd = values.has("--torque-off");
     spec.stopOnFailure = values.has("--stop-on-failure");
     spec.operatorName = values.option("--operator").value_or(QString());
     spec.note = values.option("--note").value_or(QString());

@@ -192,7 +192,7 @@ QString notWrittenLine(const jobs::RecoveryResult& one)
 {
     if (one.skippedKeys.isEmpty())
         return {};
-    return translate("cli", "Change %1: registers left unchanged because their values have since "
+    return translate("cli", "Change %1: registers left as they are because their values have since "
                             "changed, or because writing them would move the servo: %2")
                .arg(one.before.intent.uuid.left(uuidDigits),
                     one.skippedKeys.join(QStringLiteral(", "))) +
@@ -201,9 +201,10 @@ QString notWrittenLine(const jobs::RecoveryResult& one)
 
 Table recoveredTable(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action)
 {
-    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
-                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "State"),
-                 translate("cli", "EPROM lock"), translate("cli", "Result")});
+    Table table({translate("cli", "Change"), translate("cli", "Time"), translate("cli", "ID"),
+                 translate("cli", "Operation"), translate("cli", "Changes"),
+                 translate("cli", "State"), translate("cli", "EPROM lock"),
+                 translate("cli", "Result")});
     table.alignRight({2});
     for (const jobs::RecoveryResult& one : all) {
         const base::Intent& intent = one.before.intent;
@@ -283,7 +284,8 @@ QString UncheckedChanges::advice() const
     }
     QStringList lines;
     if (!running.empty())
-        lines << translate("cli", "Still in progress in another program, which will finish it: %1")
+        lines << translate("cli",
+                           "Still in progress in another program, which will finish the change: %1")
                      .arg(namesOf(running));
     for (const auto& [there, its] : present) {
         if (there == port)
@@ -292,8 +294,8 @@ QString UncheckedChanges::advice() const
                      .arg(there, namesOf(its), commandOn(there));
         if (hasRealPort())
             lines << translate("cli", "ServoDesk cannot distinguish the servo from another one "
-                                      "with the same model and ID. Only if you are sure that the "
-                                      "same servo is now connected to %1, run: %2")
+                                      "with the same model and ID. Run the following only if you "
+                                      "are sure that the same servo is now connected to %1: %2")
                          .arg(port, commandForThisPort() + QStringLiteral(" --change ") +
                                         its.front().uuid.left(uuidDigits));
     }
@@ -310,8 +312,9 @@ QString UncheckedChanges::text(const QString& title) const
 {
     if (intents.empty())
         return {};
-    Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
-                 translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Port")});
+    Table table({translate("cli", "Change"), translate("cli", "Time"), translate("cli", "ID"),
+                 translate("cli", "Operation"), translate("cli", "Changes"),
+                 translate("cli", "Port")});
     table.alignRight({2});
     for (const base::Intent& intent : intents) {
         table.add({intent.uuid.left(uuidDigits), localTime(intent.at),

@@ -78,7 +78,7 @@ base::Result<void> Tour::summarize()
         found.push_back(one.servo.id);
     const bus::Statistics statistics = ready->bus.statistics();
     const bus::Counters& total = statistics.total;
-    print(translate("cli", "\nTotal: servos found: %1; requests: %2, answered: %3, retries: %4; "
+    print(translate("cli", "\nTotal: servos found: %1; requests: %2, replies: %3, retries: %4; "
                            "half of the replies took less than %5 ms.")
               .arg(m_found.found.size())
               .arg(total.sent)
@@ -87,7 +87,7 @@ base::Result<void> Tour::summarize()
               .arg(double(total.roundTripP50.count()) / 1000, 0, 'f', 2));
     print(m_differing.isEmpty()
               ? translate("cli", "Servo %1 has the same settings as before.").arg(m_servo.id)
-              : translate("cli", "Servo %1 differs from its previous state in: %2")
+              : translate("cli", "Servo %1 differs from its previous state in these registers: %2")
                     .arg(m_servo.id)
                     .arg(m_differing.join(QStringLiteral(", "))));
     print(translate("cli", "Next: run \"servodesk-cli ports\" to list your adapters and "

@@ -13,7 +13,8 @@ using catalog::Role;
 
 base::Result<void> Tour::search()
 {
-    chapter(translate("cli", "Search the bus: send a PING to all 254 IDs; nothing is written"));
+    chapter(
+        translate("cli", "Search the bus: send a PING to each of the 254 IDs; nothing is written"));
     auto report = jobs::scan(*context(), {});
     if (!report)
         return tl::unexpected(report.error());

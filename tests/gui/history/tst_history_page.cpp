@@ -371,7 +371,7 @@ private Q_SLOTS:
         // Nothing is left to undo in the write itself, and it says so.
         fixture.table()->selectRow(2);
         QTRY_VERIFY(!undo->isEnabled());
-        QCOMPARE(undo->toolTip(), QStringLiteral("The register holds the old value."));
+        QCOMPARE(undo->toolTip(), QStringLiteral("The register already holds the old value."));
     }
 
     void whatCannotBeUndoneSaysWhy()

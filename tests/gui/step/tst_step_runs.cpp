@@ -122,7 +122,7 @@ private Q_SLOTS:
         fixture.open({3});
         auto* stored = fixture.find<QLabel>("stepStored");
         QVERIFY(stored->isVisible());
-        QVERIFY2(stored->text().contains(text("Test 3 of")), qPrintable(stored->text()));
+        QVERIFY2(stored->text().contains(text("Test 3 (")), qPrintable(stored->text()));
         QCOMPARE(fixture.find<ui::TrendChart>("stepChart")->channels().size(), std::size_t(2));
         QVERIFY(fixture.find<QTableWidget>("stepFigures")->isColumnHidden(1));
         QCOMPARE(fixture.cell(0, 2), text("60"));

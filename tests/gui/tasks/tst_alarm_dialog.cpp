@@ -160,7 +160,7 @@ void TestAlarmDialog::modbusIsReset()
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(2); });
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(cell(dialog, 0, 0), text("encoder"));
+    QTRY_COMPARE(cell(dialog, 0, 0), text("sensor"));
     QTRY_VERIFY(gui::button(dialog, "taskAction")->isEnabled());
     gui::click(dialog, "taskAction"); // nothing moves, so there is no question
     QVERIFY(gui::ended(dialog));

@@ -188,10 +188,10 @@ void TestServoTasks::anInterruptedRateChangeNamesBothRates()
     QVERIFY2(message.contains(text("1 000 000")) || message.contains(text("1000000")),
              qPrintable(message));
     QVERIFY2(message.contains(text("search at both baud rates")), qPrintable(message));
-    QVERIFY2(message.contains(text("EPROM lock: not confirmed as locked")), qPrintable(message));
+    QVERIFY2(message.contains(text("EPROM lock: not confirmed")), qPrintable(message));
     const QString row =
         ui::servoRow(fixture.entry(), std::nullopt, fixture.workbench.now()).toolTipText();
-    QVERIFY2(row.contains(text("EPROM not confirmed as locked")), qPrintable(row));
+    QVERIFY2(row.contains(text("EPROM lock not confirmed")), qPrintable(row));
 }
 
 void TestServoTasks::aFixedRateIsReported()
@@ -288,7 +288,7 @@ void TestServoTasks::anIgnoredRestartIsNotReportedDone()
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
     QVERIFY2(message.contains(text("did not reboot")), qPrintable(message));
-    QVERIFY2(!message.contains(text("answers again")), qPrintable(message));
+    QVERIFY2(!message.contains(text("replies again")), qPrintable(message));
 }
 
 void TestServoTasks::lxHasNoRestart()

@@ -148,7 +148,7 @@ void TestErrorHistogram::accessibleTextHasTheNumbers()
     chart.addErrors(std::vector<double>{-9, 0, 1, 20});
     QCOMPARE(chart.accessibleName(), q("Error at goal"));
     const QString words = chart.accessibleDescription();
-    for (const char* part : {"Legs: 4.", "From −9 to +20 step", "mean +3 step",
+    for (const char* part : {"Moves: 4.", "Error: −9 to +20 step", "mean +3 step",
                              "warning limit of 8 step: 2.", "the limit of 16 step: 1."})
         QVERIFY2(words.contains(q(part)), qPrintable(words));
     text::installTranslator(q("zh_CN"));
@@ -171,9 +171,9 @@ void TestErrorHistogram::tooltipExplainsABar()
         return QToolTip::text();
     };
     const QString middle = ask(chart.rect().center());
-    QVERIFY2(middle.contains(q("3 of 5 legs (60.0 %)")), qPrintable(middle));
+    QVERIFY2(middle.contains(q("3 of 5 moves (60.0 %)")), qPrintable(middle));
     const QString textOutsideBars = ask({1, 90});
-    QVERIFY2(textOutsideBars.contains(q("Legs: 5.")), qPrintable(textOutsideBars));
+    QVERIFY2(textOutsideBars.contains(q("Moves: 5.")), qPrintable(textOutsideBars));
     QToolTip::hideText();
 }
 

@@ -145,7 +145,7 @@ void TestCliCommissionPrompts::aRejectsIt()
 {
     InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 1");
-    QVERIFY(keys.asks("type \"a\" and press Enter to set it aside"));
+    QVERIFY(keys.asks("type \"a\" and press Enter to set the servo aside"));
     keys.press("a\n");
     QVERIFY(keys.asks("\nUnplug the servo.\n"));
     const auto rejected = keys.rows();
@@ -210,7 +210,7 @@ void TestCliCommissionPrompts::sConfirmsTheInterruptedServo()
     keys.press(answer.constData());
     const ProgramResult result = keys.finish();
     QCOMPARE(result.exit, unfinished);
-    QVERIFY2(result.err.contains(text("any of these IDs: 1, 9")), qPrintable(result.err));
+    QVERIFY2(result.err.contains(text("one of these IDs: 1, 9")), qPrintable(result.err));
     const auto after = results::openCommissionBatch(keys.csv());
     QVERIFY(after);
     QCOMPARE(after->pending.size(), std::size_t(unfinished));

@@ -158,7 +158,7 @@ void TestCliCtrlC::sweep()
     CtrlC fixture("--servos sts3215@1");
     QStringList line = words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 --speed 900 "
                              "--report");
-    line << fixture.file("r.json") << words(release ? "--release --json" : "--json");
+    line << fixture.file("r.json") << words(release ? "--torque-off --json" : "--json");
     const ProgramResult result = fixture.interrupted(line, {goalAddress, skip, times});
     QVERIFY(fixture.cable.interrupted());
     const QByteArray output = result.out.toUtf8().left(400) + result.err.toUtf8();
@@ -393,7 +393,7 @@ void TestCliCtrlC::onASlowAdapter_data()
     };
     const char* write = "write 1 max_temperature=60 position_p=20 position_d=10";
     row("write, lock opened", write, lockAddress, 0);
-    row("sweep", "sweep 1 --from 1500 --to 2600 --delay 2500 --cycles 50 --speed 900 --release",
+    row("sweep", "sweep 1 --from 1500 --to 2600 --delay 2500 --cycles 50 --speed 900 --torque-off",
         goalAddress, 2);
     if (!support::isDeepCheck())
         return;

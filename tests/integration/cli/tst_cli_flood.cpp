@@ -193,7 +193,7 @@ void TestCliFlood::aFloodDuringASweepLeavesTorqueOff()
     CliProgram cli;
     cli.setPort(cable.port());
     cable.floodOnFrame(goalWriteBytes, frames(), megabyte);
-    cli.start(words("sweep 1 --from 1000 --to 3000 --delay 800 --cycles 50 --release"));
+    cli.start(words("sweep 1 --from 1000 --to 3000 --delay 800 --cycles 50 --torque-off"));
     QTRY_VERIFY(cable.flooding());
     cli.signal(SIGINT);
     const ProgramResult result = cli.finish();

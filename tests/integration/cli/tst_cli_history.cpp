@@ -143,7 +143,7 @@ void TestCliHistory::recoveryCommandsSaveASnapshotFirst()
     QVERIFY2(settled.exit == 0, qPrintable(settled.out + settled.err));
     QVERIFY(QFile::exists(settled.json()[text("snapshot")].toString()));
     QCOMPARE(savedSnapshots(cli).size(), 2);
-    QVERIFY(rows(cli, "writes", "--trouble").isEmpty());
+    QVERIFY(rows(cli, "writes", "--problems").isEmpty());
 }
 
 /// An overloaded servo replies, so its table is saved like that of any other.
@@ -170,7 +170,7 @@ void TestCliHistory::alarmsSeenWhileWatchingAreRecorded()
     cli.run("scan");
     QVERIFY(rows(cli, "alarms").isEmpty());
     const auto watched = [&cli] {
-        cli.run("watch 4 5 --for 0.3"); // 5 is jammed, 4 has nothing
+        cli.run("watch 4 5 --duration 0.3"); // 5 is jammed, 4 has nothing
         return rows(cli, "alarms");
     };
     const QJsonArray kept = watched();
@@ -206,10 +206,10 @@ void TestCliHistory::listLabelAndExtract()
     QCOMPARE(rows(cli, "writes").size(), 3);
     QCOMPARE(rows(cli, "writes", "--id 1").size(), 2);
     QCOMPARE(rows(cli, "writes", "--id 1 --register position_d").size(), 1);
-    QCOMPARE(rows(cli, "writes", "--model sts3215 --most 2").size(), 2);
+    QCOMPARE(rows(cli, "writes", "--model sts3215 --limit 2").size(), 2);
     QCOMPARE(rows(cli, "writes", "--since 1h").size(), 3);
     QVERIFY(rows(cli, "writes", "--until 2020-01-01").isEmpty());
-    QVERIFY(rows(cli, "writes", "--trouble").isEmpty());
+    QVERIFY(rows(cli, "writes", "--problems").isEmpty());
     const QJsonArray servos = rows(cli, "servos", "--id 1");
     QCOMPARE(servos.size(), 1);
     const QString number = QString::number(servos[0][text("number")].toInt());
@@ -324,7 +324,7 @@ void TestCliHistory::usageErrorsAreReported_data()
     QTest::addColumn<QString>("line");
     for (const char* line :
          {"history --kind dogs", "history --since yesterday", "history --until 2026-13-01",
-          "history --most 0", "history --id 255", "history --servo nobody", "history show 99",
+          "history --limit 0", "history --id 255", "history --servo nobody", "history show 99",
           "history show x", "history label 99 a", "history snapshot 99 f",
           "history table 1 never f", "history table 1 2020-01-01 f", "history --csv a --export b",
           "history show"})

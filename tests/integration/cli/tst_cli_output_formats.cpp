@@ -367,7 +367,7 @@ void TestCliOutputFormats::moveReachesItsGoal()
 void TestCliOutputFormats::watchStreamsOneDocument()
 {
     CliProgram cli;
-    const ProgramResult result = cli.json("watch 1 5 --rate 50 --for 0.3");
+    const ProgramResult result = cli.json("watch 1 5 --rate 50 --duration 0.3");
     QCOMPARE(result.exit, 0);
     const QJsonObject json = result.json();
     QCOMPARE(keysOf(json), names("port columns rows summary"));
@@ -388,7 +388,7 @@ void TestCliOutputFormats::csvHasOneHeaderLine()
 {
     CliProgram cli;
     const QString path = cli.dataFolder() + QStringLiteral("/w.csv");
-    QCOMPARE(cli.run(support::words("watch 1 2 --rate max --for 0.2 --csv") << path).exit, 0);
+    QCOMPARE(cli.run(support::words("watch 1 2 --rate max --duration 0.2 --csv") << path).exit, 0);
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArrayList lines = file.readAll().trimmed().split('\n');
@@ -463,7 +463,7 @@ void TestCliOutputFormats::humanTablesInBothLanguages_data()
     QTest::addColumn<QString>("command");
     for (const char* command :
          {"ports", "scan --ids 1-6", "info 6", "dump 1", "read 5 id", "write 1 max_temperature=60",
-          "torque 1 2 on", "torque 3 off", "mode 5 motor", "move 1=1800", "watch 1 --for 0.1",
+          "torque 1 2 on", "torque 3 off", "mode 5 motor", "move 1=1800", "watch 1 --duration 0.1",
           "raw FFFF010201FB", "recover", "reboot 1", "center 1", "set-baud 1 500000"})
         QTest::newRow(command) << QString::fromLatin1(command);
 }

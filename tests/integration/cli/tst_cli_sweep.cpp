@@ -238,7 +238,7 @@ void TestCliSweep::usageErrorsAreReported_data()
     row("--from 1000 --to 2000 --sine 0", 2, "--sine \"0\": specify a number of seconds from 0.1");
     row("--from 1000 --to 2000 --sine nan", 2, "--sine \"nan\"");
     row("--from 1000 --to 2000 --sine 1e9", 2, "to 3600");
-    row("--from 1000 --to 2000 --delay 500 --for -1", 2, "--for \"-1\"");
+    row("--from 1000 --to 2000 --delay 500 --duration -1", 2, "--duration \"-1\"");
     row("--from 1000 --to 2000 --delay 500 --warm-up inf", 2, "--warm-up \"inf\"");
     row("--from 1000 --to 2000 --delay 500 --cycles 0", 2, "whole number from 1 to 1000000");
     row("--from 1000 --to 2000 --delay 500 --time -3", 2, "--time \"-3\"");
@@ -302,9 +302,10 @@ void TestCliSweep::ctrlCEndsItSafely()
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
     const QString path = cli.dataFolder() + text("/report.json");
-    cli.start(text("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --release --report ")
-                  .split(QLatin1Char(' '), Qt::SkipEmptyParts)
-              << path);
+    cli.start(
+        text("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --torque-off --report ")
+            .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+        << path);
     QVERIFY(cli.waitForError("cycle 1"));
     cli.signal(SIGINT);
     const ProgramResult result = cli.finish();

@@ -165,7 +165,7 @@ void TestFamilyTasks::watch(CliProgram& cli, int id)
 {
     QFETCH(QString, position);
     const ProgramResult result =
-        cli.json(qPrintable(QStringLiteral("watch %1 --rate 20 --for 0.5").arg(id)));
+        cli.json(qPrintable(QStringLiteral("watch %1 --rate 20 --duration 0.5").arg(id)));
     QCOMPARE(result.exit, 0);
     const QJsonArray columns = result.json()[QLatin1String("columns")].toArray();
     const QJsonArray rows = result.json()[QLatin1String("rows")].toArray();

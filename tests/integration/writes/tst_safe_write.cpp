@@ -322,7 +322,7 @@ void TestSafeWrite::switchingTheResponseLevel_data()
     QTest::addColumn<int>("from");
     QTest::addColumn<int>("to");
     QTest::newRow("answers no more") << 1 << 0;
-    QTest::newRow("answers again") << 0 << 1;
+    QTest::newRow("replies again") << 0 << 1;
 }
 
 void TestSafeWrite::switchingTheResponseLevel()

@@ -55,6 +55,7 @@ private slots:
     void replacedNames();
     void americanSpelling();
     void textsArePlain();
+    void chineseIsUniform();
 };
 
 void TestLanguage::filesAreFound()
@@ -119,17 +120,32 @@ void TestLanguage::americanSpelling()
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 
-/// What a user reads: phrases that took a second reading.
+/// What a user reads: phrases that took a second reading, and second words for one thing.
 void TestLanguage::textsArePlain()
 {
     const QRegularExpression banned(
         QStringLiteral("<source>[^<]*\\b(nobody|somebody|everybody|anybody|usual|of late|gone on "
                        "with|so many|so much|come to it|is none|paces|put back|left alone|left "
                        "out|proven|on the wire|switch(ed|es)? (on|off)|take torque "
-                       "off|takes torque off|said nothing|what became of)\\b"),
+                       "off|takes torque off|said nothing|what became of|answer(s|ed|ing)?|legs?|"
+                       "IDs to come|confirmed as locked|a protection is)\\b"),
         QRegularExpression::CaseInsensitiveOption);
+    QVERIFY(QStringLiteral("<source>The servo answers as ID 1").contains(banned));
     const QString texts = QStringLiteral(SOURCE_DIR "/translations/servodesk_zh_CN.ts");
     QVERIFY(contentOf(texts).count(QStringLiteral("<source>")) > 2000);
+    const QStringList found = matches({texts}, banned);
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+}
+
+/// One Chinese term for one thing, full-width punctuation, and no space before a percent sign.
+void TestLanguage::chineseIsUniform()
+{
+    const QRegularExpression banned(QStringLiteral(
+        "<translation>[^<]*(仿真|往返测试|回程差|释放扭矩|关闭扭矩|校中|恢复默认值|撤回|退回|"
+        "清除报警|紧急停止|工作模式|搁置|插入下一个|[^行]程数|编码器故障|台舵机|"
+        "\\p{Han}[;!?]|[!?]\\p{Han}|\\d %[^\\dL]|“ |” \\p{Han})"));
+    QVERIFY(QStringLiteral("<translation>打开仿真总线").contains(banned));
+    const QString texts = QStringLiteral(SOURCE_DIR "/translations/servodesk_zh_CN.ts");
     const QStringList found = matches({texts}, banned);
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }

@@ -167,11 +167,11 @@ private Q_SLOTS:
                                  "30rpm",
                                  "60 s",
                                  "torque off",
-                                 "the first failed limit",
+                                 "the first limit not met",
                                  "above 8 step",
                                  "9.75 step",
                                  "> 16",
-                                 "above 0 legs",
+                                 "above 0 moves",
                                  "4096 steps a turn, built in",
                                  "gear backlash after its encoder",
                                  "not measured",
@@ -312,7 +312,7 @@ private Q_SLOTS:
         run.servos[0].legs[600].missed = true;
         const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
         const QString text = read(page, QStringLiteral("zh")).text;
-        QVERIFY(text.contains(QStringLiteral("1000 legs in total")));
+        QVERIFY(text.contains(QStringLiteral("1000 moves in total")));
         QVERIFY(text.contains(QStringLiteral("-444.4")));
         QVERIFY(page.size() < 400000);
         const auto shown = report::legsToShow(run.servos[0].legs);

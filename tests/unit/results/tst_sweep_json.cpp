@@ -293,7 +293,7 @@ private Q_SLOTS:
         row("unplugged", SweepEnd::LinkLost, {Pass}, NotMeasured);
         row("alarm", SweepEnd::Alarm, {Pass, Pass}, Fail);
         row("stall", SweepEnd::Stall, {NotMeasured}, Fail);
-        row("first failure", SweepEnd::Failure, {Pass}, Fail);
+        row("First failure", SweepEnd::Failure, {Pass}, Fail);
     }
     void theWorstServoDecides()
     {
