@@ -518,7 +518,7 @@
     </message>
     <message>
         <source>the line was never idle</source>
-        <translation>线路一直没有静默</translation>
+        <translation>线路一直没有空闲</translation>
     </message>
     <message>
         <source>the servo did not accept the write</source>
@@ -541,12 +541,12 @@
         <translation>不支持：%1</translation>
     </message>
     <message>
-        <source>the unfinished servo has ID %1</source>
-        <translation>未完成的舵机 ID 为 %1</translation>
+        <source>the servo whose setup was not finished has ID %1</source>
+        <translation>尚未设置完的舵机 ID 为 %1</translation>
     </message>
     <message>
-        <source>the unfinished servo may have one of these IDs: %1</source>
-        <translation>未完成的舵机可能使用以下任一 ID：%1</translation>
+        <source>the servo whose setup was not finished may have one of these IDs: %1</source>
+        <translation>尚未设置完的舵机可能使用以下任一 ID：%1</translation>
     </message>
     <message>
         <source>its EPROM was unlocked, and the EPROM lock could not be confirmed</source>
@@ -1360,8 +1360,8 @@
         <translation>地址</translation>
     </message>
     <message>
-        <source>Memory</source>
-        <translation>内存</translation>
+        <source>Register</source>
+        <translation>参数</translation>
     </message>
     <message>
         <source>Value</source>
@@ -2002,7 +2002,7 @@
     </message>
     <message>
         <source>The reboot took %1 ms. Torque is off.</source>
-        <translation>重启用时 %1 毫秒。已卸力。</translation>
+        <translation>重启耗时 %1 毫秒。已卸力。</translation>
     </message>
     <message>
         <source>The defaults have been restored.</source>
@@ -2210,7 +2210,7 @@
     </message>
     <message>
         <source>These registers were left unchanged because their values have since changed or because writing them would move the servo: %1</source>
-        <translation>以下参数保持不变，因为其数值之后已改变，或写入会使舵机转动：%1</translation>
+        <translation>以下参数未恢复：其数值后来又有变动，或写入会使舵机转动：%1</translation>
     </message>
     <message>
         <source>Nothing was written. ServoDesk will no longer offer to finish or undo this change.</source>
@@ -2374,7 +2374,7 @@
         <source>Baud rate: may revert to the stored rate. ServoDesk searches for the servo at all baud rates of its family.
 ID: should stay the same; some servos revert to 1. If another servo has ID 1, connect this servo alone.
 Limits, gains and position correction: will be reset; afterwards, the same position may correspond to a different angle.</source>
-        <translation>波特率：可能恢复为存储值；ServoDesk 会在该系列的所有波特率上查找舵机。
+        <translation>波特率：可能恢复为舵机内存储的值；ServoDesk 会用该系列的各个波特率逐一查找舵机。
 ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1，请单独连接要恢复的舵机。
 限位、增益和位置校正：会恢复为出厂值，之后同一位置可能对应不同角度。</translation>
     </message>
@@ -4670,16 +4670,16 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>%1，ID %2，波特率 %3，将设为 ID %4。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished, and no IDs are left for other servos. If this is that servo, type &quot;s&quot; and press Enter. To set this servo aside, type &quot;a&quot; and press Enter.</source>
-        <translation>有一个同型号的舵机未完成，且已没有 ID 可分配给其他舵机。如果就是这一个，请输入“s”再按回车；要剔除这个舵机，请输入“a”再按回车。</translation>
+        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If this is that servo, type &quot;s&quot; and press Enter. To set this servo aside, type &quot;a&quot; and press Enter.</source>
+        <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果就是这一个，请输入“s”再按回车；要剔除这个舵机，请输入“a”再按回车。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished; its assigned ID is %1. If this is that servo, type &quot;s&quot; and press Enter; otherwise this servo is set up as a new one.</source>
-        <translation>有一个同型号的舵机未完成，分配给它的 ID 是 %1。如果就是这一个，请输入“s”再按回车；否则按新舵机设置。</translation>
+        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If this is that servo, type &quot;s&quot; and press Enter; otherwise this servo is set up as a new one.</source>
+        <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果就是这一个，请输入“s”再按回车；否则将作为新舵机设置。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished in this batch. Continue only if this is that servo.</source>
-        <translation>此批次中有一个同型号的舵机未完成。仅当就是这一个时才继续。</translation>
+        <source>Setup of a servo of this model was not finished in this batch. Continue only if this is that servo.</source>
+        <translation>此批次中有一个同型号的舵机尚未设置完。确认接上的就是该舵机后再继续。</translation>
     </message>
     <message>
         <source>Press Enter to continue, or type &quot;a&quot; and press Enter to set the servo aside.</source>
@@ -5085,7 +5085,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>At %1 baud the line is never idle: a device is sending continuously. Servos may have been missed.</source>
-        <translation>波特率 %1 下线路一直没有静默：有设备在不停发送。可能漏掉了舵机。</translation>
+        <translation>波特率 %1 下线路一直没有空闲：有设备在不停发送。可能漏掉了舵机。</translation>
     </message>
     <message>
         <source>The search was stopped early.</source>
@@ -5193,7 +5193,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Servo %1: the sine wave is too fast for the servo. Use a period of at least %2 ms.</source>
-        <translation>舵机 %1：正弦变化太快，舵机跟不上。周期至少需要 %2 毫秒。</translation>
+        <translation>舵机 %1：此正弦所需的速度超过舵机的最高速度。周期至少需要 %2 毫秒。</translation>
     </message>
     <message>
         <source>Servo %1: the delay is too short for the longest move, so the servo reverses before it arrives. A delay of %2 ms is enough.</source>
@@ -6251,7 +6251,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>该舵机没有此指令</translation>
     </message>
     <message>
-        <source>Write the register %1 instead.</source>
+        <source>Write to register %1 instead.</source>
         <translation>请改写参数 %1。</translation>
     </message>
     <message>
@@ -6860,7 +6860,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the line is never idle: a device is sending continuously</source>
-        <translation>线路一直没有静默：有设备在不停发送</translation>
+        <translation>线路一直没有空闲：有设备在不停发送</translation>
     </message>
     <message>
         <source>Possible causes: a device that sends unprompted, a second controller on the bus, an adapter or bridge used for something else, or noise on an open line.</source>
@@ -7300,7 +7300,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo keeps moving to the goal until it is stopped or torque is turned off.</source>
-        <translation>舵机仍在向目标位置运动，停止或卸力才会停下。</translation>
+        <translation>舵机仍在向目标位置运动；发出停止指令或卸力后才会停下。</translation>
     </message>
     <message>
         <source>The servo now replies as ID %1.</source>
@@ -7352,7 +7352,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo may keep moving to the goal, with torque on, until it is stopped or torque is turned off.</source>
-        <translation>舵机可能仍在向目标位置运动，扭矩处于开启状态，直到被停止或卸力。</translation>
+        <translation>舵机可能仍在向目标位置运动，扭矩仍打开；发出停止指令或卸力后才会停下。</translation>
     </message>
     <message>
         <source>TTL, half duplex</source>
@@ -7620,7 +7620,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The speed of the movement is undefined.</source>
-        <translation>运动的速度无法确定。</translation>
+        <translation>无法确定运动速度。</translation>
     </message>
     <message>
         <source>Enter the period in seconds.</source>
@@ -7995,20 +7995,20 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>是另一个舵机；未作更改</translation>
     </message>
     <message>
-        <source>immediate voltage alarm: limit %1, present voltage %2</source>
-        <translation>立即过压欠压报警：限制 %1，当前电压 %2</translation>
+        <source>would cause a voltage alarm now: limit %1, present voltage %2</source>
+        <translation>写入后会立即引起过压欠压报警：限值 %1，当前电压 %2</translation>
     </message>
     <message>
-        <source>immediate temperature alarm: limit %1, present temperature %2</source>
-        <translation>立即过温报警：限制 %1，当前温度 %2</translation>
+        <source>would cause a temperature alarm now: limit %1, present temperature %2</source>
+        <translation>写入后会立即引起过温报警：上限 %1，当前温度 %2</translation>
     </message>
     <message>
-        <source>overcurrent alarm: limit %1, present current %2</source>
-        <translation>过流报警：限制 %1，当前电流 %2</translation>
+        <source>would cause an overcurrent alarm now: limit %1, present current %2</source>
+        <translation>写入后会立即引起过流报警：上限 %1，当前电流 %2</translation>
     </message>
     <message>
-        <source>overload alarm: limit %1, present load %2</source>
-        <translation>过载报警：限制 %1，当前负载 %2</translation>
+        <source>would cause an overload alarm now: limit %1, present load %2</source>
+        <translation>写入后会立即引起过载报警：上限 %1，当前负载 %2</translation>
     </message>
     <message>
         <source>The server is turned off or restarting, the network is down, or the host name or port is wrong.</source>
@@ -8335,7 +8335,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Nothing was written. Each servo&apos;s tooltip lists the rows that would be written.</source>
-        <translation>没有写入任何内容。各舵机的提示列出将写入的行。</translation>
+        <translation>未写入任何内容。将鼠标停在舵机上，可查看将要写入的行。</translation>
     </message>
     <message>
         <source>Save the result</source>
@@ -8618,11 +8618,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A write is unfinished. Close anyway?</source>
-        <translation>有一项写入未写完。仍要关闭吗？</translation>
+        <translation>有一项写入未完成。仍要关闭吗？</translation>
     </message>
     <message>
         <source>A write is unfinished. Disconnect anyway?</source>
-        <translation>有一项写入未写完。仍要断开吗？</translation>
+        <translation>有一项写入未完成。仍要断开吗？</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8826,7 +8826,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>选择模板</translation>
     </message>
     <message>
-        <source>keep</source>
+        <source>Unchanged</source>
         <translation>保持不变</translation>
     </message>
     <message>
@@ -9035,16 +9035,16 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>未完成：%1。接上该舵机，再次开始同一批次即可完成。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished in this batch. Continue only if this is that servo.</source>
-        <translation>此批次中有一个同型号的舵机未完成。确认接上的就是该舵机后再继续。</translation>
+        <source>Setup of a servo of this model was not finished in this batch. Continue only if this is that servo.</source>
+        <translation>此批次中有一个同型号的舵机尚未设置完。确认接上的就是该舵机后再继续。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished, and no IDs are left for other servos. If this is that servo, click &quot;%1&quot;.</source>
-        <translation>有一个同型号的舵机未完成，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点“%1”。</translation>
+        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If this is that servo, click &quot;%1&quot;.</source>
+        <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点“%1”。</translation>
     </message>
     <message>
-        <source>A servo of this model is unfinished; its assigned ID is %1. If this is that servo, click &quot;%2&quot;; otherwise it is set up as a new servo.</source>
-        <translation>有一个同型号的舵机未完成，分配给它的 ID 是 %1。如果接上的就是该舵机，请点“%2”；否则按新舵机设置。</translation>
+        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If this is that servo, click &quot;%2&quot;; otherwise this servo is set up as a new one.</source>
+        <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果接上的就是该舵机，请点“%2”；否则将作为新舵机设置。</translation>
     </message>
     <message>
         <source>Connect one servo at a time. Each servo receives the template, an ID and the baud rate; it is then checked and recorded in the batch. Nothing moves.</source>
@@ -9083,8 +9083,8 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>该舵机将设为 ID %1。</translation>
     </message>
     <message>
-        <source>This servo was unfinished and is now being completed.</source>
-        <translation>该舵机先前未完成，现在继续设置。</translation>
+        <source>Setup of this servo was interrupted earlier and is now being finished.</source>
+        <translation>该舵机先前尚未设置完，现在继续设置。</translation>
     </message>
     <message>
         <source>Set ID %1</source>
@@ -9103,8 +9103,8 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>继续设置</translation>
     </message>
     <message>
-        <source>Confirms that this is the unfinished servo and gives it its assigned ID</source>
-        <translation>确认这是未完成的舵机，使用分配给它的 ID</translation>
+        <source>Confirms that this is the servo whose setup was not finished, and gives it its assigned ID</source>
+        <translation>确认这就是尚未设置完的舵机，并使用已分配给它的 ID</translation>
     </message>
     <message>
         <source>Set aside</source>
@@ -10692,12 +10692,12 @@ Retries: %9</source>
         <translation>只显示一组参数</translation>
     </message>
     <message>
-        <source>Shows raw values first and uses them for input</source>
-        <translation>原始值在前，并用于输入</translation>
+        <source>Shows raw values before physical values and uses them for input</source>
+        <translation>优先显示原始值，输入时也用原始值</translation>
     </message>
     <message>
-        <source>Shows values with units first and uses them for input</source>
-        <translation>带单位的物理值在前，并用于输入</translation>
+        <source>Shows physical values before raw values and uses them for input</source>
+        <translation>优先显示带单位的物理值，输入时也用物理值</translation>
     </message>
     <message>
         <source>Read rate of the visible rows; nothing is written</source>
@@ -12024,7 +12024,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Immediately turns torque off on the whole bus. In a field of the motion panel, Esc also shows the present value again. In a menu, a dialog or a table cell being edited, the first Esc only closes the menu or dialog or cancels the editing. While servos are moving or jammed, Esc stops them even from a menu or a dialog.</source>
-        <translation>立即让整条总线卸力。在运动面板的输入框中，Esc 还会重新显示当前值。在菜单、对话框或正在编辑的单元格中，第一次按 Esc 只关闭菜单或对话框，或取消编辑。有舵机正在运动或被卡住时，即使在菜单或对话框中，按 Esc 也会停止舵机。</translation>
+        <translation>立即让整条总线卸力。在运动面板的输入框中，Esc 还会重新显示当前值。在菜单、对话框或正在编辑的单元格中，第一次按 Esc 只关闭菜单或对话框，或取消编辑。但有舵机正在运动或被卡住时，即使在菜单或对话框中，按 Esc 也会立即卸力。</translation>
     </message>
     <message>
         <source>Immediately turns torque off on the whole bus; works everywhere</source>
@@ -12437,7 +12437,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The servo is in a mode that does not use positions. Select &quot;Switch to position mode for the run&quot;, or change the mode yourself.</source>
-        <translation>该舵机的当前运行模式不使用位置。请勾选“运行期间切换到位置模式”，或自行更改模式。</translation>
+        <translation>该舵机当前的运行模式不是位置控制。请勾选“运行期间切换到位置模式”，或自行更改模式。</translation>
     </message>
     <message>
         <source>Enter the step size.</source>
@@ -12636,7 +12636,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Removes these runs from the page; the servo and the history do not change</source>
-        <translation>从本页移除这些运行；舵机和历史记录不变</translation>
+        <translation>从本页移除这些测试结果；舵机和历史记录不变</translation>
     </message>
     <message>
         <source>Copies this value to Trial; nothing is written</source>
@@ -13176,7 +13176,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>the sine is faster than the servo can move. Use a period of at least %1.</source>
-        <translation>正弦变化快于舵机能转的速度，周期至少需要 %1。</translation>
+        <translation>此正弦所需的速度超过舵机的最高速度，周期至少需要 %1。</translation>
     </message>
     <message>
         <source>the longest move takes %1 at this speed: the servo would turn back before it arrives.</source>
@@ -13213,6 +13213,10 @@ Retries: %9</source>
     <message>
         <source>Movement is blocked by the emergency stop, and torque is off: %1. Click Allow movement to turn torque on; nothing moves until you click Run.</source>
         <translation>急停后已卸力，禁止运动：%1。点“允许运动”打开扭矩；点“运行”之前不会运动。</translation>
+    </message>
+    <message>
+        <source>ID %1: </source>
+        <translation>ID %1：</translation>
     </message>
 </context>
 <context>

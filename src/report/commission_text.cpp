@@ -67,11 +67,13 @@ constexpr std::array issueTexts{
               QT_TRANSLATE_NOOP("CommissionText", "another servo replies now: %1")},
     NamedText{"out-of-range", QT_TRANSLATE_NOOP("CommissionText", "the value is out of range: %1")},
     NamedText{"not-supported", QT_TRANSLATE_NOOP("CommissionText", "not supported: %1")},
-    NamedText{"unfinished-id",
-              QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo has ID %1")},
+    NamedText{
+        "unfinished-id",
+        QT_TRANSLATE_NOOP("CommissionText", "the servo whose setup was not finished has ID %1")},
     NamedText{
         "unfinished-ids",
-        QT_TRANSLATE_NOOP("CommissionText", "the unfinished servo may have one of these IDs: %1")},
+        QT_TRANSLATE_NOOP("CommissionText",
+                          "the servo whose setup was not finished may have one of these IDs: %1")},
     NamedText{
         "unfinished-lock",
         QT_TRANSLATE_NOOP("CommissionText",

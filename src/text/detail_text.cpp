@@ -263,7 +263,7 @@ QString specialRemedy(const base::Error& error)
         return translate("text", "If braille is not used on this computer, run \"sudo apt "
                                  "remove brltty\", then plug the adapter in again.");
     if (const QString key = insteadWrite(error); !key.isEmpty())
-        return translate("text", "Write the register %1 instead.").arg(key);
+        return translate("text", "Write to register %1 instead.").arg(key);
     if (const char* remedy = procedureRemedy(error))
         return translate("text", remedy);
     if (error.code == ErrorCode::NotSupported && isMoveTime(error))

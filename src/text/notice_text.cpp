@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/notice_text.h"
 
+#include "text/alarm_text.h"
 #include "text/front_end.h"
+#include "text/language.h"
 #include "text/text_table.h"
 
 #include <array>
@@ -250,14 +252,16 @@ QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile)
     });
 }
 
-QString statusText(std::uint8_t status, const catalog::Profile* profile, bool chinese)
+QString statusText(std::uint8_t status, const catalog::Profile* profile)
 {
     if (!reportsAlarms(profile))
         return translate("text", "not reported", "alarms");
     const QStringList words =
-        setBits(status, profile, [chinese](int bit, const catalog::NamedValue* known) {
-            return known != nullptr ? known->name.in(chinese)
-                                    : translate("text", "bit %1").arg(bit);
+        setBits(status, profile, [](int bit, const catalog::NamedValue* known) {
+            if (known == nullptr)
+                return translate("text", "bit %1").arg(bit);
+            const QString label = alarmLabel(known->key);
+            return label != known->key ? label : known->name.in(isUiChinese());
         });
     return words.isEmpty() ? translate("text", "none", "alarms")
                            : words.join(QStringLiteral(" + "));

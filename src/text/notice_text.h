@@ -27,5 +27,5 @@ bool reportsAlarms(const catalog::Profile* profile);
 /// Keys of the set error bits ("overload"); "bit4" for a bit without a name.
 QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile);
 /// The same as text, "none" if no bit is set.
-QString statusText(std::uint8_t status, const catalog::Profile* profile, bool chinese);
+QString statusText(std::uint8_t status, const catalog::Profile* profile);
 } // namespace text

@@ -136,15 +136,18 @@ QString restoreReasonHelp(const QString& reason)
 QString restoreAlarmText(const QString& fault, const QString& limit, const QString& reading)
 {
     if (fault == QLatin1String("voltage"))
-        return translate("text", "immediate voltage alarm: limit %1, present voltage %2")
+        return translate("text", "would cause a voltage alarm now: limit %1, present voltage %2")
             .arg(limit, reading);
     if (fault == QLatin1String("temperature"))
-        return translate("text", "immediate temperature alarm: limit %1, present temperature %2")
+        return translate("text",
+                         "would cause a temperature alarm now: limit %1, present temperature %2")
             .arg(limit, reading);
     if (fault == QLatin1String("current"))
-        return translate("text", "overcurrent alarm: limit %1, present current %2")
+        return translate("text",
+                         "would cause an overcurrent alarm now: limit %1, present current %2")
             .arg(limit, reading);
-    return translate("text", "overload alarm: limit %1, present load %2").arg(limit, reading);
+    return translate("text", "would cause an overload alarm now: limit %1, present load %2")
+        .arg(limit, reading);
 }
 
 QString restoreStepText(const QString& step)

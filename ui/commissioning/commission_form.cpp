@@ -253,7 +253,7 @@ void CommissionForm::retranslate()
     setAccessText(m_browseBatch, browseBatch, browseBatch);
     const QString browseTemplate = tr("Select the template");
     setAccessText(m_browseTemplate, browseTemplate, browseTemplate);
-    m_rate->setItemText(0, tr("keep"));
+    m_rate->setItemText(0, tr("Unchanged"));
     setButtonText(m_center, tr("Set the present position as the midpoint"),
                   tr("Only for servos with a command to set the midpoint; move the horn to the "
                      "midpoint first"));

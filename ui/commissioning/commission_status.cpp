@@ -162,16 +162,16 @@ QString CommissionStatus::pendingQuestionText() const
 {
     const jobs::CommissionView& view = m_commissioning.view();
     if (view.isResumed)
-        return tr("A servo of this model is unfinished in this batch. Continue only if this is "
-                  "that servo.");
+        return tr("Setup of a servo of this model was not finished in this batch. Continue only if "
+                  "this is that servo.");
     if (view.candidateId < 0)
         return {};
     if (view.candidateId == view.newId)
-        return tr("A servo of this model is unfinished, and no IDs are left for other servos. If "
-                  "this is that servo, click \"%1\".")
+        return tr("Setup of a servo of this model was not finished, and no IDs are left for other "
+                  "servos. If this is that servo, click \"%1\".")
             .arg(m_same->text());
-    return tr("A servo of this model is unfinished; its assigned ID is %1. If this is that "
-              "servo, click \"%2\"; otherwise it is set up as a new servo.")
+    return tr("Setup of a servo of this model was not finished; its assigned ID is %1. If this is "
+              "that servo, click \"%2\"; otherwise this servo is set up as a new one.")
         .arg(view.candidateId)
         .arg(m_same->text());
 }
@@ -219,7 +219,7 @@ QString CommissionStatus::detail() const
     if (view.step == CommissionStep::Confirm)
         parts.append(pendingQuestionText());
     else if (view.isResumed)
-        parts.append(tr("This servo was unfinished and is now being completed."));
+        parts.append(tr("Setup of this servo was interrupted earlier and is now being finished."));
     if (!view.issues.empty())
         parts.append(QStringLiteral("⚠ ") +
                      text::localized(report::commissionIssuesText(view.issues)));
@@ -278,7 +278,8 @@ void CommissionStatus::retranslate()
 {
     m_steps->setSteps({tr("Connect"), tr("Identify"), tr("Write"), tr("Check"), tr("Disconnect")});
     setButtonText(m_same, tr("Resume setup"),
-                  tr("Confirms that this is the unfinished servo and gives it its assigned ID"));
+                  tr("Confirms that this is the servo whose setup was not finished, and gives it "
+                     "its assigned ID"));
     setButtonText(m_aside, tr("Set aside"),
                   tr("Writes nothing to this servo and records it in the batch as set aside"));
     showView();

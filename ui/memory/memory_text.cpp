@@ -62,7 +62,7 @@ QString memoryHeader(MemoryColumn column)
     case MemoryColumn::Address:
         return translate("MemoryTable", "Address");
     case MemoryColumn::Name:
-        return translate("MemoryTable", "Memory");
+        return translate("MemoryTable", "Register");
     case MemoryColumn::Value:
         return translate("MemoryTable", "Value");
     case MemoryColumn::Physical:

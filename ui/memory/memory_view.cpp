@@ -226,9 +226,9 @@ void MemoryView::fitColumns()
         const int header = horizontalHeader()->sectionSizeHint(section(column));
         widths[index] = std::min(widths[index], std::max(minWidth, header));
     };
-    atLeast(MemoryColumn::Name, 19 * em);
+    atLeast(MemoryColumn::Name, 21 * em);
     atLeast(MemoryColumn::Physical, 17 * em);
-    atLeast(MemoryColumn::State, 15 * em);
+    atLeast(MemoryColumn::State, 13 * em);
     int needed = std::accumulate(widths.begin(), widths.end(), 0);
     for (const MemoryColumn column : hideOrder) {
         if (needed <= room)
@@ -236,7 +236,7 @@ void MemoryView::fitColumns()
         needed -= std::exchange(widths[static_cast<std::size_t>(column)], 0); // hidden
     }
     for (const auto& [column, minWidth] :
-         {std::pair{MemoryColumn::Physical, 11 * em}, std::pair{MemoryColumn::Name, 16 * em},
+         {std::pair{MemoryColumn::Physical, 11 * em}, std::pair{MemoryColumn::Name, 19 * em},
           std::pair{MemoryColumn::State, 13 * em}}) {
         int& width = widths[static_cast<std::size_t>(column)];
         const int header = horizontalHeader()->sectionSizeHint(section(column));

@@ -67,7 +67,7 @@ PreviewText durationCheckText(const session::SweepPreview& preview, const result
             .arg(SweepPage::tr("Use %1").arg(durationText(estimate.proposedDelay)));
     const session::ServoEntry* entry = registry.servo(preview.servo);
     const QString who =
-        entry != nullptr ? QStringLiteral("ID %1: ").arg(entry->servo.id) : QString();
+        entry != nullptr ? SweepPage::tr("ID %1: ").arg(entry->servo.id) : QString();
     if (estimate.tooShort && sine)
         return {Tone::Warn,
                 who +
@@ -116,7 +116,7 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
             continue;
         const text::Description words = text::describe(*preview.error);
         const QString who =
-            preview.error->id >= 0 ? QStringLiteral("ID %1: ").arg(preview.error->id) : QString();
+            preview.error->id >= 0 ? SweepPage::tr("ID %1: ").arg(preview.error->id) : QString();
         return {Tone::Bad, (who + words.message + QLatin1Char(' ') + words.remedy).toHtmlEscaped()};
     }
     PreviewText worst;

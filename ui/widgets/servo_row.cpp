@@ -72,7 +72,7 @@ State stateOf(const session::ServoEntry& entry)
     if (entry.silent)
         return {translate("ServoRow", "no reply"), Tone::Quiet};
     if (servo.status != 0)
-        return {text::statusText(servo.status, profile, text::isUiChinese()), Tone::Bad};
+        return {text::statusText(servo.status, profile), Tone::Bad};
     if (profile == nullptr)
         return {translate("ServoRow", "not identified"), Tone::Warn};
     if (servo.repliesCarryStatus())

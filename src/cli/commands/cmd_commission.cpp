@@ -251,20 +251,20 @@ QString confirmText(const CommissionView& view)
     text = withConcerns(text, view.issues);
     if (view.candidateId >= 0 && view.candidateId == view.newId)
         return text + QLatin1Char(' ') +
-               translate("cli", "A servo of this model is unfinished, and no IDs are left for "
-                                "other servos. If this is that servo, type \"s\" and press Enter. "
-                                "To set this servo aside, type \"a\" and press Enter.");
+               translate("cli",
+                         "Setup of a servo of this model was not finished, and no IDs are left for "
+                         "other servos. If this is that servo, type \"s\" and press Enter. To set "
+                         "this servo aside, type \"a\" and press Enter.");
     if (view.candidateId >= 0)
-        text +=
-            QLatin1Char(' ') +
-            translate(
-                "cli",
-                "A servo of this model is unfinished; its assigned ID is %1. If this is that "
-                "servo, type \"s\" and press Enter; otherwise this servo is set up as a new one.")
-                .arg(view.candidateId);
+        text += QLatin1Char(' ') +
+                translate("cli", "Setup of a servo of this model was not finished; its assigned ID "
+                                 "is %1. If this is that servo, type \"s\" and press Enter; "
+                                 "otherwise this servo is set up as a new one.")
+                    .arg(view.candidateId);
     else if (view.isResumed)
-        text += QLatin1Char(' ') + translate("cli", "A servo of this model is unfinished in this "
-                                                    "batch. Continue only if this is that servo.");
+        text += QLatin1Char(' ') +
+                translate("cli", "Setup of a servo of this model was not finished in this batch. "
+                                 "Continue only if this is that servo.");
     return text + QLatin1Char(' ') +
            translate(
                "cli",

@@ -97,7 +97,7 @@ QString infoText(const device::Servo& servo)
     row(translate("cli", "Position"), formatRole(servo, Role::PresentPosition));
     row(translate("cli", "Voltage"), formatRole(servo, Role::PresentVoltage));
     row(translate("cli", "Temperature"), formatRole(servo, Role::PresentTemperature));
-    row(translate("cli", "Alarms"), text::statusText(servo.status, &profile, text::isUiChinese()));
+    row(translate("cli", "Alarms"), text::statusText(servo.status, &profile));
     return table.text();
 }
 

@@ -70,13 +70,13 @@ Table foundTable(const jobs::ScanReport& report)
     for (const jobs::FoundServo& found : report.found) {
         const catalog::Profile* profile = found.servo.profile.get();
         const bool known = profile != nullptr;
-        table.add(
-            {QString::number(found.servo.id), known ? profile->modelName : QStringLiteral("?"),
-             known ? profile->identity.modelId() : QStringLiteral("?"),
-             known ? profile->identity.firmware() : QStringLiteral("?"),
-             base::protocolName(found.servo.protocol),
-             known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
-             text::statusText(found.servo.status, profile, text::isUiChinese()), remarkOf(found)});
+        table.add({QString::number(found.servo.id),
+                   known ? profile->modelName : QStringLiteral("?"),
+                   known ? profile->identity.modelId() : QStringLiteral("?"),
+                   known ? profile->identity.firmware() : QStringLiteral("?"),
+                   base::protocolName(found.servo.protocol),
+                   known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
+                   text::statusText(found.servo.status, profile), remarkOf(found)});
     }
     return table;
 }

@@ -76,10 +76,9 @@ QString WatchView::line(const jobs::WatchRow& row) const
     const double seconds = std::chrono::duration<double>(row.at - *m_start).count();
     const auto profile = m_profiles.find(row.id);
     const catalog::Profile* known = profile != m_profiles.end() ? profile->second.get() : nullptr;
-    const QString state = !row.answered ? translate("cli", "no reply")
-                          : !text::reportsAlarms(known)
-                              ? noValue()
-                              : text::statusText(row.status, known, text::isUiChinese());
+    const QString state = !row.answered                 ? translate("cli", "no reply")
+                          : !text::reportsAlarms(known) ? noValue()
+                                                        : text::statusText(row.status, known);
     QString text = padded(QString::number(seconds, 'f', 3), timeWidth, true) +
                    padded(QString::number(row.id), idWidth, true) + QStringLiteral("  ") +
                    padded(state, alarmsWidth);

@@ -30,7 +30,7 @@ base::Result<void> Tour::search()
                    profile != nullptr ? profile->modelName : QStringLiteral("?"),
                    profile != nullptr ? profile->identity.firmware() : QStringLiteral("?"),
                    profile != nullptr ? profile->mapKey : QStringLiteral("?"),
-                   text::statusText(found.servo.status, profile, text::isUiChinese())});
+                   text::statusText(found.servo.status, profile)});
     }
     m_run.console().print(table.text());
     print(translate("cli", "%n servo(s) found in %1 s", nullptr, int(m_found.found.size()))

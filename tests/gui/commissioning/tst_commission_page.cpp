@@ -251,7 +251,7 @@ private Q_SLOTS:
         auto* same = context.own<QPushButton>("commissionSame");
         QTRY_VERIFY(same->isVisible());
         const QString words = context.own<QLabel>("commissionDetail")->text();
-        QVERIFY2(words.contains(QStringLiteral("is unfinished")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("was not finished")), qPrintable(words));
         QVERIFY2(words.contains(QStringLiteral("ID is 9")), qPrintable(words));
         QVERIFY2(words.contains(same->text()), qPrintable(words));
         QCOMPARE(context.idOf(0), 1);

@@ -249,10 +249,10 @@ private Q_SLOTS:
         fixture.click("restoreDryRun");
         QLabel* warning = nullptr;
         QTRY_VERIFY((warning = fixture.find<QLabel>("dryRunWarning")) != nullptr);
-        QVERIFY2(
-            warning->isVisible() && warning->text().contains(QLatin1String("STS3215")) &&
-                warning->text().contains(QLatin1String("not selected: immediate voltage alarm")),
-            qPrintable(warning->text()));
+        QVERIFY2(warning->isVisible() && warning->text().contains(QLatin1String("STS3215")) &&
+                     warning->text().contains(
+                         QLatin1String("not selected: would cause a voltage alarm now")),
+                 qPrintable(warning->text()));
         fixture.click("dryRunClose");
 
         fixture.click("restoreWrite");
@@ -269,7 +269,7 @@ private Q_SLOTS:
         QLabel* risk = nullptr;
         QTRY_VERIFY((risk = fixture.find<QLabel>("questionRisk")) != nullptr);
         QVERIFY2(risk->text().contains(QLatin1String("limit comes from another model (STS3215)")) &&
-                     risk->text().contains(QLatin1String("immediate voltage alarm")),
+                     risk->text().contains(QLatin1String("would cause a voltage alarm now")),
                  qPrintable(risk->text()));
         QTest::mouseClick(fixture.find<QPushButton>("questionNo"), Qt::LeftButton);
         QCOMPARE(fixture.now("max_voltage"), before);

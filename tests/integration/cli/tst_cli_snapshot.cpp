@@ -187,9 +187,9 @@ void TestCliSnapshot::limitsOfAnotherModelAreReported()
     QCOMPARE(alarms[0][text("alarm")].toString(), text("voltage"));
     QCOMPARE(alarms[0][text("selected")].toBool(true), false);
     const ProgramResult textOutput = run("snapshot restore 4 @a.servo.json --dry-run");
-    QVERIFY2(
-        textOutput.out.contains(text("immediate voltage alarm: limit 8.0 V, present voltage 1")),
-        qPrintable(textOutput.out));
+    QVERIFY2(textOutput.out.contains(
+                 text("would cause a voltage alarm now: limit 8.0 V, present voltage 1")),
+             qPrintable(textOutput.out));
     QVERIFY2(textOutput.out.contains(text("--only KEY --dangerous")), qPrintable(textOutput.out));
 
     (void)run("snapshot restore 4 @a.servo.json --dangerous");
@@ -199,7 +199,7 @@ void TestCliSnapshot::limitsOfAnotherModelAreReported()
     QCOMPARE(raw(4, "max_voltage"), before);
     const ProgramResult named =
         run("snapshot restore 4 @a.servo.json --only max_voltage --dangerous");
-    QVERIFY2(named.out.contains(text("! max_voltage: immediate voltage alarm")),
+    QVERIFY2(named.out.contains(text("! max_voltage: would cause a voltage alarm now")),
              qPrintable(named.out));
     QCOMPARE(raw(4, "max_voltage"), 80);
 }
