@@ -40,7 +40,7 @@
     </message>
     <message>
         <source>a good, a worn and a badly damped servo to test</source>
-        <translation>用于测试：良好、磨损、阻尼不良的舵机各一个</translation>
+        <translation>三个待测舵机：良好、磨损、阻尼不良各一个</translation>
     </message>
 </context>
 <context>
@@ -231,7 +231,7 @@
     </message>
     <message>
         <source>&amp;Power-cycle the simulated servos</source>
-        <translation>模拟舵机断电再上电(&amp;P)</translation>
+        <translation>让模拟舵机断电再上电(&amp;P)</translation>
     </message>
     <message>
         <source>Temporary values are lost, as with a real power-off</source>
@@ -267,7 +267,7 @@
     </message>
     <message>
         <source>Copies the selected rows of the memory table as text</source>
-        <translation>以文本形式复制表中选中的行</translation>
+        <translation>以文本形式复制内存表中选中的行</translation>
     </message>
     <message>
         <source>Saves the memory table as a CSV or HTML file</source>
@@ -323,11 +323,11 @@
     </message>
     <message>
         <source>Shows what caused the alarm and lets you clear it</source>
-        <translation>显示报警原因，并按原因解除报警</translation>
+        <translation>显示报警原因，并可解除报警</translation>
     </message>
     <message>
         <source>Lists unfinished writes from earlier sessions</source>
-        <translation>列出以前未写完的写入</translation>
+        <translation>列出以前运行时未写完的更改</translation>
     </message>
     <message>
         <source>Drive and monitor the servo</source>
@@ -343,7 +343,7 @@
     </message>
     <message>
         <source>See how a servo responds to a step, and try other gains</source>
-        <translation>查看舵机对阶跃的响应，并试用其他增益</translation>
+        <translation>查看舵机的阶跃响应，并试用其他增益</translation>
     </message>
     <message>
         <source>Save, compare and restore the settings of servos</source>
@@ -367,11 +367,11 @@
     </message>
     <message>
         <source>Starts or stops recording measured values to a file</source>
-        <translation>开始或停止把测量值写入文件</translation>
+        <translation>开始或停止将测量值录制到文件</translation>
     </message>
     <message>
         <source>Shows a recording in the chart</source>
-        <translation>在曲线图中显示一段录制</translation>
+        <translation>在曲线图中显示录制的数据</translation>
     </message>
     <message>
         <source>All &amp;torque off</source>
@@ -379,7 +379,7 @@
     </message>
     <message>
         <source>Turns torque off on the whole bus immediately (Esc, also in input fields of the motion panel; Shift+Esc works everywhere)</source>
-        <translation>立即让整条总线卸力（Esc，在运动面板的输入框中也有效；Shift+Esc 在任何界面都有效）</translation>
+        <translation>立即让总线上的全部舵机卸力（Esc，在运动面板的输入框中也有效；Shift+Esc 在任何界面都有效）</translation>
     </message>
     <message>
         <source>Follows the light or dark setting of the desktop</source>
@@ -387,7 +387,7 @@
     </message>
     <message>
         <source>All messages since the program started</source>
-        <translation>启动以来的全部消息</translation>
+        <translation>程序启动以来的全部消息</translation>
     </message>
     <message>
         <source>Lists all shortcuts</source>
@@ -414,15 +414,15 @@
     </message>
     <message>
         <source>the servo does not support %1 baud</source>
-        <translation>不支持波特率 %1</translation>
+        <translation>舵机不支持波特率 %1</translation>
     </message>
     <message>
         <source>the servo does not support ID %1</source>
-        <translation>不支持 ID %1</translation>
+        <translation>舵机不支持 ID %1</translation>
     </message>
     <message>
         <source>%1 servos have no command to set the midpoint</source>
-        <translation>%1 系列没有设为中位的指令</translation>
+        <translation>%1 系列没有“设为中位”指令</translation>
     </message>
     <message>
         <source>the template is from another model: %1</source>
@@ -438,7 +438,7 @@
     </message>
     <message>
         <source>no ID is left to assign</source>
-        <translation>ID 已用完</translation>
+        <translation>可分配的 ID 已用完</translation>
     </message>
     <message>
         <source>it is already set up</source>
@@ -458,7 +458,7 @@
     </message>
     <message>
         <source>its baud rate register is set to %1</source>
-        <translation>参数中的波特率为 %1</translation>
+        <translation>波特率参数为 %1</translation>
     </message>
     <message>
         <source>torque was on; it has been turned off</source>
@@ -466,7 +466,7 @@
     </message>
     <message>
         <source>%1 differs when read back</source>
-        <translation>%1 回读不符</translation>
+        <translation>%1 的回读值不符</translation>
     </message>
     <message>
         <source>%1 was refused</source>
@@ -486,7 +486,7 @@
     </message>
     <message>
         <source>the servo did not reply</source>
-        <translation>无应答</translation>
+        <translation>舵机无应答</translation>
     </message>
     <message>
         <source>its replies could not be decoded</source>
@@ -502,11 +502,11 @@
     </message>
     <message>
         <source>its family is unclear: nothing is written</source>
-        <translation>系列不明，不写入</translation>
+        <translation>舵机系列不明，不写入</translation>
     </message>
     <message>
         <source>its firmware is unknown: nothing is written</source>
-        <translation>固件未知，不写入</translation>
+        <translation>舵机固件未知，不写入</translation>
     </message>
     <message>
         <source>%1 does not match the template</source>
@@ -637,7 +637,7 @@
     </message>
     <message>
         <source>Speed 0 = travel time applies</source>
-        <translation>速度 0 = 按时间运行</translation>
+        <translation>速度 0 = 运行时间生效</translation>
     </message>
     <message>
         <source>limited to %1 (%2), the maximum for this model</source>
@@ -649,11 +649,11 @@
     </message>
     <message>
         <source>Moves to an angle within the angle limits</source>
-        <translation>转到角度限制范围内的角度</translation>
+        <translation>转到指定角度（在角度限制范围内）</translation>
     </message>
     <message>
         <source>Moves to an angle up to 7.5 turns in either direction; turns are counted from power-on</source>
-        <translation>可转到正反各 7.5 圈内的角度；圈数从上电开始计</translation>
+        <translation>转到指定角度，正反向各不超过 7.5 圈；圈数从上电时算起</translation>
     </message>
     <message>
         <source>Turns continuously and holds its speed under load</source>
@@ -681,7 +681,7 @@
     </message>
     <message>
         <source>Moves to an angle, then turns torque off</source>
-        <translation>转到角度后卸力</translation>
+        <translation>转到指定角度后卸力</translation>
     </message>
     <message>
         <source>The angle limits %1 are saved, and will be restored when you switch back.</source>
@@ -705,12 +705,12 @@
     </message>
     <message>
         <source>All written values are read back. The mode is kept after power-off.</source>
-        <translation>写入的值全部回读确认。断电后模式保持不变。</translation>
+        <translation>写入的值都会回读确认。断电后模式保持不变。</translation>
     </message>
     <message numerus="yes">
         <source>%n other selected servo(s) will be switched the same way</source>
         <translation>
-            <numerusform>其他 %n 个选中的舵机也会同样切换</numerusform>
+            <numerusform>另外 %n 个选中的舵机也会以同样方式切换</numerusform>
         </translation>
     </message>
     <message>
@@ -723,7 +723,7 @@
     </message>
     <message>
         <source>The firmware of this servo is unknown. Its measurements are shown, but moving it could cause damage. To allow movement, add a model file.</source>
-        <translation>此舵机的固件未知。只显示其测量值；驱动它可能造成损坏。添加型号文件后即可操作。</translation>
+        <translation>此舵机的固件未知。只显示其测量值；驱动此舵机可能造成损坏。添加型号文件后即可驱动。</translation>
     </message>
     <message>
         <source>The settings of this servo could not be read.</source>
@@ -862,7 +862,7 @@
     </message>
     <message>
         <source>Check the cable and try again. The unfinished write stays in the journal.</source>
-        <translation>请检查线缆后重试。未写完的写入仍保留在写入日志中。</translation>
+        <translation>请检查线缆后重试。未写完的更改仍保留在写入日志中。</translation>
     </message>
     <message>
         <source>Connect again to finish or undo the write.</source>
@@ -916,19 +916,19 @@
     </message>
     <message>
         <source>The new servo replaces %1 in the list. Unfinished writes remain assigned to the previous servo.</source>
-        <translation>新舵机在列表中取代 %1。未写完的写入仍归原舵机。</translation>
+        <translation>列表中的 %1 已换成新舵机。未写完的更改仍归原舵机。</translation>
     </message>
     <message>
         <source>no reply: ID %1</source>
         <translation>无应答：ID %1</translation>
     </message>
     <message>
-        <source>different baud rate, not reached: ID %1</source>
+        <source>not reachable (different baud rate): ID %1</source>
         <translation>波特率不同，指令未送达：ID %1</translation>
     </message>
     <message>
         <source>a goal may still be waiting for its start command: ID %1</source>
-        <translation>可能仍有目标在等待执行指令：ID %1</translation>
+        <translation>可能仍有目标在等待异步执行：ID %1</translation>
     </message>
     <message>
         <source>Emergency stop confirmed: torque is off, ID %1</source>
@@ -1319,7 +1319,7 @@
     </message>
     <message>
         <source>The value was changed again after this write.</source>
-        <translation>此写入之后该值又被更改过。</translation>
+        <translation>此次写入之后，该值又被更改过。</translation>
     </message>
     <message>
         <source>Undo this write</source>
@@ -1441,11 +1441,11 @@
     </message>
     <message>
         <source>The value shown was read %1 ago.</source>
-        <translation>显示的值读取于 %1前。</translation>
+        <translation>显示的是 %1前读取的值。</translation>
     </message>
     <message>
         <source>%1. A wrong value can make the servo unreachable or dangerous. ServoDesk asks for confirmation before each write.</source>
-        <translation>%1。写错可能导致舵机失联或发生危险。每次写入前 ServoDesk 都会要求确认。</translation>
+        <translation>%1。写错数值可能导致舵机失联或造成危险。每次写入前 ServoDesk 都会要求确认。</translation>
     </message>
     <message>
         <source>Address in the servo&apos;s memory table</source>
@@ -1453,7 +1453,7 @@
     </message>
     <message>
         <source>Register name; • marks a value that differs from the first reading of this session</source>
-        <translation>参数名称；• 表示与本次会话中首次读取的值不同</translation>
+        <translation>参数名称；• 表示当前值与本次会话中首次读取的值不同</translation>
     </message>
     <message>
         <source>Raw value as read from the servo</source>
@@ -1465,7 +1465,7 @@
     </message>
     <message>
         <source>Memory area: EPROM (kept after power-off), SRAM (lost at power-off), feedback (measured) or factory (set by the manufacturer)</source>
-        <translation>存储区域：EPROM（断电后保存）、SRAM（断电后丢失）、反馈（实测值）或出厂（由厂家设定）</translation>
+        <translation>存储区域：EPROM（断电后保留）、SRAM（断电后丢失）、反馈（实测值）或出厂（由厂家设定）</translation>
     </message>
     <message>
         <source>r: read-only; rw: read/write; ⚠: requires confirmation for each write</source>
@@ -1485,11 +1485,11 @@
     </message>
     <message>
         <source>This register cannot be written.</source>
-        <translation>此项不能写入。</translation>
+        <translation>此参数不能写入。</translation>
     </message>
     <message>
         <source>Values that can be written: %1</source>
-        <translation>可写入：%1</translation>
+        <translation>可写入的值：%1</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -1501,7 +1501,7 @@
     </message>
     <message>
         <source>changed since the write</source>
-        <translation>写入后已改变</translation>
+        <translation>写入后值已改变</translation>
     </message>
     <message>
         <source>The last reading failed, so no value is shown.</source>
@@ -1509,7 +1509,7 @@
     </message>
     <message>
         <source>%1 was written and read back; it is kept after power-off.</source>
-        <translation>已写入 %1 并回读确认；断电后保存。</translation>
+        <translation>已写入 %1 并回读确认；断电后保留。</translation>
     </message>
     <message>
         <source>%1 was written, but the servo reports a different value.</source>
@@ -1537,7 +1537,7 @@
     </message>
     <message>
         <source>The value shown was just read.</source>
-        <translation>显示的值刚刚读取。</translation>
+        <translation>显示的是刚刚读取的值。</translation>
     </message>
     <message>
         <source>r</source>
@@ -1606,7 +1606,7 @@
     </message>
     <message>
         <source>--size: &quot;%1&quot; is not a size such as 1280x800</source>
-        <translation>--size：“%1”不是 1280x800 这样的大小</translation>
+        <translation>--size：“%1”不是有效的窗口大小（如 1280x800）</translation>
     </message>
     <message>
         <source>--theme: unknown value &quot;%1&quot;</source>
@@ -1646,7 +1646,7 @@
     </message>
     <message>
         <source>Kept after power-off: ServoDesk writes the value, reads it back and sends the save command.</source>
-        <translation>断电后保存：ServoDesk 写入、回读并发送保存指令。</translation>
+        <translation>断电后保留：ServoDesk 写入、回读并发送保存指令。</translation>
     </message>
     <message>
         <source>Torque must be off for this write. ServoDesk turns it off first.</source>
@@ -1654,7 +1654,7 @@
     </message>
     <message>
         <source>Setting both limits to 0 switches the mode. ServoDesk turns torque off first.</source>
-        <translation>两个限制都设为 0 会切换模式。ServoDesk 会先卸力。</translation>
+        <translation>两个限制都设为 0 时会切换模式。ServoDesk 会先卸力。</translation>
     </message>
     <message>
         <source>Default: unknown</source>
@@ -1674,15 +1674,15 @@
     </message>
     <message>
         <source>Writing this register may move the shaft or turn torque on.</source>
-        <translation>写入可能使输出轴转动或打开扭矩。</translation>
+        <translation>写入此参数可能使输出轴转动，或打开扭矩。</translation>
     </message>
     <message>
         <source>Kept after power-off: ServoDesk unlocks the EPROM, writes the value, reads it back and locks the EPROM again.</source>
-        <translation>断电后保存：ServoDesk 自动解锁 EPROM、写入、回读并重新上锁。</translation>
+        <translation>断电后保留：ServoDesk 自动解锁 EPROM、写入、回读并重新上锁。</translation>
     </message>
     <message>
         <source>Kept after power-off: this family stores every write immediately. ServoDesk reads the value back.</source>
-        <translation>断电后保存：该系列每次写入都立即保存。ServoDesk 会回读确认。</translation>
+        <translation>断电后保留：该系列每次写入都立即保存。ServoDesk 会回读确认。</translation>
     </message>
     <message>
         <source>Takes effect immediately and is lost at power-off.</source>
@@ -1690,7 +1690,7 @@
     </message>
     <message>
         <source>Takes effect immediately. Persistence is not documented.</source>
-        <translation>立即生效。资料没有说明断电后是否保存。</translation>
+        <translation>立即生效。资料没有说明断电后是否保留。</translation>
     </message>
 </context>
 <context>
@@ -1709,7 +1709,7 @@
     </message>
     <message>
         <source>Read the memory table, then write the remaining rows; the journal lists their values.</source>
-        <translation>请重新读取内存表，再写入其余的行；写入日志中有它们的数值。</translation>
+        <translation>请重新读取内存表，再写入其余各行；各行的数值见写入日志。</translation>
     </message>
     <message>
         <source>When the servo replies again, open Port → Interrupted writes and choose Undo to restore the old values.</source>
@@ -1843,7 +1843,7 @@
     </message>
     <message>
         <source>EPROM lock not confirmed</source>
-        <translation>EPROM 上锁未确认</translation>
+        <translation>未确认 EPROM 已上锁</translation>
     </message>
     <message>
         <source>EPROM unlocked by ServoDesk</source>
@@ -1851,7 +1851,7 @@
     </message>
     <message>
         <source>EPROM unlocked by ServoDesk, lock not confirmed</source>
-        <translation>EPROM 由 ServoDesk 解锁，上锁未确认</translation>
+        <translation>EPROM 由 ServoDesk 解锁，未确认已重新上锁</translation>
     </message>
     <message>
         <source>Replies late</source>
@@ -2005,7 +2005,7 @@
         <translation>重启耗时 %1 毫秒。已卸力。</translation>
     </message>
     <message>
-        <source>The defaults have been restored.</source>
+        <source>The factory defaults have been restored.</source>
         <translation>已恢复出厂设置。</translation>
     </message>
     <message>
@@ -2138,7 +2138,7 @@
     </message>
     <message>
         <source>This servo family does not report alarms. This alarm is derived from the value and its limit.</source>
-        <translation>该系列不报告报警。此项由数值与限值推算得出。</translation>
+        <translation>该系列舵机不报告报警，此报警由数值与限值推算得出。</translation>
     </message>
     <message>
         <source>Turn the shaft back?</source>
@@ -2146,7 +2146,7 @@
     </message>
     <message>
         <source>The shaft turns from %1 to %2, away from the stalled position, and holds there with full torque.</source>
-        <translation>输出轴将从 %1 转到 %2，离开堵转位置，并以全部扭矩保持在那里。</translation>
+        <translation>输出轴将从 %1 转到 %2，离开堵转位置，并以最大扭矩保持在该位置。</translation>
     </message>
     <message>
         <source>Turn torque on?</source>
@@ -2166,7 +2166,7 @@
     </message>
     <message>
         <source>An alarm is still active or has returned because its cause remains.</source>
-        <translation>报警仍在，或再次出现，因为原因尚未消除。</translation>
+        <translation>报警原因尚未消除，报警仍在或再次出现。</translation>
     </message>
     <message>
         <source>This servo does not support this action.</source>
@@ -2178,7 +2178,7 @@
     </message>
     <message>
         <source>The present shaft position becomes the midpoint of the travel range. Torque is turned off first to prevent a jump to the old goal position, and stays off until you turn it on. The position correction is kept after power-off.</source>
-        <translation>输出轴的当前位置将成为转动范围的中位。先卸力，以免舵机跳向原目标位置；之后保持卸力，直到您打开扭矩。位置校正断电后保存。</translation>
+        <translation>输出轴的当前位置将成为转动范围的中位。会先卸力，以免舵机跳向原目标位置；之后保持卸力，直到您打开扭矩。位置校正在断电后保留。</translation>
     </message>
     <message>
         <source>Turns torque off and sets the present position as the midpoint</source>
@@ -2210,7 +2210,7 @@
     </message>
     <message>
         <source>These registers were left unchanged because their values have since changed or because writing them would move the servo: %1</source>
-        <translation>以下参数未恢复：其数值后来又有变动，或写入会使舵机转动：%1</translation>
+        <translation>以下参数未恢复，因为其数值后来又有变动，或写入会使舵机转动：%1</translation>
     </message>
     <message>
         <source>Nothing was written. ServoDesk will no longer offer to finish or undo this change.</source>
@@ -2218,7 +2218,7 @@
     </message>
     <message>
         <source>The servo already has the settings from before the test. Nothing had to be restored.</source>
-        <translation>舵机已是测试前的设置，无需恢复。</translation>
+        <translation>舵机的设置已与测试前一致，无需恢复。</translation>
     </message>
     <message>
         <source>The settings from before the test have been restored.</source>
@@ -2234,7 +2234,7 @@
     </message>
     <message>
         <source>Another program is still making these changes, so ServoDesk does not touch them. If that program ends before the changes are complete, they are listed here.</source>
-        <translation>另一个仍在运行的程序正在进行这些更改，ServoDesk 不会干预。如果该程序在完成前结束，这些更改会在此列出。</translation>
+        <translation>另一个仍在运行的程序正在进行这些更改，ServoDesk 不会干预。如果该程序没有写完就结束，未写完的更改会在此列出。</translation>
     </message>
     <message>
         <source>These changes were started but not finished because a cable was pulled, the power failed, or the program was terminated. ServoDesk has only checked them; nothing was written. Choose what to do with each change. Postponed changes are listed again at the next connection.</source>
@@ -2242,7 +2242,7 @@
     </message>
     <message>
         <source>If another program is still making a change, ServoDesk leaves the change to that program.</source>
-        <translation>如果另一个程序仍在进行某项更改，ServoDesk 会留给该程序完成。</translation>
+        <translation>如果另一个程序仍在进行某项更改，则由该程序完成，ServoDesk 不会干预。</translation>
     </message>
     <message>
         <source>Restores the old values, verifies them, and locks the EPROM</source>
@@ -2274,7 +2274,7 @@
     </message>
     <message>
         <source>Writes and verifies the missing values and locks the EPROM; Undo then reverts the whole change</source>
-        <translation>写入缺少的值，回读确认，并给 EPROM 上锁；之后“撤销”会撤销整个更改</translation>
+        <translation>写入缺少的值，回读确认，并给 EPROM 上锁；之后可用“撤销”撤销整个更改</translation>
     </message>
     <message>
         <source>ServoDesk will no longer offer to finish or undo this change. The servo stays as it is.</source>
@@ -2290,7 +2290,7 @@
     </message>
     <message>
         <source>Nothing was written because the change is no longer listed as unfinished, or because the port where it was started is available again.</source>
-        <translation>未写入任何内容：该更改已不在未写完之列，或开始该更改时所用的端口已重新出现。</translation>
+        <translation>未写入任何内容，因为该更改已不再列为未写完，或开始该更改时所用的端口已重新可用。</translation>
     </message>
     <message>
         <source>Unfinished changes from other ports. If the adapter has a new port name, search this port for the servos:</source>
@@ -2388,7 +2388,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The servo already uses this baud rate.</source>
-        <translation>当前就是这个波特率。</translation>
+        <translation>舵机当前已使用此波特率。</translation>
     </message>
     <message>
         <source>After this, the servo replies only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
@@ -2397,12 +2397,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message numerus="yes">
         <source>%n other servo(s) stay at %1 baud. A program that uses only one baud rate can no longer reach all servos.</source>
         <translation>
-            <numerusform>仍有 %n 个其他舵机使用波特率 %1。只用一个波特率的程序将无法访问全部舵机。</numerusform>
+            <numerusform>另有 %n 个舵机仍使用波特率 %1。只用一个波特率的程序将无法访问全部舵机。</numerusform>
         </translation>
     </message>
     <message>
         <source>The new baud rate is tested first and written only if this adapter supports it. The servo keeps the new baud rate after power-off.</source>
-        <translation>会先测试新波特率，适配器支持才会写入。断电后舵机仍保留新波特率。</translation>
+        <translation>会先测试新波特率，仅当此适配器支持时才写入。断电后舵机仍保留新波特率。</translation>
     </message>
     <message>
         <source>Writes the baud rate, finds the servo at the new baud rate, and locks the EPROM</source>
@@ -2414,7 +2414,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The servo already has this ID.</source>
-        <translation>当前就是这个 ID。</translation>
+        <translation>舵机当前已使用此 ID。</translation>
     </message>
     <message>
         <source>ID %1 belongs to another servo (%2). Two servos with the same ID reply at the same time, so neither reply can be read.</source>
@@ -2422,7 +2422,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>ServoDesk first checks ID %1 and writes it only if no servo replies with this ID.</source>
-        <translation>会先查询 ID %1：没有舵机应答才写入。</translation>
+        <translation>会先查询 ID %1，没有舵机应答时才写入。</translation>
     </message>
     <message>
         <source>The servo uses the new ID immediately and keeps it after power-off. ServoDesk switches automatically; other programs must be set to the new ID.</source>
@@ -2434,7 +2434,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Used and free IDs; select a free one</source>
-        <translation>已用和空闲的 ID；请选择一个空闲的</translation>
+        <translation>已用和空闲的 ID；请选择空闲的 ID</translation>
     </message>
     <message>
         <source>Stops as soon as the current step is safely completed</source>
@@ -2612,7 +2612,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Oscillations after arrival</source>
-        <translation>到位后往复次数</translation>
+        <translation>到位后振荡次数</translation>
     </message>
     <message>
         <source>Oscillation frequency</source>
@@ -2669,7 +2669,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The servo moved as fast as its settings allow: speed or acceleration is limited.</source>
-        <translation>已达到给定上限：速度或加速度受限。</translation>
+        <translation>运动已达到设定上限：速度或加速度受限。</translation>
     </message>
     <message>
         <source>The servo overshoots: D is too low.</source>
@@ -2788,7 +2788,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The tests used different movements: their metrics cannot be compared.</source>
-        <translation>两次测试的运动不同：指标不可对比。</translation>
+        <translation>两次测试的运动方式不同，指标不可对比。</translation>
     </message>
     <message>
         <source>Some metrics depend on the differences below.</source>
@@ -3004,7 +3004,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>present setting of the servo</source>
-        <translation>舵机现有设置</translation>
+        <translation>舵机当前设置</translation>
     </message>
     <message>
         <source>Warm-up (not measured)</source>
@@ -3040,7 +3040,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>only a lost connection</source>
-        <translation>仅连接丢失</translation>
+        <translation>仅连接断开</translation>
     </message>
     <message>
         <source>In steps</source>
@@ -3160,7 +3160,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>行程数</translation>
     </message>
     <message>
-        <source>No readings were stored for a chart.</source>
+        <source>No chart is available because no readings were stored.</source>
         <translation>没有可绘图的采样数据。</translation>
     </message>
     <message>
@@ -3476,8 +3476,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>正弦运动快于为舵机设定的速度。请加长周期、缩小范围或提高速度。</translation>
     </message>
     <message>
-        <source>No limits judge how well the servo follows its goal. Add limits for the relative following error and the phase lag.</source>
-        <translation>限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。</translation>
+        <source>No limits are set for how closely the servo follows its goal. Add limits for the relative following error and the phase lag.</source>
+        <translation>限值中没有跟随方面的项目。请添加相对跟随误差和相位滞后的限值。</translation>
     </message>
     <message>
         <source>The moves are too short for the tolerance, so even a servo that does not move would pass. Make each move at least three times as long as the tolerance.</source>
@@ -3485,11 +3485,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The servo lags too far behind, but the communication delay may be the cause. At least 40 readings per period are needed: use a longer period, fewer servos or a faster adapter.</source>
-        <translation>滞后超出限值，但可能是通信延迟所致。每周期至少需采样 40 次：请加长周期、减少舵机或换用更快的适配器。</translation>
+        <translation>滞后超出限值，但可能是通信延迟所致。每周期至少需采样 40 次：请加长周期、减少舵机数量或换用更快的适配器。</translation>
     </message>
     <message>
         <source>The metrics needed for a verdict were not measured in most moves. Allow more time for each move, or read faster: use fewer servos or a faster adapter.</source>
-        <translation>大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取：减少舵机或换用更快的适配器。</translation>
+        <translation>大多数行程未测得判定本测试所需的指标。请延长每次运动的时间，或加快读取：减少舵机数量或换用更快的适配器。</translation>
     </message>
     <message>
         <source>Completed.</source>
@@ -3497,7 +3497,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Stopped by the user.</source>
-        <translation>被用户提前停止。</translation>
+        <translation>用户提前停止了测试。</translation>
     </message>
     <message>
         <source>Ended by the emergency stop: torque off on the whole bus.</source>
@@ -3517,19 +3517,19 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Ended early: a servo no longer accepted its goal; its limits or mode have changed.</source>
-        <translation>提前结束：舵机不再接受目标；其限位或模式已改变。</translation>
+        <translation>提前结束：舵机不再接受目标位置；其限位或模式已改变。</translation>
     </message>
     <message>
         <source>Ended early: a servo lost torque because it rebooted or another program turned torque off. Torque was not turned on again.</source>
-        <translation>提前结束：舵机已无扭矩（已重启，或被其他程序卸力），未再次打开扭矩。</translation>
+        <translation>提前结束：舵机失去扭矩（已重启，或被其他程序卸力），程序未再次打开扭矩。</translation>
     </message>
     <message>
         <source>Ended early: another servo replies with the ID of the tested servo.</source>
-        <translation>提前结束：以被测舵机的 ID 应答的是另一个舵机。</translation>
+        <translation>提前结束：另一个舵机在用被测舵机的 ID 应答。</translation>
     </message>
     <message>
         <source>Ended early: the connection was lost and did not return.</source>
-        <translation>提前结束：连接丢失且未恢复。</translation>
+        <translation>提前结束：连接断开且未恢复。</translation>
     </message>
     <message>
         <source>back and forth</source>
@@ -3577,7 +3577,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Only the worst %1 of %2 moves are shown. The HTML report shows more; the CSV and JSON files contain all moves.</source>
-        <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列出更多，CSV 和 JSON 文件包含全部行程。</translation>
+        <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列出的行程更多，CSV 和 JSON 文件包含全部行程。</translation>
     </message>
     <message>
         <source>The HTML report also has the memory tables and more about each move.</source>
@@ -3710,7 +3710,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>%1 is not a documented value; the servo may react unpredictably.</source>
-        <translation>%1 不在资料说明的数值之内，舵机的反应无法预料。</translation>
+        <translation>%1 不是资料中列出的数值，舵机的反应无法预料。</translation>
     </message>
     <message>
         <source>%1 is outside the range of this register (%2).</source>
@@ -3742,11 +3742,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>In this mode, the shaft turns continuously as soon as the servo receives a command. Clear the area around the mechanism first.</source>
-        <translation>在该模式下，一旦收到指令输出轴就会持续转动。请先清空机构周围。</translation>
+        <translation>在该模式下，舵机一收到指令，输出轴就会持续转动。请先清空机构周围。</translation>
     </message>
     <message>
         <source>In this mode, the shaft is not restricted by angle limits. Clear the area around the mechanism first.</source>
-        <translation>在该模式下输出轴不受角度限制。请先清空机构周围。</translation>
+        <translation>在该模式下，输出轴不受角度限制。请先清空机构周围。</translation>
     </message>
     <message>
         <source>Writing %1 to %2 switches the servo from “%3” to “%4”.</source>
@@ -3985,7 +3985,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>No register has changed.</source>
-        <translation>没有参数改变。</translation>
+        <translation>没有参数发生改变。</translation>
     </message>
     <message>
         <source>Changed registers: %1</source>
@@ -4017,7 +4017,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>baud rates to search at</source>
-        <translation>搜索用的波特率</translation>
+        <translation>搜索时使用的波特率</translation>
     </message>
     <message>
         <source>Key</source>
@@ -4355,7 +4355,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>only servos of this model</source>
-        <translation>仅此型号的舵机</translation>
+        <translation>仅限此型号的舵机</translation>
     </message>
     <message>
         <source>only with this ID</source>
@@ -4471,7 +4471,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>only writes to this register</source>
-        <translation>仅对这个参数的写入</translation>
+        <translation>仅限对此参数的写入</translation>
     </message>
     <message>
         <source>undone</source>
@@ -4511,7 +4511,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>--step &quot;%1&quot;: specify a step greater than 0, raw (100) or with its unit (10deg); to reverse the direction, swap --from and --to</source>
-        <translation>--step “%1”：请给出大于 0 的步长，可为原始值（100）或带单位的数值（10deg）；若要反方向，请对调 --from 和 --to</translation>
+        <translation>--step “%1”：请给出大于 0 的步长，可为原始值（100）或带单位的数值（10deg）；如果要反向运动，请对调 --from 和 --to</translation>
     </message>
     <message>
         <source>%1 &quot;%2&quot;: specify a whole number from %3 to %4</source>
@@ -4523,7 +4523,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>%1 &quot;%2&quot;: specify a value of 0 or more, raw or with its unit; the goals determine the direction</source>
-        <translation>%1 “%2”：请给出 0 或更大的值，可为原始值或带单位的数值；方向由目标决定</translation>
+        <translation>%1 “%2”：请给出不小于 0 的值，可为原始值或带单位的数值；方向由目标决定</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -4551,7 +4551,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Torque off was sent (ID %1). Confirming …</source>
-        <translation>已发送卸力（ID %1），正在确认…</translation>
+        <translation>已发送卸力指令（ID %1），正在确认…</translation>
     </message>
     <message>
         <source>Confirming the stop (ID %1) …</source>
@@ -4571,7 +4571,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>save all servos on the bus to one file</source>
-        <translation>把总线上所有舵机保存到一个文件</translation>
+        <translation>把总线上所有舵机的参数保存到一个文件</translation>
     </message>
     <message>
         <source>output file, for example NAME.bundle.json; an existing file is replaced</source>
@@ -4591,7 +4591,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>restore a saved bus, matching servos by ID</source>
-        <translation>恢复已保存的总线，按 ID 对应各舵机</translation>
+        <translation>恢复已保存的总线参数，按 ID 对应各舵机</translation>
     </message>
     <message>
         <source>file created by bundle save</source>
@@ -4599,7 +4599,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>also write to IDs that now belong to another model</source>
-        <translation>该 ID 现属另一型号时也写入</translation>
+        <translation>即使该 ID 现在属于另一型号的舵机，也写入</translation>
     </message>
     <message>
         <source>specify exactly one baud rate</source>
@@ -4607,7 +4607,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>change the ID of a servo after checking that the new one is free</source>
-        <translation>修改舵机 ID，先确认新 ID 未被占用</translation>
+        <translation>修改舵机 ID（先确认新 ID 未被占用）</translation>
     </message>
     <message>
         <source>current ID</source>
@@ -4639,7 +4639,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Nothing was written. Keep clear of the mechanism and run the command again with --move.</source>
-        <translation>没有写入任何内容。请避开机构，再加 --move 重新执行。</translation>
+        <translation>没有写入任何内容。请远离机构，再加 --move 重新执行命令。</translation>
     </message>
     <message>
         <source>show the cause of an alarm and clear it</source>
@@ -4667,19 +4667,19 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>%1 with ID %2 at %3 baud will be set to ID %4.</source>
-        <translation>%1，ID %2，波特率 %3，将设为 ID %4。</translation>
+        <translation>%1（ID %2，波特率 %3）将设为 ID %4。</translation>
     </message>
     <message>
         <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If this is that servo, type &quot;s&quot; and press Enter. To set this servo aside, type &quot;a&quot; and press Enter.</source>
-        <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果就是这一个，请输入“s”再按回车；要剔除这个舵机，请输入“a”再按回车。</translation>
+        <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果现在接上的就是该舵机，请输入“s”再按回车；要剔除现在接上的舵机，请输入“a”再按回车。</translation>
     </message>
     <message>
         <source>Setup of a servo of this model was not finished; its assigned ID is %1. If this is that servo, type &quot;s&quot; and press Enter; otherwise this servo is set up as a new one.</source>
-        <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果就是这一个，请输入“s”再按回车；否则将作为新舵机设置。</translation>
+        <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果现在接上的就是该舵机，请输入“s”再按回车；否则会把现在接上的舵机作为新舵机设置。</translation>
     </message>
     <message>
         <source>Setup of a servo of this model was not finished in this batch. Continue only if this is that servo.</source>
-        <translation>此批次中有一个同型号的舵机尚未设置完。确认接上的就是该舵机后再继续。</translation>
+        <translation>此批次中有一个同型号的舵机尚未设置完。请确认接上的就是该舵机，再继续。</translation>
     </message>
     <message>
         <source>Press Enter to continue, or type &quot;a&quot; and press Enter to set the servo aside.</source>
@@ -4691,7 +4691,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>No IDs are left. Waiting for a servo whose setup is not finished.</source>
-        <translation>ID 已用完。等待未完成的舵机。</translation>
+        <translation>ID 已用完。正在等待尚未设置完的舵机接上。</translation>
     </message>
     <message>
         <source>Several servos reply. Leave only one connected. Nothing is written.</source>
@@ -4715,7 +4715,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Unfinished: %1 with assigned ID %2. Some of its settings may have been written. Connect it and run the same command again to finish it.</source>
-        <translation>未完成：%1，分配的 ID 为 %2。它的部分设置可能已写入。接上它并再次运行同一命令即可完成。</translation>
+        <translation>未设置完：%1，分配的 ID 为 %2。部分参数可能已写入。请接上该舵机并再次运行同一命令，以完成设置。</translation>
     </message>
     <message>
         <source>&quot;recover&quot; shows the unfinished changes.</source>
@@ -4731,7 +4731,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>batch list file; an existing batch is resumed</source>
-        <translation>批次清单文件；已有的批次会继续</translation>
+        <translation>批次清单文件；如果批次已存在，则继续该批次</translation>
     </message>
     <message>
         <source>first ID to assign (default: 1)</source>
@@ -4739,7 +4739,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>IDs to assign, in this order: 4-9,12</source>
-        <translation>按此顺序分配的 ID：4-9,12</translation>
+        <translation>要分配的 ID，按此顺序分配：4-9,12</translation>
     </message>
     <message>
         <source>end when this many servos in the batch are finished</source>
@@ -4759,7 +4759,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>set up each servo without asking; servos with an alarm or a mismatch are set aside</source>
-        <translation>自动设置，不逐个确认；有报警或不符的舵机会被剔除</translation>
+        <translation>自动设置，不逐个确认；有报警或核对不符的舵机会被剔除</translation>
     </message>
     <message>
         <source>label text, with placeholders: {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
@@ -4779,11 +4779,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Servos have no serial number: servos with the same model, firmware, ID and label are listed as one.</source>
-        <translation>舵机没有序列号：型号、固件、ID 和标签都相同的舵机列为同一个。</translation>
+        <translation>舵机没有序列号：型号、固件、ID 和标签都相同的舵机视为同一个。</translation>
     </message>
     <message>
         <source>--kind must be writes, snapshots, alarms, recordings, runs or servos; on a server also benches</source>
-        <translation>--kind 必须是 writes、snapshots、alarms、recordings、runs、servos；查看服务器时还可用 benches</translation>
+        <translation>--kind 必须是 writes、snapshots、alarms、recordings、runs 或 servos；查看服务器时还可用 benches</translation>
     </message>
     <message>
         <source>use either --csv or --export, not both</source>
@@ -4791,7 +4791,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>kind of entries: writes (default), snapshots, alarms, recordings, runs, servos; on a server also benches</source>
-        <translation>内容类型：writes（默认）、snapshots、alarms、recordings、runs、servos；服务器还可用 benches</translation>
+        <translation>内容类型：writes（默认）、snapshots、alarms、recordings、runs、servos；查看服务器时还可用 benches</translation>
     </message>
     <message>
         <source>write all matching entries to a CSV file instead</source>
@@ -4837,7 +4837,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The ID was changed to %1 on %2; writes made with that ID are in the history of the servo with ID %1, not here</source>
-        <translation>ID 已于 %2 改为 %1；以该 ID 进行的写入在 ID %1 舵机的历史记录中，不在此处</translation>
+        <translation>ID 已于 %2 改为 %1；以新 ID 进行的写入在 ID %1 舵机的历史记录中，不在此处</translation>
     </message>
     <message>
         <source>show a write and everything written together with it</source>
@@ -4857,7 +4857,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>new label; &quot;&quot; removes it</source>
-        <translation>新标签；&quot;&quot; 表示去掉</translation>
+        <translation>新标签；&quot;&quot; 表示删除标签</translation>
     </message>
     <message>
         <source>from now on, treat the servo that replies with this model and ID as a different servo, with this label; earlier entries stay with the previous servo</source>
@@ -4877,7 +4877,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>save a servo&apos;s memory table at a given time (last snapshot plus the writes up to then) as a file for snapshot restore</source>
-        <translation>把舵机在某一时刻的内存表存为供 snapshot restore 使用的文件：此前最后一个快照加上此后的写入</translation>
+        <translation>把舵机在某一时刻的内存表存为供 snapshot restore 使用的文件：取该时刻前的最后一个快照，加上快照之后到该时刻为止的写入</translation>
     </message>
     <message>
         <source>Bench name saved; the server is set by SERVODESK_HISTORY_SERVER</source>
@@ -4929,7 +4929,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The EPROM is unlocked because a change to this servo was interrupted. To finish or undo the change: %1</source>
-        <translation>EPROM 未上锁，因为对该舵机的更改被中断。完成或撤销该更改：%1</translation>
+        <translation>EPROM 未上锁，因为对该舵机的更改被中断。要完成或撤销该更改，请运行：%1</translation>
     </message>
     <message>
         <source>The EPROM is unlocked. To lock it: servodesk-cli write %1 lock=1</source>
@@ -5025,7 +5025,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>show interrupted changes; finish or undo them</source>
-        <translation>显示中断的更改，并完成或撤销</translation>
+        <translation>显示被中断的更改，并可完成或撤销</translation>
     </message>
     <message>
         <source>complete the changes</source>
@@ -5037,7 +5037,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>abandon a change whose servo will not be connected again (the first characters of the change name are enough)</source>
-        <translation>放弃一个更改，用于其舵机不会再接上的情况（写出更改名称的前几个字符即可）</translation>
+        <translation>放弃某个更改，仅在相应舵机不会再接上时使用（写出更改名称的前几个字符即可）</translation>
     </message>
     <message>
         <source>only this change (the first characters of its name are enough)</source>
@@ -5045,7 +5045,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>include changes started on ports that no longer exist and, with --change, on ports that still exist. The exit code is 1 while changes started on other ports are unfinished</source>
-        <translation>同时处理在已不存在的端口上开始的更改，加 --change 时也包括仍然存在的端口；只要其他端口上开始的更改尚未完成，退出码就为 1</translation>
+        <translation>也处理在其他端口上开始的更改：端口已不存在的直接处理，端口仍然存在的须加 --change。只要其他端口上开始的更改还有未写完的，退出码就为 1</translation>
     </message>
     <message>
         <source>restore the parameters stored in the servo (0x06); ID and baud rate may change, so connect only this servo</source>
@@ -5121,7 +5121,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>two or more sources: file, ID (reads the servo) or default; ./5 is a file named 5</source>
-        <translation>两项或更多：文件、ID（读取该舵机）或 default；./5 表示名为 5 的文件</translation>
+        <translation>两个或更多来源：文件、ID（读取该舵机）或 default；./5 表示名为 5 的文件</translation>
     </message>
     <message>
         <source>also show rows that are identical, unknown or read-only</source>
@@ -5129,7 +5129,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>write a saved file back to a servo: turn torque off, write only the differences, read each row back</source>
-        <translation>把保存的文件写回舵机：先卸力，只写不同的行，每行回读</translation>
+        <translation>把保存的文件写回舵机：先卸力，只写入有差异的行，并逐行回读</translation>
     </message>
     <message>
         <source>snapshot or template; may be from another servo</source>
@@ -5137,7 +5137,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>also write ID and baud rate, as the last step</source>
-        <translation>也包括 ID 和波特率，最后写入</translation>
+        <translation>也写入 ID 和波特率（放在最后写入）</translation>
     </message>
     <message>
         <source>--size is required</source>
@@ -5157,11 +5157,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>step size: raw value, or value with its unit (30deg)</source>
-        <translation>阶跃大小：原始值，或带单位（30deg）</translation>
+        <translation>阶跃大小：原始值，或带单位的数值（30deg）</translation>
     </message>
     <message>
         <source>start position (default: present position, if there is enough room)</source>
-        <translation>起点（默认：当前位置，若空间足够）</translation>
+        <translation>起点（默认：如果空间足够，则为当前位置）</translation>
     </message>
     <message>
         <source>number of back-and-forth movements (default: 3)</source>
@@ -5169,11 +5169,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>time from one goal to the next (default: automatic)</source>
-        <translation>目标间隔时间（默认：自动）</translation>
+        <translation>从一个目标到下一个目标的时间（默认：自动）</translation>
     </message>
     <message>
         <source>raw value, or value with its unit (default: as fast as possible)</source>
-        <translation>原始值或带单位（默认：最快）</translation>
+        <translation>原始值，或带单位的数值（默认：最快）</translation>
     </message>
     <message>
         <source>values for a second run: position_p=40,position_d=20; the old values are restored afterwards</source>
@@ -5193,11 +5193,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Servo %1: the sine wave is too fast for the servo. Use a period of at least %2 ms.</source>
-        <translation>舵机 %1：此正弦所需的速度超过舵机的最高速度。周期至少需要 %2 毫秒。</translation>
+        <translation>舵机 %1：此正弦运动所需的速度超过舵机的最高速度。周期至少需要 %2 毫秒。</translation>
     </message>
     <message>
         <source>Servo %1: the delay is too short for the longest move, so the servo reverses before it arrives. A delay of %2 ms is enough.</source>
-        <translation>舵机 %1：延时短于最长行程所需时间，未到达就会折返。延时 %2 毫秒足够。</translation>
+        <translation>舵机 %1：延时短于最长行程所需的时间，舵机未到位就会折返。延时 %2 毫秒即可。</translation>
     </message>
     <message>
         <source>moving to the start position or warming up</source>
@@ -5221,7 +5221,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>test run to compare with the first one</source>
-        <translation>与第一个测试对比的测试记录</translation>
+        <translation>第二个测试记录，与第一个对比</translation>
     </message>
     <message>
         <source>servo to compare, if a run has several</source>
@@ -5253,7 +5253,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Test run %1, ID %2, is now the reference for %3</source>
-        <translation>测试记录 %1 的 ID %2 现为 %3 的参考</translation>
+        <translation>已将测试记录 %1 中 ID %2 的结果设为 %3 的参考</translation>
     </message>
     <message>
         <source>Test run %1, ID %2, is not a reference for %3</source>
@@ -5265,7 +5265,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>only runs whose label, note, operator or port contains this text</source>
-        <translation>仅标签、备注、操作员或端口含此文字的记录</translation>
+        <translation>仅限标签、备注、操作员或端口中含此文字的记录</translation>
     </message>
     <message>
         <source>set a servo of a test run as the reference for its model</source>
@@ -5281,7 +5281,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>%1 identifies the servo; a template contains it only with --identity</source>
-        <translation>%1 决定舵机的身份；模板仅在使用 --identity 时包含它</translation>
+        <translation>%1 用于识别舵机；只有使用 --identity 时，模板才会包含该参数</translation>
     </message>
     <message>
         <source>%1 is read-only</source>
@@ -5309,7 +5309,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>write a template or snapshot to several servos, with a result for each; never writes ID or baud rate</source>
-        <translation>把模板或快照写入多个舵机，逐个给出结果；从不写入 ID 或波特率</translation>
+        <translation>把模板或快照写入多个舵机，并逐个给出结果；不会写入 ID 和波特率</translation>
     </message>
     <message>
         <source>template or snapshot</source>
@@ -5329,19 +5329,19 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Canceled before confirmation (ID %1): torque off was sent, but may not have taken effect.</source>
-        <translation>尚未确认即被您中止（ID %1）：卸力指令已发送，但无法确认已生效。</translation>
+        <translation>您在舵机确认前中止了操作（ID %1）：卸力指令已发送，但可能尚未生效。</translation>
     </message>
     <message>
         <source>Canceled before confirmation (ID %1): torque may still be on, and these servos may still be moving.</source>
-        <translation>尚未确认即被您中止（ID %1）：这些舵机可能仍有扭矩并在运动。</translation>
+        <translation>您在舵机确认前中止了操作（ID %1）：这些舵机可能仍有扭矩，也可能仍在运动。</translation>
     </message>
     <message>
         <source>Canceled before anything was sent (ID %1).</source>
-        <translation>尚未发送任何命令即被您中止（ID %1）。</translation>
+        <translation>您在发送任何指令前中止了操作（ID %1）。</translation>
     </message>
     <message>
         <source>Canceled before confirmation (ID %1): the torque state of these servos may have changed.</source>
-        <translation>尚未确认即被您中止（ID %1）：这些舵机的扭矩状态可能已改变。</translation>
+        <translation>您在舵机确认前中止了操作（ID %1）：这些舵机的扭矩状态可能已改变。</translation>
     </message>
     <message>
         <source>No reply yet (ID %1): trying again after the other servos.</source>
@@ -5349,7 +5349,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>unknown mode &quot;%1&quot;; available modes: %2</source>
-        <translation>没有模式“%1”；可用的有 %2</translation>
+        <translation>未知模式“%1”；可用的模式：%2</translation>
     </message>
     <message>
         <source>switch torque: on holds the present position; off is sent even when other writes are refused</source>
@@ -5361,7 +5361,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>stop the motion; torque stays as it is, but is turned off if holding cannot be confirmed</source>
-        <translation>停止运动；扭矩状态不变，但无法确认保持位置时卸力</translation>
+        <translation>停止运动；扭矩状态不变，但如果无法确认舵机已保持位置，则卸力</translation>
     </message>
     <message>
         <source>position, multiturn, speed, pwm, step, current or motor, depending on the servo family</source>
@@ -5402,7 +5402,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message numerus="yes">
         <source>%n servo(s) saved to %1 (ID %2)</source>
         <translation>
-            <numerusform>已把 %n 个舵机保存到 %1（ID %2）</numerusform>
+            <numerusform>已把 %n 个舵机的参数保存到 %1（ID %2）</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5414,7 +5414,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message numerus="yes">
         <source>%n row(s) sent to %1 from bench %2; the server is now up to date</source>
         <translation>
-            <numerusform>已从工位 %2 向 %1 发送 %n 行；服务器数据已齐全</numerusform>
+            <numerusform>已从工位 %2 向 %1 发送 %n 行；服务器数据已是最新</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5483,7 +5483,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>no data from a bench named %1 on this server; available benches: %2</source>
-        <translation>此服务器上没有名为 %1 的工位的数据；现有工位：%2</translation>
+        <translation>此服务器上没有工位 %1 的数据；现有工位：%2</translation>
     </message>
     <message>
         <source>read from a history server: its connection string, or &quot;default&quot; for the configured server</source>
@@ -5523,15 +5523,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>only entries since this time: 2026-11-22, 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w</source>
-        <translation>仅此时间之后的：2026-11-22、2026-11-22T10:30、10:30，或距现在的时长，如 90m、2h、3d、1w</translation>
+        <translation>仅限此时间之后的记录：2026-11-22、2026-11-22T10:30、10:30，或距现在的时长，如 90m、2h、3d、1w</translation>
     </message>
     <message>
         <source>only entries before this time</source>
-        <translation>仅此时间之前的</translation>
+        <translation>仅限此时间之前的记录</translation>
     </message>
     <message>
         <source>only writes that failed and alarms that are still active</source>
-        <translation>仅失败的写入和尚未解除的报警</translation>
+        <translation>仅限失败的写入和尚未解除的报警</translation>
     </message>
     <message>
         <source>maximum number of rows, newest first (default: 200)</source>
@@ -5551,7 +5551,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>use only one of --step, --both-sides, --random, --sine and --points</source>
-        <translation>--step、--both-sides、--random、--sine 和 --points 只能用一个</translation>
+        <translation>--step、--both-sides、--random、--sine 和 --points 只能选一个</translation>
     </message>
     <message>
         <source>--points cannot be combined with --from or --to</source>
@@ -5563,7 +5563,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>use either --delay or --dwell, not both</source>
-        <translation>--delay 和 --dwell 只能用一个</translation>
+        <translation>--delay 和 --dwell 只能选一个</translation>
     </message>
     <message>
         <source>--delay or --dwell is required</source>
@@ -5571,11 +5571,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>start position: raw value (1024), or value with its unit (90deg)</source>
-        <translation>起点：原始值（1024）或带单位（90deg）</translation>
+        <translation>起点：原始值（1024），或带单位的数值（90deg）</translation>
     </message>
     <message>
         <source>end position: raw or with its unit</source>
-        <translation>终点：原始值或带单位</translation>
+        <translation>终点：原始值，或带单位的数值</translation>
     </message>
     <message>
         <source>time from one goal to the next, whether or not the goal is reached</source>
@@ -5599,15 +5599,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>approach the midpoint from both sides as well</source>
-        <translation>还从两侧到达中点</translation>
+        <translation>另外从两侧接近中点</translation>
     </message>
     <message>
         <source>move to random goals; the same seed gives the same goals</source>
-        <translation>随机目标；种子相同则目标相同</translation>
+        <translation>按随机目标运动；种子相同则目标相同</translation>
     </message>
     <message>
         <source>follow a sine wave with this period</source>
-        <translation>按此周期跟随正弦</translation>
+        <translation>按此周期做正弦运动</translation>
     </message>
     <message>
         <source>read goals from a CSV file: goal,pause in ms</source>
@@ -5622,12 +5622,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>结束时卸力（默认保持）</translation>
     </message>
     <message>
-        <source>stop at the first limit that is not met</source>
+        <source>stop at the first limit that fails</source>
         <translation>出现第一个不合格项时结束</translation>
     </message>
     <message>
         <source>limits for the verdict (default: built-in limits)</source>
-        <translation>判定用的限值（默认用内置的）</translation>
+        <translation>判定所用的限值（默认：内置限值）</translation>
     </message>
     <message>
         <source>write the report to this file, and the readings to a CSV file next to it</source>
@@ -5643,7 +5643,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>some old and some new values</source>
-        <translation>部分新值，部分原值</translation>
+        <translation>部分为新值，部分为原值</translation>
     </message>
     <message>
         <source>another servo replies: not changed</source>
@@ -5659,7 +5659,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>still in progress in another program</source>
-        <translation>仍在另一个程序中进行</translation>
+        <translation>更改仍在另一个程序中进行</translation>
     </message>
     <message>
         <source>value has since changed: left unchanged</source>
@@ -5693,11 +5693,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Still in progress in another program, which will finish the change: %1</source>
-        <translation>仍在另一个程序中进行，将由该程序完成：%1</translation>
+        <translation>以下更改仍在另一个程序中进行，将由该程序完成：%1</translation>
     </message>
     <message>
         <source>Port %1 still exists. To list its changes (%2): %3</source>
-        <translation>端口 %1 仍然存在。列出其更改（%2）：%3</translation>
+        <translation>端口 %1 仍然存在。要列出其更改（%2），请运行：%3</translation>
     </message>
     <message>
         <source>ServoDesk cannot distinguish the servo from another one with the same model and ID. Run the following only if you are sure that the same servo is now connected to %1: %2</source>
@@ -5713,7 +5713,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Change %1 was started on %2, which still exists. You have confirmed that the servo on %3 is the same servo.</source>
-        <translation>更改 %1 是在 %2 上开始的，该端口仍然存在。您已确认 %3 上的舵机是同一个。</translation>
+        <translation>更改 %1 是在 %2 上开始的，该端口仍然存在。您已确认 %3 上接的是同一个舵机。</translation>
     </message>
     <message>
         <source>On the command line, use the option %1 to confirm.</source>
@@ -5729,15 +5729,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The file is from another model: registers are matched by name.</source>
-        <translation>文件来自另一型号：按参数名对应。</translation>
+        <translation>文件来自另一型号，参数按名称对应。</translation>
     </message>
     <message>
         <source>Voltage, temperature, current and torque limits are not restored by default; to write one, specify --only KEY --dangerous.</source>
-        <translation>电压、温度、电流和扭矩的限制默认不恢复；如需写入其中一项，请指明名称：--only 名称 --dangerous。</translation>
+        <translation>电压、温度、电流和扭矩的限值默认不恢复；如需写入其中一项，请指明参数名称：--only 名称 --dangerous。</translation>
     </message>
     <message>
         <source>The file is from another firmware version: registers are matched by name.</source>
-        <translation>文件来自另一固件版本：按参数名对应。</translation>
+        <translation>文件来自另一固件版本，参数按名称对应。</translation>
     </message>
     <message>
         <source>%1, restored to the old value</source>
@@ -5749,7 +5749,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>include values that are lost at power-off (acceleration, torque limit)</source>
-        <translation>也包括掉电丢失的值（加速度、扭矩限制）</translation>
+        <translation>也包括断电后丢失的值（加速度、扭矩限制）</translation>
     </message>
     <message>
         <source>allow writing registers that can move the servo or make it unreachable</source>
@@ -5769,7 +5769,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>--only requires at least one register</source>
-        <translation>--only 至少需要一个参数</translation>
+        <translation>--only 后至少要给出一个参数名称</translation>
     </message>
     <message>
         <source>New value</source>
@@ -5783,7 +5783,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The change is still unfinished. To see it: servodesk-cli recover</source>
-        <translation>此次更改仍未写完。查看：servodesk-cli recover</translation>
+        <translation>此次更改仍未写完。要查看，请运行：servodesk-cli recover</translation>
     </message>
     <message>
         <source>The table shows the values now in the servo. The snapshot taken before the first write contains the old values.</source>
@@ -5801,7 +5801,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>unknown command &quot;%1&quot;; did you mean &quot;%2&quot;?</source>
-        <translation>未知命令“%1”；是不是“%2”？</translation>
+        <translation>未知命令“%1”；是不是要用“%2”？</translation>
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
@@ -5817,15 +5817,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>device path, tcp://HOST:PORT, or a simulated bus (reset at each start): sim:demo, sim:trouble, sim:modbus, sim:lx, sim:sts3215@1,lx16a@2</source>
-        <translation>设备路径、tcp://主机:端口，或模拟总线（每次运行重新开始）：sim:demo、sim:trouble、sim:modbus、sim:lx、sim:sts3215@1,lx16a@2</translation>
+        <translation>设备路径、tcp://主机:端口，或模拟总线（每次启动时重置）：sim:demo、sim:trouble、sim:modbus、sim:lx、sim:sts3215@1,lx16a@2</translation>
     </message>
     <message>
         <source>baud rate, or auto to try all (default: 1000000; 115200 for LX and Modbus)</source>
-        <translation>波特率，auto 为逐个尝试（默认 1000000；LX 和 Modbus 为 115200）</translation>
+        <translation>波特率；auto 表示逐个尝试所有波特率（默认 1000000；LX 和 Modbus 为 115200）</translation>
     </message>
     <message>
         <source>protocol of the servos: auto, feetech, modbus or lx (default: auto, which tries all protocols possible at the baud rate)</source>
-        <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto：该波特率下可能的全部协议）</translation>
+        <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto，即尝试该波特率下所有可能的协议）</translation>
     </message>
     <message>
         <source>number of retries after a communication error</source>
@@ -5833,7 +5833,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>silence between Modbus frames in microseconds (default: 1750 above 19200 baud, as in the standard)</source>
-        <translation>Modbus 帧间静默时间，微秒（默认按标准：19200 以上为 1750）</translation>
+        <translation>Modbus 帧间静默时间（微秒；默认按标准，波特率高于 19200 时为 1750）</translation>
     </message>
     <message>
         <source>language of the output</source>
@@ -5845,15 +5845,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>no adapter is connected; select a port with --port: %1</source>
-        <translation>没有连接适配器；请用 --port 选择：%1</translation>
+        <translation>没有连接适配器；请用 --port 选择端口：%1</translation>
     </message>
     <message>
         <source>several adapters are connected; select one with --port: %1</source>
-        <translation>有多个适配器；请用 --port 选择：%1</translation>
+        <translation>连接了多个适配器；请用 --port 选择其中一个：%1</translation>
     </message>
     <message>
         <source>A change on this port was interrupted (ID %1). To see, finish or undo it: %2</source>
-        <translation>此端口上有被中断、尚未写完的更改（ID %1）。查看、完成或撤销：%2</translation>
+        <translation>此端口上有被中断、尚未写完的更改（ID %1）。要查看、完成或撤销该更改：%2</translation>
     </message>
     <message>
         <source>Servo %1 replies at %2 baud.</source>
@@ -5869,23 +5869,23 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Saved to the history as test run %1</source>
-        <translation>已存入历史记录，测试记录 %1</translation>
+        <translation>已存入历史记录（测试编号 %1）</translation>
     </message>
     <message>
         <source>The test could not be saved to the history: %1</source>
-        <translation>测试无法存入历史记录：%1</translation>
+        <translation>测试结果无法存入历史记录：%1</translation>
     </message>
     <message>
         <source>The test could not be saved to a file next to the history either</source>
-        <translation>测试也无法存为历史记录旁边的文件</translation>
+        <translation>测试结果也无法存为历史记录所在文件夹中的文件</translation>
     </message>
     <message>
         <source>The test was saved to %1 instead</source>
-        <translation>已改存到 %1</translation>
+        <translation>测试结果已改存到 %1</translation>
     </message>
     <message>
         <source>Servo %1 could not be stopped after the test (%2). Torque may still be on, and the servo may continue to its last goal. Use &quot;torque %1 off&quot;, or disconnect its power supply.</source>
-        <translation>测试结束后未能使舵机 %1 停止（%2）。扭矩可能仍然打开，舵机可能继续走向最后的目标。请使用“torque %1 off”，或切断其供电。</translation>
+        <translation>测试结束后未能使舵机 %1 停止（%2）。扭矩可能仍然打开，舵机可能继续向最后的目标运动。请使用“torque %1 off”，或切断其供电。</translation>
     </message>
     <message>
         <source>Torque of servo %1 could not be turned off after the test (%2) and may still be on. Use &quot;torque %1 off&quot;, or disconnect the servo from its power supply.</source>
@@ -5893,7 +5893,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>%1 contains servos %2; choose one, for example %1:%3, or use --servo</source>
-        <translation>%1 含舵机 %2；请指明是哪一个，例如 %1:%3，或使用 --servo</translation>
+        <translation>%1 中有舵机 %2；请指明是哪一个，例如 %1:%3，或使用 --servo</translation>
     </message>
     <message>
         <source>
@@ -5903,7 +5903,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Change two values: one kept after power-off, one lost at power-off</source>
-        <translation>修改两个数值：一个掉电保存，一个掉电丢失</translation>
+        <translation>修改两个数值：一个断电后保留，一个断电后丢失</translation>
     </message>
     <message>
         <source>On the bus: settings read, EPROM unlocked, value written and read back, EPROM locked and checked.</source>
@@ -5987,7 +5987,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>write both runs to a file</source>
-        <translation>把两次运行写入文件</translation>
+        <translation>把两次阶跃响应写入文件</translation>
     </message>
     <message>
         <source>list the step responses in the history; needs no port</source>
@@ -5995,7 +5995,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>no step response %1 in the history; &quot;step-runs&quot; lists all step responses</source>
-        <translation>历史记录中没有阶跃响应 %1；“step-runs”可列出全部</translation>
+        <translation>历史记录中没有阶跃响应 %1；“step-runs”可列出全部阶跃响应</translation>
     </message>
     <message>
         <source>simulated bus: %1</source>
@@ -6037,7 +6037,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters; a servo counts as silent after 500)</source>
-        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；500 后才判定舵机无应答）</translation>
+        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；500 毫秒内无应答才判定舵机无应答）</translation>
     </message>
     <message>
         <source>Examples:</source>
@@ -6048,23 +6048,23 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     <name>text</name>
     <message>
         <source>the servo has no acceleration setting</source>
-        <translation>没有加速度参数</translation>
+        <translation>舵机没有加速度参数</translation>
     </message>
     <message>
         <source>the servo has no speed setting</source>
-        <translation>没有速度参数</translation>
+        <translation>舵机没有速度参数</translation>
     </message>
     <message>
         <source>the servo has no damping</source>
-        <translation>没有阻尼功能</translation>
+        <translation>舵机没有阻尼功能</translation>
     </message>
     <message>
-        <source>the servo has no torque switch</source>
-        <translation>没有扭矩开关</translation>
+        <source>torque cannot be turned on or off on this servo</source>
+        <translation>舵机没有扭矩开关</translation>
     </message>
     <message>
         <source>the servo does not report its position</source>
-        <translation>不反馈位置</translation>
+        <translation>舵机不反馈位置</translation>
     </message>
     <message>
         <source>Use set-id to change the ID.</source>
@@ -6088,7 +6088,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A safe change requires more than writing one register.</source>
-        <translation>要安全地更改，只写一个参数是不够的。</translation>
+        <translation>要安全地完成此更改，只写一个参数是不够的。</translation>
     </message>
     <message>
         <source>port not found</source>
@@ -6120,11 +6120,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>interrupted by the emergency stop</source>
-        <translation>被急停打断</translation>
+        <translation>操作被急停中断</translation>
     </message>
     <message>
         <source>Correct the value and try again.</source>
-        <translation>改正后再试。</translation>
+        <translation>请改正数值后再试。</translation>
     </message>
     <message>
         <source>This register is set by the factory or by the servo itself.</source>
@@ -6132,7 +6132,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Save a snapshot, then repeat the write and confirm it explicitly.</source>
-        <translation>先保存快照，再明确确认后重新写入。</translation>
+        <translation>请先保存快照，再重新写入并明确确认。</translation>
     </message>
     <message>
         <source>file not found</source>
@@ -6183,11 +6183,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>This takes effect at the next power-on.</source>
-        <translation>下次上电后生效。</translation>
+        <translation>此更改在下次上电后生效。</translation>
     </message>
     <message>
         <source>Stopped before %3 was written.</source>
-        <translation>在写入 %3 之前停止。</translation>
+        <translation>操作在写入 %3 之前已停止。</translation>
     </message>
     <message>
         <source>kept</source>
@@ -6236,11 +6236,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>its memory table has no such register</source>
-        <translation>其内存表没有这个参数</translation>
+        <translation>舵机的内存表中没有这个参数</translation>
     </message>
     <message>
         <source>its protocol has no such instruction</source>
-        <translation>该协议没有此指令</translation>
+        <translation>舵机的协议没有此指令</translation>
     </message>
     <message>
         <source>Modbus addresses must be 1 to 247</source>
@@ -6252,11 +6252,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Write to register %1 instead.</source>
-        <translation>请改写参数 %1。</translation>
+        <translation>请改为写入参数 %1。</translation>
     </message>
     <message>
         <source>Servos from different manufacturers share this bus and have the same ID.</source>
-        <translation>不同厂家的舵机接在同一总线上，并且 ID 相同。</translation>
+        <translation>此总线上接有不同厂家的舵机，并且 ID 相同。</translation>
     </message>
     <message>
         <source>Whether %3 is kept after power-off is not documented.</source>
@@ -6264,7 +6264,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>%3 is 0, which allows no current: the servo has no torque.</source>
-        <translation>%3 为 0，不允许任何电流：舵机没有扭矩。</translation>
+        <translation>%3 为 0，即不允许有电流，因此舵机没有扭矩。</translation>
     </message>
     <message>
         <source>The temperature is above its limit (determined by ServoDesk, not reported by the servo).</source>
@@ -6288,11 +6288,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>This family has no packet that addresses several servos.</source>
-        <translation>该系列没有同步写数据包。</translation>
+        <translation>该系列没有可同时写入多个舵机的数据包。</translation>
     </message>
     <message>
         <source>Keep clear of the mechanism, then repeat the write and confirm it explicitly.</source>
-        <translation>请避开机构，再明确确认后重新写入。</translation>
+        <translation>请远离机构的活动范围，再重新写入并明确确认。</translation>
     </message>
     <message>
         <source>not reported</source>
@@ -6337,7 +6337,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the test would never end</source>
-        <translation>测试不会结束</translation>
+        <translation>按此设置，测试永远不会结束</translation>
     </message>
     <message>
         <source>Use the memory table to write other registers.</source>
@@ -6345,7 +6345,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the history was written by a newer version of this program</source>
-        <translation>历史记录由本程序的较新版本写成</translation>
+        <translation>历史记录是由本程序的较新版本写入的</translation>
     </message>
     <message>
         <source>Close other programs that have history.sqlite open, and try again.</source>
@@ -6385,7 +6385,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>no value in the file</source>
-        <translation>文件中没有值</translation>
+        <translation>文件中没有该参数的值</translation>
     </message>
     <message>
         <source>could not be read</source>
@@ -6393,7 +6393,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>outside this model&apos;s range</source>
-        <translation>超出此型号的范围</translation>
+        <translation>数值超出此型号的范围</translation>
     </message>
     <message>
         <source>converted to this servo&apos;s steps</source>
@@ -6494,7 +6494,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Check the user in the connection string, and the password in ~/.pgpass (a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600).</source>
-        <translation>请检查连接字符串中的用户名，以及 ~/.pgpass 中的密码（一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600）。</translation>
+        <translation>请检查连接字符串中的用户名，以及 ~/.pgpass 中的密码（格式为一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600）。</translation>
     </message>
     <message>
         <source>the history server and this computer cannot agree on encryption</source>
@@ -6502,11 +6502,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>One side requires TLS and the other does not offer it. Servers on other computers must use TLS (sslmode=verify-full) unless sslmode specifies otherwise.</source>
-        <translation>一方要求 TLS，而另一方不提供。其他计算机上的服务器必须使用 TLS（sslmode=verify-full），除非用 sslmode 另行指定。</translation>
+        <translation>一方要求 TLS，而另一方不支持。其他计算机上的服务器必须使用 TLS（sslmode=verify-full），除非用 sslmode 另行指定。</translation>
     </message>
     <message>
         <source>Enable TLS on the server (ssl = on). On a trusted network, you can use sslmode=disable in the connection string instead; all data is then sent unencrypted.</source>
-        <translation>请在服务器上启用 TLS（ssl = on）。在可信网络中，可在连接字符串中写 sslmode=disable，此时所有数据不加密传输。</translation>
+        <translation>请在服务器上启用 TLS（ssl = on）。在可信网络中，也可改为在连接字符串中写 sslmode=disable，此时所有数据不加密传输。</translation>
     </message>
     <message>
         <source>the certificate of the history server cannot be verified</source>
@@ -6518,7 +6518,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the certificate of the history server is for another host name</source>
-        <translation>历史记录服务器的证书属于另一个主机名</translation>
+        <translation>历史记录服务器的证书与主机名不符</translation>
     </message>
     <message>
         <source>the connection string contains a password</source>
@@ -6526,7 +6526,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Remove the password from the string and store it in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600.</source>
-        <translation>请从连接字符串中删除密码，并将其存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。</translation>
+        <translation>请从连接字符串中删除密码，并将其存放在 ~/.pgpass 中：格式为一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。</translation>
     </message>
     <message>
         <source>the password of the history server was removed from the settings</source>
@@ -6542,7 +6542,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>would cause an alarm now</source>
-        <translation>会立即引起报警</translation>
+        <translation>写入会立即引起报警</translation>
     </message>
     <message>
         <source>this test did not finish, so it cannot be a reference</source>
@@ -6554,7 +6554,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the servo family is unclear</source>
-        <translation>系列不明</translation>
+        <translation>舵机系列不明</translation>
     </message>
     <message>
         <source>not in the model list</source>
@@ -6566,7 +6566,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the servo family is unclear: firmware %1, byte order flag %2 and model number %3 contradict each other</source>
-        <translation>系列不明：固件 %1、字节序标志 %2 与型号编号 %3 互相矛盾</translation>
+        <translation>舵机系列不明：固件 %1、字节序标志 %2 与型号编号 %3 互相矛盾</translation>
     </message>
     <message>
         <source>not sent</source>
@@ -6604,23 +6604,23 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The load was above its threshold for too long: a stall, a jammed bracket, or more torque than the servo is rated for. Only the protection torque remains.</source>
-        <translation>负载超过阈值时间过长：堵转、支架卡死，或所需扭矩超过额定值。只剩保护扭矩。</translation>
+        <translation>负载超过阈值的时间过长：堵转、支架卡死，或所需扭矩超过额定值。舵机只剩保护扭矩。</translation>
     </message>
     <message>
         <source>The current was above its threshold for too long: a stall or a short circuit. The servo has turned its torque off.</source>
-        <translation>电流超过阈值时间过长：堵转或短路。舵机已自动卸力。</translation>
+        <translation>电流超过阈值的时间过长：堵转或短路。舵机已自动卸力。</translation>
     </message>
     <message>
         <source>The supply voltage is outside the servo&apos;s limits: a wrong or weak power supply, or thin wires with a voltage drop under load.</source>
-        <translation>供电电压超出舵机限值：电源不对、功率不足，或线太细、带载压降大。</translation>
+        <translation>供电电压超出舵机限值：电源不对、功率不足，或导线太细，带载时压降大。</translation>
     </message>
     <message>
         <source>The servo is too hot: a prolonged load, a stall, poor cooling, or a temperature limit that is set too low. Remove the load and let the servo cool down.</source>
-        <translation>舵机过温：长时间负载、堵转、散热差，或限值设得太低。请去除负载，等待冷却。</translation>
+        <translation>舵机过温：长时间负载、堵转、散热差，或温度上限设得太低。请去除负载，等待舵机冷却。</translation>
     </message>
     <message>
         <source>The magnet, the encoder or a cable inside the servo is faulty. If the alarm returns after a power cycle, the servo needs repair.</source>
-        <translation>磁铁、传感器或内部连线故障。重新上电后仍报警，则需返修。</translation>
+        <translation>磁铁、传感器或舵机内部连线故障。如果重新上电后仍然报警，舵机需要返修。</translation>
     </message>
     <message>
         <source>No alarms.</source>
@@ -6628,19 +6628,19 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Setting a goal slightly back from the stalled position clears this alarm: the shaft turns back a little and holds there.</source>
-        <translation>将目标设为从堵转位置稍往回一点，即可解除报警：输出轴往回转一点并保持。</translation>
+        <translation>设定一个从堵转位置稍微往回的目标，即可解除此报警：输出轴往回转一点并保持在那里。</translation>
     </message>
     <message>
         <source>Setting a new goal at the present position clears this alarm: torque is turned on and the servo holds there.</source>
-        <translation>将新目标设为当前位置即可解除报警：舵机打开扭矩并保持在该位置。</translation>
+        <translation>把当前位置设为新目标，即可解除此报警：舵机打开扭矩并保持在该位置。</translation>
     </message>
     <message>
         <source>Writing the fault reset register clears this alarm. Before that, the servo is set to hold its position.</source>
-        <translation>写入故障复位参数即可解除报警。在此之前，先让舵机保持在当前位置。</translation>
+        <translation>写入故障复位参数即可解除此报警。写入之前，会先让舵机保持在当前位置。</translation>
     </message>
     <message>
         <source>This alarm clears when the value is back within its limits. Nothing is written.</source>
-        <translation>数值回到限值之内后，报警自动解除。不写入任何内容。</translation>
+        <translation>数值回到限值之内后，此报警自动解除。程序不写入任何内容。</translation>
     </message>
     <message>
         <source>Only turning the servo off and on clears this alarm.</source>
@@ -6648,7 +6648,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The meaning of this status bit is not documented. Try turning the servo off and on.</source>
-        <translation>没有资料说明这个状态位。请尝试断电后重新上电。</translation>
+        <translation>资料未说明此状态位的含义。请尝试断电后重新上电。</translation>
     </message>
     <message>
         <source>specified twice</source>
@@ -6656,11 +6656,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>its operating mode is unknown</source>
-        <translation>运行模式未知</translation>
+        <translation>舵机的运行模式未知</translation>
     </message>
     <message>
         <source>an earlier register did not accept its value</source>
-        <translation>前面的参数未接受其值</translation>
+        <translation>前面有一个参数的数值未被接受</translation>
     </message>
     <message>
         <source>ServoDesk cannot switch the baud rate through a TCP bridge</source>
@@ -6668,7 +6668,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>its reply cannot be decoded</source>
-        <translation>其应答无法解析</translation>
+        <translation>舵机的应答无法解析</translation>
     </message>
     <message>
         <source>exception 1: function not supported</source>
@@ -6744,7 +6744,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>To hold its present position, the servo would need a goal outside its limits.</source>
-        <translation>要保持在当前位置，目标位置就会超出限制。</translation>
+        <translation>要让舵机保持在当前位置，目标位置就必须超出限制。</translation>
     </message>
     <message>
         <source>The servo replies with an ID other than its own, or another program is using the bus.</source>
@@ -6756,7 +6756,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The service mistakes adapters with this chip for braille displays, and their port disappears.</source>
-        <translation>它把这种芯片的适配器当作盲文显示器，端口因此消失。</translation>
+        <translation>该服务把采用这种芯片的适配器当作盲文显示器，端口因此消失。</translation>
     </message>
     <message>
         <source>Turn the shaft back into its range by hand, or send a goal within the limits.</source>
@@ -6768,7 +6768,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>If you need the value %1, set it in the memory table; this step will not be offered again.</source>
-        <translation>如果需要数值 %1，请在内存表中写入；此步骤不再提供。</translation>
+        <translation>如果需要数值 %1，请在内存表中写入；程序不会再提供此步骤。</translation>
     </message>
     <message>
         <source>If braille is not used on this computer, run &quot;sudo apt remove brltty&quot;, then plug the adapter in again.</source>
@@ -6800,7 +6800,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Unplug the adapter and plug it in again; for tcp://, check the host and port.</source>
-        <translation>重新插拔适配器；tcp:// 请核对主机和端口号。</translation>
+        <translation>重新插拔适配器；如果使用 tcp://，请核对主机和端口号。</translation>
     </message>
     <message>
         <source>this adapter does not support that baud rate</source>
@@ -6860,11 +6860,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the line is never idle: a device is sending continuously</source>
-        <translation>线路一直没有空闲：有设备在不停发送</translation>
+        <translation>线路一直没有空闲：有设备在不停地发送数据</translation>
     </message>
     <message>
         <source>Possible causes: a device that sends unprompted, a second controller on the bus, an adapter or bridge used for something else, or noise on an open line.</source>
-        <translation>可能的原因：有设备主动发送，总线上有另一个主机，适配器或网桥用于其他用途，或线路悬空引入噪声。</translation>
+        <translation>可能的原因：有设备主动发送数据、总线上有另一个主机、适配器或网桥被用于其他用途，或线路悬空引入噪声。</translation>
     </message>
     <message>
         <source>Connect only one servo, check the wires, and select the right port.</source>
@@ -6892,11 +6892,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Torque was turned off on the whole bus.</source>
-        <translation>整条总线的扭矩已关闭。</translation>
+        <translation>总线上的所有舵机已卸力。</translation>
     </message>
     <message>
         <source>Make sure that nothing can move unexpectedly, then start again.</source>
-        <translation>确认不会有东西意外转动后再重新开始。</translation>
+        <translation>请确认没有部件会意外运动，然后重新开始。</translation>
     </message>
     <message>
         <source>another task is using this servo</source>
@@ -6904,7 +6904,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A change in progress must not be interrupted.</source>
-        <translation>正在进行不能打断的修改。</translation>
+        <translation>正在修改参数，不能中断。</translation>
     </message>
     <message>
         <source>Wait until the task ends, or stop it.</source>
@@ -6948,11 +6948,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Use a value within the range, or change the limits first.</source>
-        <translation>给出范围内的数值，或先修改限制。</translation>
+        <translation>请使用范围内的数值，或先修改限制。</translation>
     </message>
     <message>
         <source>writing this register can make the servo unreachable or dangerous</source>
-        <translation>写此参数可能使舵机失联或有危险</translation>
+        <translation>写入此参数可能使舵机失联或造成危险</translation>
     </message>
     <message>
         <source>this servo does not support this operation</source>
@@ -6960,11 +6960,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo&apos;s family, firmware or present mode does not have this function.</source>
-        <translation>其系列、固件或当前模式没有这项功能。</translation>
+        <translation>舵机的系列、固件或当前模式没有这项功能。</translation>
     </message>
     <message>
         <source>Check the servo&apos;s model and mode, and use the functions it supports.</source>
-        <translation>查看舵机型号和模式，使用它支持的功能。</translation>
+        <translation>请查看舵机的型号和模式，只使用该舵机支持的功能。</translation>
     </message>
     <message>
         <source>another servo already has this ID</source>
@@ -6984,7 +6984,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The firmware did not accept the request, the servo&apos;s protection has tripped, or the movement is blocked.</source>
-        <translation>固件不接受该请求、舵机已进入保护，或输出轴被卡住。</translation>
+        <translation>固件不接受该请求、舵机已进入保护状态，或输出轴被卡住。</translation>
     </message>
     <message>
         <source>Check the servo&apos;s status and mode, remove the cause, and try again.</source>
@@ -6992,11 +6992,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the value read back differs from the value written</source>
-        <translation>回读的数值与写入的不同</translation>
+        <translation>回读的数值与写入的数值不同</translation>
     </message>
     <message>
         <source>The firmware limits the value, or another program also wrote to the servo.</source>
-        <translation>固件限制了该数值，或有另一个程序也在写入。</translation>
+        <translation>固件限制了该数值，或有另一个程序也在写入此舵机。</translation>
     </message>
     <message>
         <source>Read the register again, and use a value that the servo accepts.</source>
@@ -7012,7 +7012,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Restore the connection and finish or undo the change (%recover); turning the servo off and on also locks the EPROM.</source>
-        <translation>恢复连接后完成或撤销修改（%recover）；舵机断电再上电也会上锁。</translation>
+        <translation>恢复连接后完成或撤销修改（%recover）；舵机断电再上电后，EPROM 也会上锁。</translation>
     </message>
     <message>
         <source>no memory table fits this servo</source>
@@ -7024,11 +7024,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Only read the servo&apos;s feedback, or add a model file for it.</source>
-        <translation>只读取反馈，或为它添加型号文件。</translation>
+        <translation>请仅读取舵机的反馈，或为该舵机添加型号文件。</translation>
     </message>
     <message>
         <source>The servo is a variant that is not in the model list, or its identity data is damaged. This data determines the memory table; with the wrong table, a write would change a different register, so nothing is written.</source>
-        <translation>该舵机是型号表中没有的变型，或其身份数据已损坏。内存表由身份数据决定；用错内存表，写入会改动别的参数，因此不写入任何内容。</translation>
+        <translation>该舵机是型号表未收录的变型，或其身份数据已损坏。内存表由身份数据决定；如果内存表不对，写入会改动别的参数，因此不写入任何内容。</translation>
     </message>
     <message>
         <source>Connect only this servo and read it again. If the values stay the same, check the label on the servo. Then add a model file with this model number and the servo&apos;s actual family.</source>
@@ -7044,7 +7044,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Connect one servo at a time and change its ID. If only this servo is connected, check the wires and the ground, then try again; the check for duplicate IDs is repeated each time. A torque-off command still reaches both servos.</source>
-        <translation>每次只连接一个舵机并更改其 ID。如果只连接了这一个舵机，请检查导线和地线后重试：每次都会重新检查 ID 是否重复。卸力指令仍能到达两个舵机。</translation>
+        <translation>请逐个单独连接舵机并更改其 ID。如果总线上确实只有这一个舵机，请检查信号线和地线后重试，重试时会重新检查 ID 是否重复。卸力指令对两个舵机都有效。</translation>
     </message>
     <message>
         <source>another servo replies with this ID</source>
@@ -7064,11 +7064,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A multi-turn servo loses its turn count at power-off, and this one reports only the position within one turn.</source>
-        <translation>多圈舵机断电后圈数丢失，而它只反馈单圈位置。</translation>
+        <translation>多圈舵机断电后圈数丢失，而此舵机只反馈单圈位置。</translation>
     </message>
     <message>
         <source>Send a goal that moves the servo to a known position, or home the axis first.</source>
-        <translation>请自行给出目标使其转到已知位置，或先重新回零。</translation>
+        <translation>请自行设定目标，让舵机转到已知位置，或先将该轴重新回零。</translation>
     </message>
     <message>
         <source>this ID replies in more than one protocol</source>
@@ -7088,7 +7088,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the file content is not valid</source>
-        <translation>文件内容不对</translation>
+        <translation>文件内容无效</translation>
     </message>
     <message>
         <source>The file is damaged, truncated, or of another type.</source>
@@ -7108,11 +7108,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>There is no space left, or your quota is used up.</source>
-        <translation>没有剩余空间，或配额已用完。</translation>
+        <translation>磁盘没有剩余空间，或配额已用完。</translation>
     </message>
     <message>
         <source>Free some space, then try again.</source>
-        <translation>腾出空间后再试。</translation>
+        <translation>请腾出磁盘空间后再试。</translation>
     </message>
     <message>
         <source>, %1 attempts</source>
@@ -7120,7 +7120,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>If an adapter with a CH340 chip (1a86:7523) disappears right after it is plugged in, the braille service has taken it over: run &quot;sudo apt remove brltty&quot;.</source>
-        <translation>如果 CH340 适配器（1a86:7523）插上后立即消失，是被盲文服务占用了：请运行“sudo apt remove brltty”。</translation>
+        <translation>如果 CH340 适配器（1a86:7523）插上后立即消失，说明适配器被盲文服务占用了：请运行“sudo apt remove brltty”。</translation>
     </message>
     <message>
         <source>%1 A torque-off command was sent anyway, but its effect is not confirmed.</source>
@@ -7128,7 +7128,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the servo family is unclear: according to firmware %1, byte order flag %2 and model number %3, the EPROM lock is at address %4, but that byte is %5</source>
-        <translation>系列不明：按固件 %1、字节序标志 %2 和型号 %3，EPROM 锁应在地址 %4，但该处的值为 %5</translation>
+        <translation>舵机系列不明：按固件 %1、字节序标志 %2 和型号编号 %3，EPROM 锁应在地址 %4，但该地址的值为 %5</translation>
     </message>
     <message>
         <source>two servos reply with this ID: one request got two replies</source>
@@ -7151,8 +7151,8 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>请给舵机断电再上电，然后重新读取。若该字节仍不是 0 或 1，请勿写入该舵机，并向厂商索取其内存表。</translation>
     </message>
     <message>
-        <source>This version is too old to record changes in the history, so nothing is written to the servo.</source>
-        <translation>此版本较旧，无法把更改记入该历史记录，因此不向舵机写入任何内容。</translation>
+        <source>This version of ServoDesk is too old to record changes in the history, so nothing is written to the servo.</source>
+        <translation>此版本的 ServoDesk 过旧，无法把更改记入该历史记录，因此不向舵机写入任何内容。</translation>
     </message>
     <message>
         <source>Use the newer version or another data folder (SERVODESK_DATA_DIR).</source>
@@ -7163,20 +7163,20 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>历史记录被占用过久</translation>
     </message>
     <message>
-        <source>Another program keeps the history locked, or the history is on a network drive that does not respond. Without the history, nothing is written to the servo.</source>
-        <translation>另一个程序一直锁着历史记录，或者历史记录所在的网络盘没有响应。没有历史记录就不向舵机写入。</translation>
+        <source>Another program has locked the history, or the history is on a network drive that does not respond. Without the history, nothing is written to the servo.</source>
+        <translation>另一个程序一直锁着历史记录，或者历史记录所在的网络盘没有响应。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
         <source>Part of the file was lost on the disk, or the file is of another type. Without the history, nothing is written to the servo.</source>
-        <translation>文件的一部分在磁盘上丢失，或者文件类型不对。没有历史记录就不向舵机写入。</translation>
+        <translation>文件的一部分在磁盘上丢失，或者文件类型不对。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
         <source>Close the program and move history.sqlite, together with history.sqlite-wal and -shm, to a safe place; a new history is created. &quot;sqlite3 history.sqlite .recover&quot; recovers what is still readable in the old one.</source>
-        <translation>关闭程序，把 history.sqlite 连同 history.sqlite-wal 和 -shm 移到安全的地方；程序会建立新的历史记录。“sqlite3 history.sqlite .recover”可取出旧历史记录中还能读的内容。</translation>
+        <translation>请关闭本程序，把 history.sqlite 连同 history.sqlite-wal 和 -shm 移到安全的地方；程序会建立新的历史记录。“sqlite3 history.sqlite .recover”可取出旧历史记录中还能读的内容。</translation>
     </message>
     <message>
         <source>The history file or its folder is read-only or belongs to another user. Without the history, nothing is written to the servo.</source>
-        <translation>历史记录文件或其文件夹是只读的，或属于其他用户。没有历史记录就不向舵机写入。</translation>
+        <translation>历史记录文件或其文件夹是只读的，或属于其他用户。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
         <source>Get write permission for the file and its folder, or use another data folder (SERVODESK_DATA_DIR).</source>
@@ -7188,7 +7188,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The memory table at a past time is calculated from the last snapshot before that time and the writes that followed the snapshot.</source>
-        <translation>过去某一时间的内存表由该时间之前的最后一个快照加上快照之后的写入得出。</translation>
+        <translation>过去某一时间的内存表，根据该时间之前的最后一个快照及其后的写入推算得出。</translation>
     </message>
     <message>
         <source>A stopped or interrupted test does not show how a good servo performs.</source>
@@ -7204,15 +7204,15 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Torque was turned off.</source>
-        <translation>扭矩已关闭。</translation>
+        <translation>舵机已卸力。</translation>
     </message>
     <message>
         <source>Sending the goal turned torque on.</source>
-        <translation>目标指令打开了扭矩。</translation>
+        <translation>发送目标使舵机打开了扭矩。</translation>
     </message>
     <message>
         <source>Torque stays off until you turn it on.</source>
-        <translation>在您打开扭矩之前，扭矩保持关闭。</translation>
+        <translation>在您打开扭矩之前，舵机保持卸力。</translation>
     </message>
     <message>
         <source>The servo holds its position (%3 = %1).</source>
@@ -7232,7 +7232,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>%3 was set to 0 to prevent unexpected movement in the new mode.</source>
-        <translation>%3 已置 0，以免切换模式后意外转动。</translation>
+        <translation>%3 已置 0，以免切换模式后舵机意外转动。</translation>
     </message>
     <message>
         <source>The angle limits %1 … %2 are saved and will be restored when you switch back to position mode.</source>
@@ -7256,19 +7256,19 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The acknowledgment was lost; reading back confirmed the change.</source>
-        <translation>没有收到应答；回读确认已执行。</translation>
+        <translation>没有收到应答；回读确认更改已生效。</translation>
     </message>
     <message>
         <source>The acknowledgment was lost; reading back showed no change, so the request was sent again.</source>
-        <translation>没有收到应答；回读确认未执行，已重新发送。</translation>
+        <translation>没有收到应答；回读发现更改未生效，已重新发送请求。</translation>
     </message>
     <message>
         <source>The value was already set; nothing was written.</source>
-        <translation>原来就是此值；没有写入。</translation>
+        <translation>参数原来就是此值；未写入任何内容。</translation>
     </message>
     <message>
         <source>%3 is above %1, the highest useful value.</source>
-        <translation>%3 超过 %1，这是有意义的最大值。</translation>
+        <translation>%3 超过了有意义的最大值 %1。</translation>
     </message>
     <message>
         <source>Overload: only the protection torque remains. Remove the load and set a goal away from the stalled position.</source>
@@ -7276,7 +7276,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Overcurrent: torque is off until a new goal is sent. Remove the cause first.</source>
-        <translation>过流：扭矩已关闭，重新写入目标后恢复。请先排除原因。</translation>
+        <translation>过流：舵机已卸力，写入新目标后恢复扭矩。请先排除原因。</translation>
     </message>
     <message>
         <source>Voltage: the alarm clears when the supply voltage is back within the servo&apos;s limits.</source>
@@ -7308,7 +7308,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Reading back showed no change, so the request was sent again.</source>
-        <translation>回读确认没有生效，已重新发送。</translation>
+        <translation>回读发现写入未生效，已重新发送请求。</translation>
     </message>
     <message>
         <source>%3 was saved with the command from the data sheet; this can be verified only by turning the servo off and on.</source>
@@ -7360,7 +7360,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>This family has a fixed baud rate and no command to change it.</source>
-        <translation>该系列只有一种波特率，没有修改指令。</translation>
+        <translation>该系列只有一种波特率，没有修改波特率的指令。</translation>
     </message>
     <message>
         <source>Set the other servos and the port to this baud rate.</source>
@@ -7372,15 +7372,15 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>This register affects the servo&apos;s communication, protection or direction of rotation.</source>
-        <translation>此参数决定舵机的通信、保护或旋转方向。</translation>
+        <translation>此参数影响舵机的通信、保护或旋转方向。</translation>
     </message>
     <message>
         <source>Position goals have no meaning in the present mode.</source>
-        <translation>位置目标在当前模式下没有意义。</translation>
+        <translation>目标位置在当前模式下没有意义。</translation>
     </message>
     <message>
         <source>Select &quot;Switch to position mode&quot; for this test (--switch-mode on the command line), or switch the servo to position mode yourself first.</source>
-        <translation>为本次测试勾选“切换到位置模式”（命令行用 --switch-mode），或先改为位置模式。</translation>
+        <translation>请为本次测试勾选“切换到位置模式”（命令行用 --switch-mode），或先自行将舵机切换到位置模式。</translation>
     </message>
     <message>
         <source>the servo has no reboot command</source>
@@ -7400,7 +7400,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Send the goals one by one.</source>
-        <translation>请逐个给出目标。</translation>
+        <translation>请逐个发送目标。</translation>
     </message>
     <message>
         <source>the servo cannot store a goal for later</source>
@@ -7420,7 +7420,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Switch all servos to the same mode first.</source>
-        <translation>请先把它们切换到同一模式。</translation>
+        <translation>请先把所有舵机切换到同一模式。</translation>
     </message>
     <message>
         <source>a mode and its goal cannot be written together</source>
@@ -7428,11 +7428,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A mode change first sets the goal to zero to prevent unexpected movement.</source>
-        <translation>切换模式时先把目标值清零，以免意外转动。</translation>
+        <translation>切换模式时先把目标值清零，以免舵机意外转动。</translation>
     </message>
     <message>
         <source>Change the mode first, then send the goal.</source>
-        <translation>请先切换模式，再给目标值。</translation>
+        <translation>请先切换模式，再发送目标值。</translation>
     </message>
     <message>
         <source>The travel time determines the speed.</source>
@@ -7444,7 +7444,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>no reply to this read request</source>
-        <translation>对此读取无应答</translation>
+        <translation>舵机没有应答此读取请求</translation>
     </message>
     <message>
         <source>Some models of this family do not have this command; the connection is good.</source>
@@ -7460,11 +7460,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>One command contains both goal and time, so writing only the time would send the last goal again.</source>
-        <translation>两者在同一条指令中，单独写时间会重新发送上一次的目标。</translation>
+        <translation>目标和时间在同一条指令中，单独写入时间会重新发送上一次的目标。</translation>
     </message>
     <message>
         <source>Write goal and time together.</source>
-        <translation>请同时给出目标和时间。</translation>
+        <translation>请同时写入目标和时间。</translation>
     </message>
     <message>
         <source>this setting is always kept after power-off</source>
@@ -7472,7 +7472,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo stores the value immediately and has no lock to prevent this.</source>
-        <translation>舵机立即保存，没有锁标志可以阻止。</translation>
+        <translation>舵机会立即保存该值，没有锁标志可以阻止保存。</translation>
     </message>
     <message>
         <source>Write the value permanently, then write the old value back.</source>
@@ -7496,10 +7496,10 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>To blink the LED, these values would have to be unlocked and rewritten many times.</source>
-        <translation>要让它闪烁，就得解锁并多次改写出厂参数。</translation>
+        <translation>要让 LED 闪烁，就得解锁并多次改写出厂参数。</translation>
     </message>
     <message>
-        <source>in this mode, the servo cannot turn back just a little from the stalled position</source>
+        <source>in this mode, the servo cannot back off from the stalled position by a small amount</source>
         <translation>此模式下舵机无法只往回转一点来解除堵转</translation>
     </message>
     <message>
@@ -7508,7 +7508,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Remove the load and send a command in the opposite direction, or turn the power supply off and on.</source>
-        <translation>请去除负载，自行给出反方向指令，或断电后重新上电。</translation>
+        <translation>请去除负载，自行发送反方向指令，或断电后重新上电。</translation>
     </message>
     <message>
         <source>the direction of the stall is unknown</source>
@@ -7532,7 +7532,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Select servos with the same baud rate, or set them all to one baud rate.</source>
-        <translation>请选择波特率相同的舵机，或把它们改为同一波特率。</translation>
+        <translation>请选择波特率相同的舵机，或把所有舵机改为同一波特率。</translation>
     </message>
     <message>
         <source>the servo&apos;s angle limits do not allow moving away from the stalled position</source>
@@ -7540,7 +7540,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Any goal away from the stalled position would be outside the limits.</source>
-        <translation>离开堵转位置的目标会超出限制。</translation>
+        <translation>任何离开堵转位置的目标都会超出限制。</translation>
     </message>
     <message>
         <source>Widen the limits, or turn the power supply off and on.</source>
@@ -7556,7 +7556,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter two different positions.</source>
-        <translation>请给出两个不同的位置。</translation>
+        <translation>请输入两个不同的位置。</translation>
     </message>
     <message>
         <source>The end would never be reached.</source>
@@ -7564,7 +7564,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter a step of 1 or more.</source>
-        <translation>请给出不小于 1 的步长。</translation>
+        <translation>请输入不小于 1 的步长。</translation>
     </message>
     <message>
         <source>The path runs in both directions, so the step has no sign.</source>
@@ -7572,7 +7572,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter a step of 1 or more; to reverse the direction, swap start and end.</source>
-        <translation>请给出不小于 1 的步长；若要反方向，请对调起点和终点。</translation>
+        <translation>请输入不小于 1 的步长；若要反方向，请对调起点和终点。</translation>
     </message>
     <message>
         <source>the step is larger than the distance from start to end</source>
@@ -7592,7 +7592,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A test moves the servo between at least two positions.</source>
-        <translation>测试需要在至少两个位置之间运动。</translation>
+        <translation>测试需要舵机在至少两个位置之间运动。</translation>
     </message>
     <message>
         <source>Put at least two goals in the file, one per line.</source>
@@ -7600,7 +7600,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo would be sent back before it has moved.</source>
-        <translation>舵机还没动就会被要求返回。</translation>
+        <translation>舵机还没动，就会收到返回的指令。</translation>
     </message>
     <message>
         <source>Enter a delay longer than one move takes, or use a dwell after arrival.</source>
@@ -7608,15 +7608,15 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Neither a number of cycles nor a duration is set.</source>
-        <translation>既没有给循环次数，也没有给时长。</translation>
+        <translation>既没有设置循环次数，也没有设置时长。</translation>
     </message>
     <message>
         <source>Set a number of cycles or a duration.</source>
-        <translation>请给出循环次数或时长。</translation>
+        <translation>请设置循环次数或时长。</translation>
     </message>
     <message>
         <source>the period of the sine wave is not set</source>
-        <translation>没有设置正弦的周期</translation>
+        <translation>没有设置正弦波的周期</translation>
     </message>
     <message>
         <source>The speed of the movement is undefined.</source>
@@ -7624,7 +7624,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter the period in seconds.</source>
-        <translation>请给出一个周期的秒数。</translation>
+        <translation>请输入周期（秒）。</translation>
     </message>
     <message>
         <source>There would be no step to respond to.</source>
@@ -7632,7 +7632,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter a nonzero step; it may be negative.</source>
-        <translation>请给出不为 0 的阶跃量，可为负数。</translation>
+        <translation>请输入不为 0 的阶跃量，可为负数。</translation>
     </message>
     <message>
         <source>the time between goals is out of range</source>
@@ -7644,7 +7644,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter ten seconds or less, or leave the field empty to use the calculated time.</source>
-        <translation>请给出不超过十秒的时间，或留空由程序确定。</translation>
+        <translation>请输入不超过十秒的时间，或留空，由程序计算。</translation>
     </message>
     <message>
         <source>the number of repeats is out of range</source>
@@ -7656,7 +7656,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Enter a number from 1 to 50.</source>
-        <translation>请给出 1 到 50 之间的数。</translation>
+        <translation>请输入 1 到 50 之间的数。</translation>
     </message>
     <message>
         <source>this register cannot be used in a trial</source>
@@ -7676,11 +7676,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Connect, select a servo and choose channels first.</source>
-        <translation>请先连接、选择舵机并选择通道。</translation>
+        <translation>请先连接总线，再选择舵机和通道。</translation>
     </message>
     <message>
         <source>a test is using the bus exclusively</source>
-        <translation>总线正被测试独占</translation>
+        <translation>测试正在独占总线</translation>
     </message>
     <message>
         <source>Other communication on the bus would distort the measurement.</source>
@@ -7700,7 +7700,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Wait until the other program has finished. If it exits early, you can finish or undo the change here.</source>
-        <translation>请等待该程序完成。如果它提前停止，可在此处完成或撤销此更改。</translation>
+        <translation>请等待该程序完成。如果该程序提前退出，可在此处完成或撤销此更改。</translation>
     </message>
     <message>
         <source>movement is blocked after the emergency stop</source>
@@ -7708,11 +7708,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Torque was turned off on the whole bus and has not been turned on again.</source>
-        <translation>整条总线的扭矩已关闭，此后尚未重新打开。</translation>
+        <translation>整条总线已卸力，此后尚未重新打开扭矩。</translation>
     </message>
     <message>
         <source>Make sure that nothing can move unexpectedly, turn torque on, then start again.</source>
-        <translation>请确认不会有东西意外转动，先打开扭矩，再重新开始。</translation>
+        <translation>请确认没有部件会意外转动，打开扭矩后再重新开始。</translation>
     </message>
     <message>
         <source>writing this value moves the shaft immediately</source>
@@ -7728,7 +7728,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Only a goal away from the stalled position clears an overload.</source>
-        <translation>过载只能靠离开堵转位置的目标解除。</translation>
+        <translation>须写入能使舵机离开堵转位置的目标，才能解除过载。</translation>
     </message>
     <message>
         <source>Keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
@@ -7740,7 +7740,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Only a new goal clears an overcurrent.</source>
-        <translation>过流只能靠重新写入目标解除。</translation>
+        <translation>须重新写入目标，才能解除过流。</translation>
     </message>
     <message>
         <source>Remove the cause and keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
@@ -7760,7 +7760,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo replies, and its RAM is unchanged: it ignored or did not receive the reboot command.</source>
-        <translation>舵机有应答，RAM 内容未变：它不理会重启指令，或没有收到该指令。</translation>
+        <translation>舵机有应答，RAM 内容未变：舵机忽略了重启指令，或没有收到该指令。</translation>
     </message>
     <message>
         <source>the servo acknowledged the reboot command but did not reboot</source>
@@ -7772,11 +7772,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>the reboot could not be confirmed</source>
-        <translation>无法证实舵机已重启</translation>
+        <translation>无法确认舵机是否已重启</translation>
     </message>
     <message>
         <source>The servo replies but shows no sign of a reboot: it ignored the command, or rebooted too quickly to be noticed.</source>
-        <translation>舵机有应答，但没有迹象表明它重启过：它没有理会该指令，或重启太快而未被察觉。</translation>
+        <translation>舵机有应答，但没有重启过的迹象：可能忽略了该指令，也可能重启太快而未被察觉。</translation>
     </message>
     <message>
         <source>To be sure, turn the power supply off and on.</source>
@@ -7788,7 +7788,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo is blocked, too weak or too slow, or its limits prevent the movement.</source>
-        <translation>舵机可能被卡住、力量不足或太慢，或因其限制而无法到达。</translation>
+        <translation>舵机可能被卡住、力量不足、速度太慢，或者参数限制使其无法到达。</translation>
     </message>
     <message>
         <source>Remove the obstacle, then check the torque limit, speed and alarms.</source>
@@ -7816,11 +7816,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Check the mode now shown, then send a goal for that mode.</source>
-        <translation>请先查看现在的模式，再给出相应的目标。</translation>
+        <translation>请先查看当前显示的模式，再发送适用于该模式的目标。</translation>
     </message>
     <message>
         <source>a goal waiting in the servo could not be removed</source>
-        <translation>舵机中等待的目标无法清除</translation>
+        <translation>舵机中待执行的目标无法清除</translation>
     </message>
     <message>
         <source>The next Execute command, from any program, will move the servo to this goal.</source>
@@ -7828,7 +7828,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Turn the servo off and on to discard this goal.</source>
-        <translation>请断电再上电，舵机就会丢弃该目标。</translation>
+        <translation>请将舵机断电再上电，以丢弃该目标。</translation>
     </message>
     <message>
         <source>this step would go beyond ±7.5 turns</source>
@@ -7852,7 +7852,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Check the plug and the power supply, connect the original servo, then check the unfinished change (%recover).</source>
-        <translation>请检查插头和供电，接上原先写入的舵机，然后查看未写完的更改（%recover）。</translation>
+        <translation>请检查插头和供电，接上原来的舵机，然后查看未写完的更改（%recover）。</translation>
     </message>
     <message>
         <source>the servo did not acknowledge the command, and all values are unchanged, so it is unknown whether the command was executed</source>
@@ -7864,7 +7864,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Compare the servo&apos;s memory table with the defaults, and write the values that differ.</source>
-        <translation>请将内存表与出厂值对比，并写入有差异的值。</translation>
+        <translation>请将内存表与出厂值对比，并把有差异的参数改为出厂值。</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -7872,7 +7872,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servo already has this value; nothing is written.</source>
-        <translation>舵机已是此值，不写入。</translation>
+        <translation>舵机中已是此值，无需写入。</translation>
     </message>
     <message>
         <source>identity: not written by default</source>
@@ -7880,7 +7880,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>ID and baud rate identify the servo. They are written only on request, as the last step.</source>
-        <translation>ID 和波特率决定舵机的身份。仅在要求时写入，且放在最后。</translation>
+        <translation>ID 和波特率用于识别舵机，仅在您要求时写入，且放在最后。</translation>
     </message>
     <message>
         <source>live value: never restored</source>
@@ -7888,7 +7888,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Torque, goals and the lock are saved for reference only, because writing them back could turn the shaft.</source>
-        <translation>扭矩、目标和锁只作记录保存，因为写回可能使输出轴转动。</translation>
+        <translation>扭矩、目标和上锁状态仅存作参考，因为写回可能使输出轴转动。</translation>
     </message>
     <message>
         <source>lost at power-off: not written by default</source>
@@ -7944,7 +7944,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Without a unit, the number may have a different meaning on this servo. It is not written by default.</source>
-        <translation>没有单位，该数值在此舵机上的含义可能不同。默认不写。</translation>
+        <translation>该数值没有单位，在此舵机上的含义可能不同。默认不写。</translation>
     </message>
     <message>
         <source>not selected</source>
@@ -7964,7 +7964,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>This value was written temporarily and would be lost at power-off. It will be written again permanently.</source>
-        <translation>舵机现在已是此值，但它是临时写入的，断电即失效。将再次写入，以永久保存。</translation>
+        <translation>舵机现在已是此值，但属于临时写入，断电即失效。将再次写入，以永久保存。</translation>
     </message>
     <message>
         <source>The present reading is outside this limit: the servo would report an alarm as soon as the limit is written.</source>
@@ -7980,7 +7980,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>stop in the new mode</source>
-        <translation>在新模式下归零静止</translation>
+        <translation>在新模式下停止转动</translation>
     </message>
     <message>
         <source>lock the EPROM and verify the lock</source>
@@ -8040,7 +8040,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Create the database on the server: &quot;createdb -E UTF8 -O USER DATABASE&quot;.</source>
-        <translation>请在服务器上创建：“createdb -E UTF8 -O USER DATABASE”。</translation>
+        <translation>请在服务器上创建数据库：“createdb -E UTF8 -O USER DATABASE”。</translation>
     </message>
     <message>
         <source>the history server does not allow this</source>
@@ -8075,7 +8075,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>参数名拼写有误，或该参数可能含有密码。</translation>
     </message>
     <message>
-        <source>Store the password in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. If other users could read the settings, change the password.</source>
+        <source>Store the password in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. If other users may have read the settings, change the password.</source>
         <translation>请将密码存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。如果他人可能读到过设置文件，请更换密码。</translation>
     </message>
     <message>
@@ -8084,7 +8084,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The server states the reason in its own language.</source>
-        <translation>服务器用自己的语言说明了原因。</translation>
+        <translation>具体原因见服务器返回的消息（语言取决于服务器设置）。</translation>
     </message>
     <message>
         <source>Check the user, password and database in the connection string, and check the server&apos;s log.</source>
@@ -8108,7 +8108,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Update this program as well. Until then, all data is kept on this computer.</source>
-        <translation>请把本程序也升级。在此之前，所有数据都保存在本机。</translation>
+        <translation>请同时升级本程序。在此之前，所有数据都保存在本机。</translation>
     </message>
     <message>
         <source>The tables are updated when a bench with this version sends data for the first time.</source>
@@ -8124,7 +8124,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>No bench uses this database yet, or the connection string names the wrong one.</source>
-        <translation>还没有工位使用该数据库，或连接到了别的数据库。</translation>
+        <translation>还没有工位使用该数据库，或连接字符串指向了其他数据库。</translation>
     </message>
     <message>
         <source>Set the connection string on the benches, then try again.</source>
@@ -8148,7 +8148,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>There is no space left for the database tables.</source>
-        <translation>没有空间存放数据库的表。</translation>
+        <translation>空间不足，无法存放数据库的表。</translation>
     </message>
     <message>
         <source>Free some space on the server. Until then, data is kept on this computer and sent later.</source>
@@ -8168,7 +8168,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The server is not in the state this program expects.</source>
-        <translation>服务器上的某些内容与本程序的预期不符。</translation>
+        <translation>服务器的状态与本程序的预期不符。</translation>
     </message>
     <message>
         <source>No data is lost; the program tries again automatically. If this continues, check the server&apos;s log.</source>
@@ -8184,7 +8184,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Choose another label, or specify that the servo now replying is the one with this label.</source>
-        <translation>请换一个标签，或说明现在应答的舵机就是带此标签的那一个。</translation>
+        <translation>请换一个标签，或指明现在应答的舵机就是带此标签的那一个。</translation>
     </message>
 </context>
 <context>
@@ -8229,11 +8229,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The emergency stop has turned torque off for %1. Torque is turned on again where the servos are now; nothing moves until you start a test.</source>
-        <translation>急停已让 %1 卸力。扭矩将在舵机当前位置重新打开；在您开始测试之前不会运动。</translation>
+        <translation>急停已让 %1 卸力。扭矩将在舵机当前位置重新打开；在您开始测试之前，舵机不会运动。</translation>
     </message>
     <message>
         <source>Keep hands and objects away from the servos. Esc immediately turns torque off on all servos.</source>
-        <translation>双手和物体请离开舵机的运动范围。按 Esc 立即关闭所有舵机的扭矩。</translation>
+        <translation>请让双手和物体远离舵机的运动范围。按 Esc 立即让所有舵机卸力。</translation>
     </message>
     <message>
         <source>Turn torque on</source>
@@ -8253,7 +8253,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Turns torque on after the emergency stop; nothing moves yet</source>
-        <translation>急停后重新打开扭矩；此时不会运动</translation>
+        <translation>急停后重新打开扭矩；此时舵机不会运动</translation>
     </message>
 </context>
 <context>
@@ -8335,7 +8335,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Nothing was written. Each servo&apos;s tooltip lists the rows that would be written.</source>
-        <translation>未写入任何内容。将鼠标停在舵机上，可查看将要写入的行。</translation>
+        <translation>未写入任何内容。将鼠标指针停在列表中的舵机上，可查看将要写入的行。</translation>
     </message>
     <message>
         <source>Save the result</source>
@@ -8365,7 +8365,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>“%1”: each servo gets its own snapshot, matched by ID. IDs and baud rates are never written here.</source>
-        <translation>“%1”：按 ID 把各自的快照写回每个舵机。这里绝不写入 ID 和波特率。</translation>
+        <translation>“%1”：按 ID 将快照写回对应的舵机。这里绝不写入 ID 和波特率。</translation>
     </message>
     <message>
         <source>“%1”: each selected servo is read, and only the rows that differ are written. IDs and baud rates are never written here.</source>
@@ -8373,27 +8373,27 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>If a row fails, restore the old values of this servo</source>
-        <translation>若有一行写入失败，恢复该舵机的原值</translation>
+        <translation>如果某行写入失败，则恢复该舵机的原值</translation>
     </message>
     <message>
         <source>If not selected, writing to this servo stops at the failed row; values already written stay in the servo</source>
-        <translation>不勾选时，在失败的那一行停止写入该舵机，已写入的值保留在舵机中</translation>
+        <translation>不勾选时，遇到写入失败的行即停止写入该舵机，已写入的值保留在舵机中</translation>
     </message>
     <message>
         <source>Include IDs that now belong to another model</source>
-        <translation>该 ID 现在是其他型号时也写入</translation>
+        <translation>即使该 ID 现在对应其他型号，也写入</translation>
     </message>
     <message>
         <source>Matches registers by name; registers without a match are skipped and listed</source>
-        <translation>按参数名对应；无法对应的会跳过并列出</translation>
+        <translation>按参数名对应；无法对应的参数会跳过并列出</translation>
     </message>
     <message>
         <source>Include dangerous rows</source>
-        <translation>包括危险的行</translation>
+        <translation>同时写入危险项</translation>
     </message>
     <message>
         <source>Also writes rows where a wrong value can make a servo unreachable</source>
-        <translation>也写入数值错误时可能使舵机失联的行</translation>
+        <translation>同时写入危险项（数值有误时舵机可能失联）</translation>
     </message>
     <message>
         <source>Reads the servos and shows what would be written to each</source>
@@ -8435,7 +8435,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Written, but rows were skipped on %1 of %2 servos; their tooltips show which rows and why.</source>
-        <translation>已写入，但 %2 个舵机中有 %1 个跳过了一些行；各行提示列出跳过的行及原因。</translation>
+        <translation>已写入，但 %2 个舵机中有 %1 个跳过了部分参数；跳过的参数及原因见各舵机的提示。</translation>
     </message>
     <message>
         <source>All %1 servos match the snapshot.</source>
@@ -8465,11 +8465,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The sum of the selected bits. %1</source>
-        <translation>所勾选各位之和。%1</translation>
+        <translation>已勾选位的数值之和。%1</translation>
     </message>
     <message>
         <source>Bit %1, adds %2; not named in the data sheet, so it is kept unchanged</source>
-        <translation>位 %1，加 %2；资料中没有命名，因此保持原样</translation>
+        <translation>位 %1，加 %2；规格书中没有命名，因此保持原样</translation>
     </message>
 </context>
 <context>
@@ -8536,7 +8536,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Added to the drawn value, in the same unit</source>
-        <translation>加到绘制值上，单位相同</translation>
+        <translation>绘制时加到数值上，单位与数值相同</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -8582,19 +8582,19 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     <name>ui::CloseConfirmation</name>
     <message>
         <source>Servo %1 is turning. Stop it before closing?</source>
-        <translation>舵机 %1 正在转动。关闭前停止它吗？</translation>
+        <translation>舵机 %1 正在转动。是否先停止转动，再关闭程序？</translation>
     </message>
     <message>
         <source>Servos %1 are turning. Stop them before closing?</source>
-        <translation>舵机 %1 正在转动。关闭前停止它们吗？</translation>
+        <translation>舵机 %1 正在转动。是否先停止转动，再关闭程序？</translation>
     </message>
     <message>
         <source>Servo %1 is turning. Stop it before disconnecting?</source>
-        <translation>舵机 %1 正在转动。断开前停止它吗？</translation>
+        <translation>舵机 %1 正在转动。是否先停止转动，再断开连接？</translation>
     </message>
     <message>
         <source>Servos %1 are turning. Stop them before disconnecting?</source>
-        <translation>舵机 %1 正在转动。断开前停止它们吗？</translation>
+        <translation>舵机 %1 正在转动。是否先停止转动，再断开连接？</translation>
     </message>
     <message>
         <source>Stop and close</source>
@@ -8602,11 +8602,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Stop and disconnect</source>
-        <translation>停止并断开</translation>
+        <translation>停止并断开连接</translation>
     </message>
     <message>
         <source>A test is running. Stop it and close?</source>
-        <translation>测试正在运行。停止测试并关闭？</translation>
+        <translation>测试正在运行。停止测试并关闭程序？</translation>
     </message>
     <message>
         <source>A test is running. Stop it and disconnect?</source>
@@ -8614,15 +8614,15 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The servos will then hold their position with torque on.</source>
-        <translation>之后舵机保持位置，扭矩开启。</translation>
+        <translation>之后舵机将保持当前位置，扭矩处于打开状态。</translation>
     </message>
     <message>
         <source>A write is unfinished. Close anyway?</source>
-        <translation>有一项写入未完成。仍要关闭吗？</translation>
+        <translation>有一项更改未写完。仍要关闭程序吗？</translation>
     </message>
     <message>
         <source>A write is unfinished. Disconnect anyway?</source>
-        <translation>有一项写入未完成。仍要断开吗？</translation>
+        <translation>有一项更改未写完。仍要断开连接吗？</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8638,15 +8638,15 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Lock and disconnect</source>
-        <translation>上锁并断开</translation>
+        <translation>上锁并断开连接</translation>
     </message>
     <message>
         <source>Torque will then be turned off.</source>
-        <translation>之后舵机卸力。</translation>
+        <translation>之后舵机将卸力。</translation>
     </message>
     <message>
         <source>ID %1: the unfinished write is recorded in the journal. The next time you connect, ServoDesk offers to finish or undo it.</source>
-        <translation>ID %1：未写完的写入已记入写入日志。下次连接时可选择完成或撤销。</translation>
+        <translation>ID %1：未写完的更改已记入写入日志。下次连接时可选择完成或撤销。</translation>
     </message>
     <message>
         <source>The EPROM of ID %1 is unlocked. It will be locked first.</source>
@@ -8666,19 +8666,19 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The EPROM stays unlocked: settings written by any program are kept after power-off.</source>
-        <translation>EPROM 保持未上锁：任何程序写入的设置都会断电保存。</translation>
+        <translation>EPROM 保持未上锁：任何程序写入的设置断电后仍会保留。</translation>
     </message>
     <message>
         <source>Stopping ends the movement; torque stays on if the servo can hold its position.</source>
-        <translation>停止会结束运动；舵机能保持位置时扭矩保持开启。</translation>
+        <translation>停止后运动结束；如果舵机能保持位置，扭矩保持打开。</translation>
     </message>
     <message>
         <source>A servo that keeps turning does not stop on its own, and ServoDesk can no longer stop it.</source>
-        <translation>继续转动的舵机不会自行停止，ServoDesk 也无法再停止它。</translation>
+        <translation>如果舵机继续转动，则不会自行停止，ServoDesk 也无法再让其停止。</translation>
     </message>
     <message>
         <source>A servo that keeps moving continues to its goal, and ServoDesk can no longer stop it.</source>
-        <translation>继续运动的舵机会走到目标位置，ServoDesk 无法再停止它。</translation>
+        <translation>如果舵机继续运动，会一直转到目标位置，ServoDesk 无法再让其停止。</translation>
     </message>
     <message>
         <source>Do not stop</source>
@@ -8779,7 +8779,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Batch list file (CSV); an existing batch is resumed</source>
-        <translation>批次清单文件（CSV）；已有的批次会继续</translation>
+        <translation>批次清单文件（CSV）；如果是已有批次，将继续该批次</translation>
     </message>
     <message>
         <source>Snapshot or template written to every servo; leave empty for none</source>
@@ -8843,7 +8843,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Sets up each servo without asking; servos with an alarm or a mismatch are set aside</source>
-        <translation>设置每个舵机时不再询问；有报警或不符的舵机会被剔除</translation>
+        <translation>设置每个舵机时不再询问；有报警或核对不符的舵机会被剔除</translation>
     </message>
     <message>
         <source>Include dangerous rows of the template</source>
@@ -8882,7 +8882,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>ID and baud rate of the servo when connected</source>
-        <translation>连接时的 ID 和波特率</translation>
+        <translation>舵机接上时的 ID 和波特率</translation>
     </message>
     <message>
         <source>ID and baud rate given to the servo</source>
@@ -8937,11 +8937,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The template cannot be read.</source>
-        <translation>模板无法读取。</translation>
+        <translation>无法读取模板。</translation>
     </message>
     <message>
         <source>A wrong value can make a servo unreachable or dangerous, and it is written to every servo of the batch.</source>
-        <translation>数值错误可能导致舵机失联或发生危险，且本批次的每个舵机都会写入。</translation>
+        <translation>数值错误可能导致舵机失联或发生危险，且该数值会写入本批次的每个舵机。</translation>
     </message>
     <message>
         <source>The batch cannot be resumed.</source>
@@ -8949,7 +8949,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>A search is running; commissioning can start when it has ended.</source>
-        <translation>正在搜索，结束后即可开始。</translation>
+        <translation>正在搜索，搜索结束后即可开始批量设置。</translation>
     </message>
     <message>
         <source>A test is running.</source>
@@ -9032,7 +9032,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Unfinished: %1. To finish a servo, connect it and start the same batch again.</source>
-        <translation>未完成：%1。接上该舵机，再次开始同一批次即可完成。</translation>
+        <translation>尚未设置完：%1。接上相应的舵机，再次开始同一批次即可完成设置。</translation>
     </message>
     <message>
         <source>Setup of a servo of this model was not finished in this batch. Continue only if this is that servo.</source>
@@ -9044,7 +9044,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Setup of a servo of this model was not finished; its assigned ID is %1. If this is that servo, click &quot;%2&quot;; otherwise this servo is set up as a new one.</source>
-        <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果接上的就是该舵机，请点“%2”；否则将作为新舵机设置。</translation>
+        <translation>有一个同型号的舵机尚未设置完，已为其分配 ID %1。如果接上的就是该舵机，请点“%2”；否则接上的舵机将作为新舵机设置。</translation>
     </message>
     <message>
         <source>Connect one servo at a time. Each servo receives the template, an ID and the baud rate; it is then checked and recorded in the batch. Nothing moves.</source>
@@ -9056,7 +9056,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Connect all servos to the bus and search to see them.</source>
-        <translation>将全部舵机接到总线上再搜索，即可看到它们。</translation>
+        <translation>将全部舵机接到总线上再搜索，即可查看。</translation>
     </message>
     <message>
         <source>Label: %1</source>
@@ -9104,7 +9104,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Confirms that this is the servo whose setup was not finished, and gives it its assigned ID</source>
-        <translation>确认这就是尚未设置完的舵机，并使用已分配给它的 ID</translation>
+        <translation>确认这就是尚未设置完的舵机，并写入原先分配的 ID</translation>
     </message>
     <message>
         <source>Set aside</source>
@@ -9249,7 +9249,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>ID %1 · no reply · read %2</source>
-        <translation>ID %1 · 无应答 · 读取于%2</translation>
+        <translation>ID %1 · 无应答 · 读取时间：%2</translation>
     </message>
     <message>
         <source>ID %1 · read %2</source>
@@ -9324,15 +9324,15 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>The adapter was unplugged or has no power. A running test continues when the adapter is back; torque is not turned on again on servos that have rebooted in the meantime.</source>
-        <translation>适配器已拔出或断电。适配器恢复后，正在运行的测试将继续；其间重启过的舵机不会重新打开扭矩。</translation>
+        <translation>适配器已拔出或断电。适配器恢复后，正在运行的测试将继续，但不会为其间重启过的舵机重新打开扭矩。</translation>
     </message>
     <message>
         <source>%1 reads/s · %2 error · bus %3 %</source>
-        <translation>%1 次/秒 · %2 错误 · 总线 %3%</translation>
+        <translation>%1 次/秒 · 错误 %2 · 总线 %3%</translation>
     </message>
     <message>
         <source>%1 reads/s · %2 errors · bus %3 %</source>
-        <translation>%1 次/秒 · %2 错误 · 总线 %3%</translation>
+        <translation>%1 次/秒 · 错误 %2 · 总线 %3%</translation>
     </message>
     <message>
         <source>Port: %1 at %2 baud
@@ -9443,7 +9443,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Drag, or use the arrow keys, Page Up/Down, Home and End. Click once to enable the mouse wheel (Ctrl: fine, Shift: coarse).</source>
-        <translation>拖动，或用方向键、Page Up/Down、Home 和 End。点击之后滚轮才起作用（Ctrl：微调，Shift：大步）。</translation>
+        <translation>拖动，或用方向键、Page Up/Down、Home 和 End。点击之后滚轮才起作用（Ctrl：微调，Shift：粗调）。</translation>
     </message>
     <message>
         <source>Moves one step in this direction from the end of the last step</source>
@@ -9517,7 +9517,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Enter the data sheet value for your supply voltage; it is stored for this model, not written to the servo</source>
-        <translation>请输入规格书中您所用供电电压下的数值；该值按型号保存，不写入舵机</translation>
+        <translation>请输入规格书中对应供电电压的数值；该值按型号保存，不写入舵机</translation>
     </message>
     <message>
         <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo slower. Use this only for parts of equal mass.</source>
@@ -9594,7 +9594,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Executes all goals waiting in the servos</source>
-        <translation>执行所有在舵机中等待的目标</translation>
+        <translation>执行各舵机中所有待执行的目标</translation>
     </message>
     <message>
         <source>Set</source>
@@ -9720,7 +9720,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No cursors. Press C in the chart to show them, then drag A and B.</source>
-        <translation>未显示游标。在曲线图中按 C 显示，拖动 A 和 B。</translation>
+        <translation>未显示游标。在曲线图中按 C 显示游标，然后拖动 A 和 B。</translation>
     </message>
 </context>
 <context>
@@ -9763,11 +9763,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1, not selected: %2</source>
-        <translation>%1（未选中）：%2</translation>
+        <translation>%1（未勾选）：%2</translation>
     </message>
     <message>
         <source>ID %1: nothing to write. All selected rows already match.</source>
-        <translation>ID %1：无需写入。已勾选的行都已一致。</translation>
+        <translation>ID %1：无需写入。已勾选的行都已与舵机中的值一致。</translation>
     </message>
     <message>
         <source>ID %1: the rows are written in this order, and each is read back. Nothing has been written yet.</source>
@@ -9779,7 +9779,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes the dialog; nothing is written</source>
-        <translation>关闭，不写入任何内容</translation>
+        <translation>关闭对话框，不写入任何内容</translation>
     </message>
     <message>
         <source>The snapshot is from another model: %1.</source>
@@ -9874,7 +9874,7 @@ Retries: %9</source>
     <name>ui::HistoryDetails</name>
     <message>
         <source>Select an entry to see its details.</source>
-        <translation>选择一个条目以查看详情。</translation>
+        <translation>选择一条记录以查看详情。</translation>
     </message>
 </context>
 <context>
@@ -10076,7 +10076,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>These registers were changed by unrecorded operations: %1.</source>
-        <translation>这些参数由未记录的操作改变：%1。</translation>
+        <translation>以下参数被未记录的操作更改过：%1。</translation>
     </message>
     <message>
         <source>Restoring the memory table leaves these registers unchanged.</source>
@@ -10088,7 +10088,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Writes made under ID %1 are in the history of the servo with that ID, not in this memory table.</source>
-        <translation>以 ID %1 进行的写入记在该 ID 舵机的历史记录中，不在此内存表中。</translation>
+        <translation>使用 ID %1 期间的写入，记在该 ID 对应舵机的历史记录中，不在此内存表中。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln row(s) saved: %1</source>
@@ -10106,7 +10106,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Servos have no serial number. They are identified by model, firmware, ID and the label you assign; two identical servos without a label cannot be distinguished.</source>
-        <translation>舵机没有序列号。只能凭型号、固件、ID 和您给的标签区分：两个相同且没有标签的舵机无法区分。</translation>
+        <translation>舵机没有序列号。只能凭型号、固件、ID 和您添加的标签区分：两个相同且没有标签的舵机无法区分。</translation>
     </message>
     <message>
         <source>Label…</source>
@@ -10126,7 +10126,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No entries. Writes, snapshots, tests and alarms are listed here, unless a filter above hides them.</source>
-        <translation>没有记录。写入、快照、测试和报警都列在这里；也可能被上方的筛选条件隐藏。</translation>
+        <translation>没有记录。写入、快照、测试和报警都列在这里；如果没有显示，可能被上方的筛选条件隐藏。</translation>
     </message>
     <message>
         <source>Select a write.</source>
@@ -10146,11 +10146,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>All entries of this servo</source>
-        <translation>此舵机的全部条目</translation>
+        <translation>此舵机的全部记录</translation>
     </message>
     <message>
         <source>Lists only entries for the servo in this row</source>
-        <translation>仅列出该行舵机的条目</translation>
+        <translation>仅列出该行舵机的记录</translation>
     </message>
 </context>
 <context>
@@ -10230,11 +10230,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Discards the changes</source>
-        <translation>不作更改</translation>
+        <translation>放弃更改</translation>
     </message>
     <message>
         <source>Writes, snapshots, labels and tests of this bench are copied to a PostgreSQL server, where all benches can be viewed together. This computer keeps its own complete history; an unreachable server never blocks a write.</source>
-        <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里集中查看所有工位的记录。本机仍保存自己完整的历史记录；服务器连接不上绝不影响写入。</translation>
+        <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里集中查看所有工位的记录。本机仍保存完整的历史记录；即使服务器连接不上，也绝不影响写入。</translation>
     </message>
 </context>
 <context>
@@ -10369,7 +10369,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Discards the changes</source>
-        <translation>限值保持不变</translation>
+        <translation>放弃更改</translation>
     </message>
 </context>
 <context>
@@ -10408,7 +10408,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The failure limit would be reached before the warning limit: change one of them.</source>
-        <translation>会先判不合格再警告：请修改其中一个数值。</translation>
+        <translation>按此设置，会先判不合格、后警告：请修改其中一个限值。</translation>
     </message>
     <message>
         <source>This metric already has a limit in this direction.</source>
@@ -10498,7 +10498,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Servos are set to no parity at the factory</source>
-        <translation>舵机出厂时无校验</translation>
+        <translation>舵机出厂设置为无校验</translation>
     </message>
     <message>
         <source>Pause between Modbus frames. Auto: the standard pause for the baud rate</source>
@@ -10521,7 +10521,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>EPROM lock not read</source>
-        <translation>EPROM 锁未读取</translation>
+        <translation>尚未读取 EPROM 锁状态</translation>
     </message>
     <message>
         <source>EPROM locked</source>
@@ -10529,11 +10529,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>This family has no EPROM lock. The servo stores every setting immediately.</source>
-        <translation>该系列没有 EPROM 锁。每次设置都立即保存。</translation>
+        <translation>该系列没有 EPROM 锁。舵机会立即保存每项设置。</translation>
     </message>
     <message>
         <source>The EPROM lock has not been read. Choose Read all.</source>
-        <translation>还没有读取 EPROM 锁。请点“读取全部”。</translation>
+        <translation>尚未读取 EPROM 锁状态。请点“读取全部”。</translation>
     </message>
     <message>
         <source>The EPROM is locked. ServoDesk unlocks it for a write and locks it again afterwards.</source>
@@ -10541,11 +10541,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>ServoDesk unlocked the EPROM for a write that has not finished. If no write is in progress, open Port → Interrupted writes.</source>
-        <translation>ServoDesk 为一次尚未结束的写入解锁了 EPROM。若当前没有写入，请打开“端口 → 中断的写入”。</translation>
+        <translation>ServoDesk 为写入解锁了 EPROM，但这次写入尚未结束。如果当前没有写入在进行，请打开“端口 → 中断的写入”。</translation>
     </message>
     <message>
         <source>Another program left the EPROM unlocked, so every write by any program is kept after power-off. Lock the EPROM when you have finished with that program.</source>
-        <translation>其他程序没有给 EPROM 上锁，因此任何程序的写入在断电后都会保留。用完该程序后请上锁。</translation>
+        <translation>其他程序没有给 EPROM 上锁，因此任何程序写入的内容断电后都会保留。用完该程序后，请给 EPROM 上锁。</translation>
     </message>
     <message>
         <source>Lock the EPROM</source>
@@ -10634,7 +10634,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Press Enter or double-click to change a value; nothing is written until Enter is pressed again</source>
-        <translation>回车或双击可修改数值；再次按回车之前不会写入</translation>
+        <translation>按回车或双击可修改数值；再次按回车之前不会写入</translation>
     </message>
     <message>
         <source>The table was saved to %1.</source>
@@ -10681,7 +10681,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows registers that differ from the first reading of this session</source>
-        <translation>显示与本次会话首次读取值不同的参数</translation>
+        <translation>显示自本次会话首次读取以来数值有变化的参数</translation>
     </message>
     <message>
         <source>Shows registers that differ from their known factory value</source>
@@ -10701,7 +10701,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Read rate of the visible rows; nothing is written</source>
-        <translation>可见行的重新读取频率；不写入</translation>
+        <translation>可见行的读取频率；只读取，不写入</translation>
     </message>
     <message>
         <source>Shows everything that is known about the selected row</source>
@@ -10794,7 +10794,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>All messages since the program started</source>
-        <translation>启动以来的全部消息</translation>
+        <translation>程序启动以来的全部消息</translation>
     </message>
     <message>
         <source>No messages yet.</source>
@@ -10829,7 +10829,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Discards the changes</source>
-        <translation>不作更改</translation>
+        <translation>放弃更改</translation>
     </message>
     <message>
         <source>Label and note</source>
@@ -10980,11 +10980,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Removes cleared faults from this list; active faults stay</source>
-        <translation>从此列表移除已解除的故障；仍存在的故障保留</translation>
+        <translation>从列表中移除已解除的故障；仍存在的故障会保留</translation>
     </message>
     <message>
         <source>Age of the newest value, and number of readings in the last second</source>
-        <translation>最新数据的读取时间，以及最近一秒的读取次数</translation>
+        <translation>最新数据是多久前读取的，以及最近一秒的读取次数</translation>
     </message>
     <message>
         <source>Gauges</source>
@@ -11137,7 +11137,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1 is not plugged in; it stays selected</source>
-        <translation>%1 当前未插入，选择仍然保留</translation>
+        <translation>%1 当前未插入，但仍为所选端口</translation>
     </message>
     <message>
         <source>Enter a path such as /dev/ttyUSB0 or an address such as tcp://192.168.1.20:4000</source>
@@ -11206,7 +11206,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>This file already exists. Press Record again to replace it, or choose another name.</source>
-        <translation>该文件已存在。再按一次“录制”将替换它，或换一个名称。</translation>
+        <translation>该文件已存在。再按一次“录制”即可替换该文件，也可换一个名称。</translation>
     </message>
     <message>
         <source>Table for spreadsheets (*.csv)</source>
@@ -11222,11 +11222,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Opens a dialog to choose the folder and file name</source>
-        <translation>选择文件夹和名称</translation>
+        <translation>打开对话框，选择文件夹和文件名</translation>
     </message>
     <message>
         <source>Channels shown in the chart</source>
-        <translation>图中的通道</translation>
+        <translation>图中显示的通道</translation>
     </message>
     <message>
         <source>Records only what the chart shows</source>
@@ -11234,7 +11234,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>All values that are read</source>
-        <translation>所有读取的数据</translation>
+        <translation>读取到的所有数据</translation>
     </message>
     <message>
         <source>Includes values not shown in the chart</source>
@@ -11250,7 +11250,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Duration in seconds from the first row</source>
-        <translation>从第一行起的秒数</translation>
+        <translation>录制时长（秒），从第一行起算</translation>
     </message>
     <message>
         <source>Starts recording now</source>
@@ -11258,7 +11258,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes without recording</source>
-        <translation>关闭，不录制</translation>
+        <translation>关闭对话框，不录制</translation>
     </message>
 </context>
 <context>
@@ -11277,7 +11277,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>%Ln row(s) saved in %1. %2</source>
         <translation>
-            <numerusform>%Ln 行已保存在 %1。%2</numerusform>
+            <numerusform>已保存 %Ln 行到 %1。%2</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -11289,7 +11289,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>%Ln row(s) could not be stored because the disk was too slow.</source>
         <translation>
-            <numerusform>因磁盘太慢，%Ln 行未能写入而丢失。</numerusform>
+            <numerusform>因磁盘太慢，有 %Ln 行数据未能保存。</numerusform>
         </translation>
     </message>
 </context>
@@ -11304,11 +11304,11 @@ Retries: %9</source>
     <name>ui::RegisterEditor</name>
     <message>
         <source>Enter writes, Esc cancels.</source>
-        <translation>回车写入，Esc 取消。</translation>
+        <translation>按回车写入，按 Esc 取消。</translation>
     </message>
     <message>
         <source>Enter sends the value.</source>
-        <translation>按回车发送。</translation>
+        <translation>按回车发送该值。</translation>
     </message>
     <message>
         <source>Esc turns torque off on the whole bus and shows the present value again.</source>
@@ -11351,7 +11351,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Writes this value and reads it back; it is kept after power-off if the register supports this</source>
-        <translation>写入该值并回读；可保存的参数断电后保留</translation>
+        <translation>写入该值并回读；如果该参数支持保存，断电后仍保留</translation>
     </message>
     <message>
         <source>Writes the value without unlocking the EPROM; the value is lost at power-off</source>
@@ -11374,15 +11374,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>Time in the recording</source>
-        <translation>录制中的时间</translation>
+        <translation>录制文件中的时间</translation>
     </message>
     <message>
         <source>Plays the recording</source>
-        <translation>播放录制</translation>
+        <translation>播放录制文件</translation>
     </message>
     <message>
         <source>Position in the recording</source>
-        <translation>录制中的位置</translation>
+        <translation>录制文件中的位置</translation>
     </message>
     <message>
         <source>Playback speed</source>
@@ -11467,15 +11467,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>Also selects ID and baud rate, which are written last. Afterwards, the servo can be reached only with the new settings</source>
-        <translation>同时勾选 ID 和波特率，它们最后写入。之后舵机只以新设置应答</translation>
+        <translation>同时勾选 ID 和波特率，这两项最后写入。之后只能以新设置与舵机通信</translation>
     </message>
     <message>
         <source>If a row fails, restore all old values</source>
-        <translation>若有一行失败，全部恢复原值</translation>
+        <translation>如果有一行写入失败，全部恢复原值</translation>
     </message>
     <message>
         <source>Without this option, writing stops at the failed row; values already written stay in the servo</source>
-        <translation>不勾选时，在失败的那一行停止，已写入的值保留在舵机中</translation>
+        <translation>不勾选时，写入会在失败的那一行停止，已写入的值保留在舵机中</translation>
     </message>
     <message>
         <source>Writes only the selected rows that differ</source>
@@ -11487,7 +11487,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows exactly what would be written, and in which order</source>
-        <translation>准确显示将按什么顺序写入什么</translation>
+        <translation>准确显示将要写入的内容和写入顺序</translation>
     </message>
     <message>
         <source>Writes the selected rows to several servos</source>
@@ -11588,7 +11588,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>ignored: did not finish</source>
-        <translation>已忽略：未完成</translation>
+        <translation>已忽略：测试未完成</translation>
     </message>
     <message>
         <source>ignored: failed</source>
@@ -11683,7 +11683,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Compares the two selected tests; A is the one marked as reference, otherwise the older one</source>
-        <translation>对比所选的两次测试；标为参考的为 A，否则较早的为 A</translation>
+        <translation>对比所选的两次测试；标为参考的一次为 A，如果都未标为参考，则较早的一次为 A</translation>
     </message>
     <message>
         <source>Compares later tests of this model with this servo; each model has one reference</source>
@@ -11703,7 +11703,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The reference %1 (test %2, %3) is ignored because that test did not finish. Under Earlier tests, mark a completed test as the reference.</source>
-        <translation>参考 %1（测试 %2，%3）已忽略：该测试未完成。请在“以往测试”中将已完成的测试设为参考。</translation>
+        <translation>已忽略参考 %1（测试 %2，%3）：该测试未完成。请在“以往测试”中将已完成的测试设为参考。</translation>
     </message>
     <message>
         <source>no metric differs by 10 % or more</source>
@@ -11771,7 +11771,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>Search took %1 · %n servo(s)</source>
         <translation>
-            <numerusform>用时 %1 · %n 个舵机</numerusform>
+            <numerusform>搜索用时 %1 · %n 个舵机</numerusform>
         </translation>
     </message>
     <message>
@@ -11794,11 +11794,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>How much of the search is complete</source>
-        <translation>搜索完成了多少</translation>
+        <translation>搜索的完成比例</translation>
     </message>
     <message>
         <source>Servos that have replied; selecting one reads it and writes nothing. Hold Ctrl or Shift to select several servos and move them together</source>
-        <translation>有应答的舵机；选中舵机只会读取，不会写入。按住 Ctrl 或 Shift 可选择多个舵机一起运动</translation>
+        <translation>有应答的舵机；选中时只读取，不写入。按住 Ctrl 或 Shift 可选择多个舵机，让所选舵机一起运动</translation>
     </message>
     <message>
         <source>Servos appear here when they are found.</source>
@@ -11806,11 +11806,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Servos missing? Find out why…</source>
-        <translation>没搜全？查找原因…</translation>
+        <translation>舵机没搜全？查找原因…</translation>
     </message>
     <message>
         <source>What to check when servos are missing</source>
-        <translation>缺少舵机时应检查什么</translation>
+        <translation>舵机没搜全时应检查什么</translation>
     </message>
 </context>
 <context>
@@ -11829,7 +11829,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Protocol: as connected</source>
-        <translation>协议：与连接相同</translation>
+        <translation>协议：与当前连接相同</translation>
     </message>
     <message>
         <source>All protocols</source>
@@ -11924,11 +11924,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Started, then undone: the old value was restored.</source>
-        <translation>已开始，后撤销：已恢复原值。</translation>
+        <translation>写入已开始，后被撤销：已恢复原值。</translation>
     </message>
     <message>
         <source>Abandoned: never finished or undone.</source>
-        <translation>已放弃：既未完成也未撤销。</translation>
+        <translation>已放弃：写入既未完成，也未撤销。</translation>
     </message>
     <message>
         <source>The write did not end as expected.</source>
@@ -11947,11 +11947,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Select a servo on the left to see what was written to it.</source>
-        <translation>请在左侧选择舵机，以查看它的写入记录。</translation>
+        <translation>请在左侧选择舵机，以查看该舵机的写入记录。</translation>
     </message>
     <message>
         <source>Writes to this servo, newest first, including those made under its earlier IDs</source>
-        <translation>这个舵机的写入记录，最新的在前，包括使用以前的 ID 时的写入</translation>
+        <translation>这个舵机的写入记录，最新的在前；也包括该舵机使用旧 ID 时的记录</translation>
     </message>
 </context>
 <context>
@@ -12081,7 +12081,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>This affects only the history on this computer. Files are not deleted.</source>
-        <translation>仅影响本机的历史记录。文件不会删除。</translation>
+        <translation>仅影响本机的历史记录，不会删除文件。</translation>
     </message>
     <message>
         <source>This cannot be undone.</source>
@@ -12113,7 +12113,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Save, label or delete a snapshot; save all servos</source>
-        <translation>保存、标注或删除快照；保存所有舵机</translation>
+        <translation>保存、标注或删除快照；保存所有舵机的设置</translation>
     </message>
     <message>
         <source>Save as file…</source>
@@ -12164,11 +12164,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Snapshots whose model and ID match the selected servo, or all snapshots. Servos have no serial number; they are identified only by model, firmware and ID</source>
-        <translation>与所选舵机型号和 ID 相同的快照，或全部快照。舵机没有序列号，只能按型号、固件和 ID 识别</translation>
+        <translation>型号和 ID 与所选舵机相同的快照，或全部快照。舵机没有序列号，只能按型号、固件和 ID 识别</translation>
     </message>
     <message>
-        <source>The current snapshot is used for comparing and restoring; hold Ctrl to compare more snapshots</source>
-        <translation>对比和恢复使用当前快照；按住 Ctrl 可选择更多快照进行对比</translation>
+        <source>The selected snapshot is used for comparing and restoring; Ctrl+click adds snapshots to the comparison</source>
+        <translation>所选快照用于对比和恢复；按住 Ctrl 点击可添加更多快照进行对比</translation>
     </message>
     <message>
         <source>Words in model, label, note or file name</source>
@@ -12229,11 +12229,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>No writable setting differs.</source>
-        <translation>没有不同的可写设置。</translation>
+        <translation>可写设置均无差异。</translation>
     </message>
     <message>
         <source>No writable setting differed when the servo was last read.</source>
-        <translation>上次读取舵机时没有不同的可写设置。</translation>
+        <translation>上次读取舵机时，可写设置均无差异。</translation>
     </message>
     <message>
         <source>Shows identical and read-only rows too</source>
@@ -12319,11 +12319,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Step size: in steps, or with a unit (30deg); negative: toward lower positions first</source>
-        <translation>阶跃大小：步数，或带单位（30deg）；负值表示先朝位置减小的方向</translation>
+        <translation>阶跃大小：可用步数，也可带单位（30deg）；负值表示先朝位置减小的方向运动</translation>
     </message>
     <message>
         <source>Start position of the step; leave empty to use the present position, or the nearest one with enough room</source>
-        <translation>阶跃的起点；留空：舵机当前位置，或最近的可用位置</translation>
+        <translation>阶跃的起点；留空：使用当前位置，如果空间不足，则使用最近的可用位置</translation>
     </message>
     <message>
         <source>Number of back-and-forth steps</source>
@@ -12331,7 +12331,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Time from one goal to the next; 0: as long as the step takes</source>
-        <translation>从一个目标到下一个目标的时间；0：按阶跃所需自动确定</translation>
+        <translation>从一个目标到下一个目标的时间；0：按阶跃所需时间自动确定</translation>
     </message>
     <message>
         <source>Raw value, or a value with its unit; leave empty for the maximum. The previous value is restored afterwards</source>
@@ -12417,7 +12417,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>This is recorded in the journal. When the servo replies again, restore the old values under Port → Interrupted writes. At power-off, the servo discards the trial values.</source>
-        <translation>已记入写入日志。舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
+        <translation>此情况已记入写入日志。舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
     </message>
     <message>
         <source>Select a servo in the list.</source>
@@ -12453,7 +12453,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Afterwards, the servo holds its position with torque on, even if you stop the run or close the window.</source>
-        <translation>结束后舵机保持位置，扭矩开启。中途停止或关闭窗口也是如此。</translation>
+        <translation>结束后舵机保持位置，扭矩保持打开。中途停止运行或关闭窗口也是如此。</translation>
     </message>
     <message>
         <source>Keep hands and objects away from the servo. Esc immediately turns torque off on all servos.</source>
@@ -12473,15 +12473,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>Switches back after the run; nothing is stored permanently in the servo</source>
-        <translation>运行结束后切换回原模式；不会永久保存到舵机</translation>
+        <translation>运行结束后切换回原模式；舵机中不会永久保存任何改动</translation>
     </message>
     <message>
-        <source>First change a value under Trial.</source>
+        <source>Change a value under Trial first.</source>
         <translation>请先修改“试用”列中的值。</translation>
     </message>
     <message>
         <source>Clicking Measure or Try gains moves the servo.</source>
-        <translation>“测量”和“试用增益”会使舵机运动。</translation>
+        <translation>点击“测量”或“试用增益”会使舵机运动。</translation>
     </message>
     <message>
         <source>Measures the same step with these values and restores the old values afterwards: %1</source>
@@ -12525,7 +12525,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Movement is blocked by the emergency stop, and torque is off. Click Allow movement to turn torque on; nothing moves until you click Measure or Try gains.</source>
-        <translation>急停后已卸力，禁止运动。点“允许运动”打开扭矩；点“测量”或“试用增益”之前不会运动。</translation>
+        <translation>急停后已卸力，禁止运动。点“允许运动”打开扭矩；点“测量”或“试用增益”之前，舵机不会运动。</translation>
     </message>
 </context>
 <context>
@@ -12556,7 +12556,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Metrics before and after</source>
-        <translation>前后指标对比</translation>
+        <translation>更改前后的指标对比</translation>
     </message>
     <message>
         <source>Metric</source>
@@ -12636,7 +12636,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Removes these runs from the page; the servo and the history do not change</source>
-        <translation>从本页移除这些测试结果；舵机和历史记录不变</translation>
+        <translation>从本页移除这些运行结果；舵机和历史记录不变</translation>
     </message>
     <message>
         <source>Copies this value to Trial; nothing is written</source>
@@ -12690,8 +12690,8 @@ Retries: %9</source>
         <translation>选择一项运行即可打开，选择两项即可对比。</translation>
     </message>
     <message>
-        <source>The metrics, responses and settings of these tests are deleted from the history. Report files are kept.</source>
-        <translation>这些测试的指标、响应和设置将从历史记录中删除。报告文件保留。</translation>
+        <source>The metrics, responses and settings of these runs are deleted from the history. Report files are kept.</source>
+        <translation>所选运行的指标、响应和设置将从历史记录中删除。报告文件会保留。</translation>
     </message>
 </context>
 <context>
@@ -12721,7 +12721,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The servo stops too far from its goal</source>
-        <translation>舵机停在离目标较远处不动</translation>
+        <translation>舵机停止时离目标过远</translation>
     </message>
     <message>
         <source>First failure</source>
@@ -12860,7 +12860,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Back and forth between start and end</source>
-        <translation>在起始与结束之间来回</translation>
+        <translation>在起始位置与结束位置之间往返</translation>
     </message>
     <message>
         <source>Staircase</source>
@@ -12868,7 +12868,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>From start to end in steps, and back in the same steps</source>
-        <translation>从起始到结束逐步走，再逐步返回</translation>
+        <translation>从起始位置逐步走到结束位置，再逐步返回</translation>
     </message>
     <message>
         <source>Both directions</source>
@@ -12876,11 +12876,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Approaches the midpoint from both directions: shows hysteresis</source>
-        <translation>从两侧到达中间位置：看回差</translation>
+        <translation>从两个方向到达中间位置：可查看回差</translation>
     </message>
     <message>
         <source>The goal follows a sine wave: shows how well the servo follows</source>
-        <translation>目标按正弦变化：看跟随性能</translation>
+        <translation>目标按正弦变化：可查看跟随性能</translation>
     </message>
     <message>
         <source>Random goals; the same seed gives the same goals</source>
@@ -12920,11 +12920,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Pause after the goal is reached</source>
-        <translation>到达后停留的时间</translation>
+        <translation>到达目标后停留的时间</translation>
     </message>
     <message>
         <source>Time from one goal to the next, whether or not the goal is reached</source>
-        <translation>从一个目标到下一个目标，不论是否到达</translation>
+        <translation>从一个目标到下一个目标的时间，不论是否到达目标</translation>
     </message>
     <message>
         <source>End after</source>
@@ -12960,7 +12960,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Appears in the report</source>
-        <translation>记入报告</translation>
+        <translation>此内容会记入报告</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -13128,7 +13128,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>A search is running; the test can start when the search has ended.</source>
-        <translation>搜索进行中，结束后才能开始测试。</translation>
+        <translation>正在搜索；搜索结束后才能开始测试。</translation>
     </message>
     <message>
         <source>Select a servo in the list, or select one below.</source>
@@ -13140,11 +13140,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Ends the test; the servos hold their position or torque is turned off, as selected under Afterwards</source>
-        <translation>结束测试；舵机按“结束后”的选择保持扭矩或卸力</translation>
+        <translation>结束测试；舵机按“结束后”的选择保持位置或卸力</translation>
     </message>
     <message>
         <source>Switches back after the test; nothing is stored permanently in the servo</source>
-        <translation>测试结束后切换回来；舵机中不会永久保存任何改动</translation>
+        <translation>测试结束后切换回原模式；舵机中不会永久保存任何改动</translation>
     </message>
     <message>
         <source>Keep hands and objects away from the servos. Esc immediately turns torque off on all servos.</source>
@@ -13160,11 +13160,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Afterwards, the servos hold their position with torque on, even if you stop the test or close the window.</source>
-        <translation>结束后舵机保持位置，扭矩开启。中途停止测试或关闭窗口也是如此。</translation>
+        <translation>结束后舵机保持位置，扭矩保持打开。中途停止测试或关闭窗口也是如此。</translation>
     </message>
     <message>
         <source>Torque is off afterwards on servos that switch back to another mode.</source>
-        <translation>切回其他模式的舵机，测试后扭矩为关闭状态。</translation>
+        <translation>如果舵机测试后切回其他模式，则保持卸力。</translation>
     </message>
     <message>
         <source>Moving to the start</source>
@@ -13212,7 +13212,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Movement is blocked by the emergency stop, and torque is off: %1. Click Allow movement to turn torque on; nothing moves until you click Run.</source>
-        <translation>急停后已卸力，禁止运动：%1。点“允许运动”打开扭矩；点“运行”之前不会运动。</translation>
+        <translation>急停后已卸力，禁止运动：%1。点“允许运动”打开扭矩；点“运行”之前，舵机不会运动。</translation>
     </message>
     <message>
         <source>ID %1: </source>
@@ -13263,7 +13263,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No test has been run yet. Select a test on the left, check start and end, then click Run: the servo will move.</source>
-        <translation>尚未运行测试。在左侧选择测试，确认起始与结束，然后按“运行”：舵机将会运动。</translation>
+        <translation>尚未运行测试。在左侧选择测试，确认起始和结束位置，然后点“运行”：舵机将会运动。</translation>
     </message>
     <message>
         <source>Hover over a row for details</source>
@@ -13287,12 +13287,12 @@ Retries: %9</source>
     </message>
     <message>
         <source>Lists saved tests; you can compare two or select a reference</source>
-        <translation>查看已保存的测试，对比两次测试，选定参考舵机</translation>
+        <translation>列出已保存的测试；可对比两次测试，或选定参考舵机</translation>
     </message>
     <message numerus="yes">
         <source>The test waited for %n bus interruption(s) to end.</source>
         <translation>
-            <numerusform>测试曾等待 %n 次通信中断恢复。</numerusform>
+            <numerusform>测试期间通信中断 %n 次，均等到恢复后继续。</numerusform>
         </translation>
     </message>
     <message>
@@ -13344,7 +13344,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Range of this servo; leave empty to use the start and end above</source>
-        <translation>此舵机的范围；留空：用上面的起始与结束</translation>
+        <translation>此舵机的范围；留空：使用上面的起始和结束位置</translation>
     </message>
     <message>
         <source>Limits: built-in</source>
@@ -13356,11 +13356,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Select the servos to test; enter their own start and end where needed</source>
-        <translation>勾选参加测试的舵机；需要时填写单独的起始与结束</translation>
+        <translation>勾选参加测试的舵机；需要时可单独填写起始和结束位置</translation>
     </message>
     <message>
         <source>Shows, edits, loads and saves the limits for the servo in the selected row</source>
-        <translation>查看、编辑、载入和保存所选行舵机的限值</translation>
+        <translation>查看、编辑、载入和保存所选行中舵机的限值</translation>
     </message>
 </context>
 <context>
@@ -13404,7 +13404,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Select the rows to write to other servos. ID and baud rate are never part of a template. Rows that differ from the factory default are preselected.</source>
-        <translation>勾选要写入其他舵机的行。模板绝不包含 ID 和波特率。与出厂默认值不同的行已预先勾选。</translation>
+        <translation>勾选要写入其他舵机的行。模板不包含 ID 和波特率。与出厂默认值不同的行已预先勾选。</translation>
     </message>
     <message>
         <source>Saves the selected rows to a file</source>
@@ -13412,14 +13412,14 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes without saving</source>
-        <translation>关闭，不保存</translation>
+        <translation>关闭对话框，不保存</translation>
     </message>
 </context>
 <context>
     <name>ui::TorqueHint</name>
     <message>
         <source>Do not show this again</source>
-        <translation>不再显示</translation>
+        <translation>不再显示此提示</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13427,21 +13427,21 @@ Retries: %9</source>
     </message>
     <message>
         <source>Before turning torque on for the first time in this session</source>
-        <translation>本次首次打开扭矩之前</translation>
+        <translation>本次启动程序后，首次打开扭矩之前</translation>
     </message>
     <message>
         <source>• No bracket or horn that can catch or jam
 • Fingers and cables away from the shaft
 • Polarity and voltage of the power supply checked
 • Thick wires above 12 V</source>
-        <translation>• 没有安装会卡住的支架或舵盘
+        <translation>• 支架和舵盘不会被钩住或卡住
 • 手指和线缆远离输出轴
 • 已检查电源极性和电压
 • 高于 12 V 时使用粗导线</translation>
     </message>
     <message>
         <source>Applies to later sessions too</source>
-        <translation>以后启动也不显示</translation>
+        <translation>以后启动程序时也不再显示此提示</translation>
     </message>
     <message>
         <source>Leaves the servo as it is</source>
@@ -13453,7 +13453,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Performs the requested action; this reminder does not appear again until the program is restarted</source>
-        <translation>执行所请求的操作；本次运行不再提示</translation>
+        <translation>继续执行操作；重新启动程序之前不再提示</translation>
     </message>
 </context>
 <context>
@@ -13480,7 +13480,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>All recorded data. Drag the frame to show another part, or its edges to show more or less.</source>
-        <translation>全部数据。拖动方框查看别处，拖动其边缘显示更多或更少。</translation>
+        <translation>全部录制数据。拖动方框可查看其他部分，拖动方框边缘可扩大或缩小显示范围。</translation>
     </message>
     <message>
         <source>No channels selected</source>
@@ -13510,7 +13510,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Recordings (*.csv *.jsonl)</source>
-        <translation>录制 (*.csv *.jsonl)</translation>
+        <translation>录制文件 (*.csv *.jsonl)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -13519,7 +13519,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>Recording %1: %Ln row(s)</source>
         <translation>
-            <numerusform>录制 %1：%Ln 行</numerusform>
+            <numerusform>录制文件 %1：%Ln 行</numerusform>
         </translation>
     </message>
     <message>
@@ -13629,11 +13629,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes the recording and shows live values</source>
-        <translation>关闭录制，显示实时数据</translation>
+        <translation>关闭录制文件，显示实时数据</translation>
     </message>
     <message>
         <source>Records measured values to a file</source>
-        <translation>把测量值写入文件</translation>
+        <translation>把测量值录制到文件</translation>
     </message>
     <message>
         <source>Length of time shown in the chart</source>
@@ -13669,7 +13669,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows each quantity in a lane of its own</source>
-        <translation>每种量各占一栏</translation>
+        <translation>每种物理量各占一栏</translation>
     </message>
     <message>
         <source>Trigger, read rate, export, recordings and saved views</source>
@@ -13723,7 +13723,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The servo has stopped</source>
-        <translation>舵机停止移动</translation>
+        <translation>舵机停止运动</translation>
     </message>
     <message>
         <source>A fault appears</source>
@@ -13767,7 +13767,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The servo starts to move</source>
-        <translation>舵机开始移动</translation>
+        <translation>舵机开始运动</translation>
     </message>
     <message>
         <source>A value is written</source>
@@ -13787,19 +13787,19 @@ Retries: %9</source>
     </message>
     <message>
         <source>In the unit of the channel</source>
-        <translation>使用通道的单位</translation>
+        <translation>单位与通道相同</translation>
     </message>
     <message>
         <source>How far the value must first move to the other side of the level; prevents repeated triggering by noise</source>
-        <translation>数值须先越到电平另一侧的幅度；避免噪声造成重复触发</translation>
+        <translation>数值须先到电平另一侧并超出此幅度，才能触发；避免噪声造成重复触发</translation>
     </message>
     <message>
         <source>Time shown before the trigger</source>
-        <translation>显示触发前的时间</translation>
+        <translation>要显示的触发前时长</translation>
     </message>
     <message>
         <source>Time shown after the trigger; then the chart pauses</source>
-        <translation>触发后显示的时间，然后曲线暂停</translation>
+        <translation>要显示的触发后时长；之后曲线暂停</translation>
     </message>
     <message>
         <source>Wait for trigger</source>
@@ -13807,7 +13807,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Closes without setting a trigger</source>
-        <translation>关闭，不设置触发</translation>
+        <translation>关闭对话框，不设置触发</translation>
     </message>
 </context>
 <context>
@@ -13838,7 +13838,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No hardware? The simulated bus has servos of several families, some with faults to find.</source>
-        <translation>手边没有硬件？模拟总线上有多个系列的舵机，还带有一两处故障。</translation>
+        <translation>手边没有硬件？模拟总线上有多个系列的舵机，其中一些带有可供排查的故障。</translation>
     </message>
 </context>
 </TS>

@@ -132,9 +132,9 @@ QString body(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs,
     return htmlWriter.heading(1, title()) + head(htmlWriter, runs.front()) +
            ends(htmlWriter, runs) + chart + htmlWriter.heading(2, translate("StepText", "Gains")) +
            gains(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Metrics")) +
-           htmlWriter.paragraph(
-               translate("StepText", "Values are means of all responses, out and back; "
-                                     "steady-state errors are absolute values.")) +
+           htmlWriter.paragraph(translate("StepText",
+                                          "Values are means of all responses, out and back; "
+                                          "steady-state errors are absolute values.")) +
            (runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
                             : single(htmlWriter, runs.front())) +
            adviceList(htmlWriter, advice);

@@ -105,7 +105,8 @@ void fillCharts(SweepTexts& words)
     words.histogram = translate("SweepText", "Steady-state error by move");
     words.errorAxis = translate("SweepText", "Steady-state error, step");
     words.legsAxis = translate("SweepText", "Moves", "number");
-    words.noSeries = translate("SweepText", "No readings were stored for a chart.");
+    words.noSeries =
+        translate("SweepText", "No chart is available because no readings were stored.");
     words.noErrors = translate("SweepText", "No steady-state error was measured.");
 }
 
@@ -286,8 +287,9 @@ Text noVerdictReasonText(results::NoVerdictReason reason)
         return translate("SweepText", "The sine is faster than the speed set for the servo. Use a "
                                       "longer period, a smaller range or a higher speed.");
     case results::NoVerdictReason::NoLimit:
-        return translate("SweepText", "No limits judge how well the servo follows its goal. Add "
-                                      "limits for the relative following error and the phase lag.");
+        return translate("SweepText",
+                         "No limits are set for how closely the servo follows its goal. Add limits "
+                         "for the relative following error and the phase lag.");
     case results::NoVerdictReason::ShortMoves:
         return translate(
             "SweepText",

@@ -18,7 +18,8 @@ constexpr std::array details{
     NamedText{"speed", QT_TRANSLATE_NOOP("text", "the servo has no speed setting")},
     NamedText{"mode", QT_TRANSLATE_NOOP("text", "its operating mode is unknown")},
     NamedText{"damp", QT_TRANSLATE_NOOP("text", "the servo has no damping")},
-    NamedText{"torque", QT_TRANSLATE_NOOP("text", "the servo has no torque switch")},
+    NamedText{"torque",
+              QT_TRANSLATE_NOOP("text", "torque cannot be turned on or off on this servo")},
     NamedText{"position", QT_TRANSLATE_NOOP("text", "the servo does not report its position")},
     NamedText{"after-failure", QT_TRANSLATE_NOOP("text", "an earlier register did not accept its "
                                                          "value")},

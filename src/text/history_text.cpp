@@ -10,15 +10,15 @@ namespace {
 constexpr RefusalText newer{
     "newer version",
     QT_TRANSLATE_NOOP("text", "the history was written by a newer version of this program"),
-    QT_TRANSLATE_NOOP("text", "This version is too old to record changes in the history, so "
-                              "nothing is written to the servo."),
+    QT_TRANSLATE_NOOP("text", "This version of ServoDesk is too old to record changes in the "
+                              "history, so nothing is written to the servo."),
     QT_TRANSLATE_NOOP("text",
                       "Use the newer version or another data folder (SERVODESK_DATA_DIR).")};
 constexpr RefusalText busy{
     "locked", QT_TRANSLATE_NOOP("text", "the history has been locked for too long"),
     QT_TRANSLATE_NOOP(
-        "text", "Another program keeps the history locked, or the history is on a network drive "
-                "that does not respond. Without the history, nothing is written to the servo."),
+        "text", "Another program has locked the history, or the history is on a network drive that "
+                "does not respond. Without the history, nothing is written to the servo."),
     QT_TRANSLATE_NOOP("text", "Close other programs that have history.sqlite open, and try "
                               "again.")};
 constexpr RefusalText damaged{

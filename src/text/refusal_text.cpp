@@ -83,7 +83,7 @@ constexpr std::array notSupported{
         "release-mode",
         QT_TRANSLATE_NOOP(
             "text",
-            "in this mode, the servo cannot turn back just a little from the stalled position"),
+            "in this mode, the servo cannot back off from the stalled position by a small amount"),
         QT_TRANSLATE_NOOP("text", "Only turning in the opposite direction clears an overload; in "
                                   "this mode, the shaft would keep turning."),
         QT_TRANSLATE_NOOP("text", "Remove the load and send a command in the opposite direction, "

@@ -92,7 +92,7 @@ constexpr std::array serverKinds{
         QT_TRANSLATE_NOOP(
             "text",
             "Store the password in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode "
-            "0600. If other users could read the settings, change the password.")},
+            "0600. If other users may have read the settings, change the password.")},
     RefusalText{"refused", QT_TRANSLATE_NOOP("text", "the history server rejects the login"),
                 QT_TRANSLATE_NOOP("text", "The server states the reason in its own language."),
                 QT_TRANSLATE_NOOP("text", "Check the user, password and database in the connection "

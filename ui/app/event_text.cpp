@@ -178,7 +178,7 @@ EventText stopChecked(const Event& event, const session::ServoRegistry& registry
     QStringList bad =
         say(text::translate("EventText", "TORQUE IS STILL ON: ID %1"), stop.stillOn) +
         say(text::translate("EventText", "no reply: ID %1"), stop.silent) +
-        say(text::translate("EventText", "different baud rate, not reached: ID %1"),
+        say(text::translate("EventText", "not reachable (different baud rate): ID %1"),
             stop.otherBaud) +
         say(text::translate("EventText",
                             "a goal may still be waiting for its start command: ID %1"),

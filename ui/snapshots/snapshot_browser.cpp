@@ -115,8 +115,8 @@ void SnapshotBrowser::retranslate()
     m_search->setAccessibleName(tr("Search snapshots"));
     m_search->setToolTip(tr("Words in model, label, note or file name"));
     m_tree->setAccessibleName(tr("Snapshots"));
-    m_tree->setToolTip(tr("The current snapshot is used for comparing and restoring; hold Ctrl to "
-                          "compare more snapshots"));
+    m_tree->setToolTip(tr("The selected snapshot is used for comparing and restoring; Ctrl+click "
+                          "adds snapshots to the comparison"));
     m_emptyLabel->setText(m_search->text().isEmpty() ? noneText() : tr("No snapshot matches."));
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i)
         static_cast<SnapshotRow*>(m_tree->topLevelItem(i))->updateText();

@@ -167,7 +167,7 @@ QString StepPage::trialBlockedReason() const
     const QString why = blockedReason();
     if (!why.isEmpty())
         return why;
-    return m_gains->trial().empty() ? tr("First change a value under Trial.") : QString();
+    return m_gains->trial().empty() ? tr("Change a value under Trial first.") : QString();
 }
 
 void StepPage::showState()

@@ -63,7 +63,7 @@ void StepRunsDialog::showDetails(std::int64_t number)
 
 QString StepRunsDialog::deletionText() const
 {
-    return tr("The metrics, responses and settings of these tests are deleted from the history. "
+    return tr("The metrics, responses and settings of these runs are deleted from the history. "
               "Report files are kept.");
 }
 

@@ -85,7 +85,7 @@ TaskText RestoreDefaultsDialog::outcomeText(const Outcome& outcome,
         const jobs::RestoreDefaultsReport& report = *outcome.report;
         const bool isLocked = report.lock == device::LockState::Closed;
         result = {isLocked ? Tone::Good : Tone::Warn,
-                  translate("ServoTasks", "The defaults have been restored.")};
+                  translate("ServoTasks", "The factory defaults have been restored.")};
         result.details << translate("ServoTasks", "ID: %1 → %2, baud rate: %3 → %4")
                               .arg(report.oldId)
                               .arg(report.newId)

@@ -362,7 +362,9 @@ private Q_SLOTS:
             ->showMessage({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
         VERIFY_UNMOVED(watch, "a banner");
         QCOMPARE(coveredControls(fixture, "memoryBanner", names.mid(0, 3)), QString());
-        auto* editor = fixture.find<QWidget>("panelEditor")->findChild<QAbstractSpinBox*>();
+        const auto* panel = fixture.find<QWidget>("panelEditor");
+        auto* editor = panel->findChild<QAbstractSpinBox*>();
+        QVERIFY2(editor != nullptr, qPrintable(panel->accessibleName()));
         editor->setFocus();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("999"));

@@ -98,8 +98,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.now("torque_switch"), 0);
         QTRY_COMPARE(fixture.tried("position_p")->value(), int(*fixture.raw("position_p")));
         QVERIFY(!fixture.own<QPushButton>("stepTry")->isEnabled());
-        QVERIFY(
-            fixture.own<QPushButton>("stepTry")->toolTip().contains(QLatin1String("First change")));
+        QVERIFY(fixture.own<QPushButton>("stepTry")->toolTip().contains(
+            QLatin1String("Change a value")));
         QVERIFY(!fixture.own<QPushButton>("stepAccept")->isEnabled());
         QVERIFY(!fixture.own<QPushButton>("stepBack")->isEnabled());
         QVERIFY(!fixture.own<QLineEdit>("stepSize")->text().isEmpty());
