@@ -51,7 +51,7 @@ quint16 freePort()
 {
     constexpr quint16 first = 10'000;
     constexpr quint16 count = 10'000;
-    for (;;) {
+    for (int tries = 0; tries < 100; ++tries) {
         const auto port = quint16(first + QRandomGenerator::system()->bounded(count));
         const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
         sockaddr_in address{};
@@ -64,6 +64,7 @@ quint16 freePort()
         if (free)
             return port;
     }
+    return 0;
 }
 
 QList<int> childrenOf(qint64 process)

@@ -320,9 +320,18 @@ base::Result<void> halt(const Context& outer, Servo& servo)
 
 std::vector<base::Result<void>> haltAll(const Context& context, const std::vector<Servo*>& servos)
 {
+    // One that does not reply must not keep the others moving: it is asked again after them.
+    Context quick = context;
+    quick.patient = false;
     std::vector<base::Result<HaltCommand>> commanded;
-    for (Servo* servo : servos)
-        commanded.push_back(commandHalt(context, *servo));
+    for (Servo* servo : servos) {
+        const Owned owned = own(quick, {servo->id});
+        commanded.push_back(command(owned.context, *servo));
+    }
+    for (std::size_t i = 0; i < servos.size(); ++i) {
+        if (!commanded[i])
+            commanded[i] = commandHalt(context, *servos[i]);
+    }
     std::vector<base::Result<void>> halted;
     for (std::size_t i = 0; i < servos.size(); ++i) {
         halted.push_back(commanded[i] ? confirmHalt(context, *servos[i], *commanded[i])

@@ -52,7 +52,7 @@ base::Result<bool> isIdFree(const device::Context& context, base::Protocol proto
             return isTaken.map([](bool answered) { return !answered; });
     }
     // A busy computer may hold back the reply to every attempt; a guess may be quicker.
-    const auto latest = attempts > 1 ? bus::LateReplyGuard::maxLateness : base::Duration();
+    const auto latest = attempts > 1 ? bus::LateReplyGuard::maxStall : base::Duration();
     if (const auto listened = context.bus.listen(std::max(latest, context.bus.maxReplyLateness()));
         !listened)
         return tl::unexpected(listened.error());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/late_reply_guard.h"
 #include "device/motion/motion.h"
 #include "device/motion/move_limits.h"
 #include "device/transactions.h"
@@ -120,23 +121,38 @@ base::Result<bool> isAcknowledged(const device::Context& context, const device::
     return answered;
 }
 
-/// Waits until it answers. Returns the number of requests without a reply before that; a reply that
-/// a busy computer holds back is one.
-base::Result<int> waitForReply(const device::Context& context, const device::Servo& servo,
-                               base::Duration sentAt)
+/// How many of the PINGs since `first` were answered late. All replies look alike: the one that was
+/// taken for that of the last PING may be that of the first one, and the others come after it.
+int lateReplies(const device::Context& context, const device::Servo& servo, base::Duration first)
+{
+    const base::Duration span = context.bus.clock().now() - first;
+    if (span < bus::LateReplyGuard::maxStall)
+        (void)context.bus.listen(span + context.bus.maxReplyLateness());
+    const auto frames = context.bus.takeUnexpectedFrames();
+    return static_cast<int>(
+        std::count_if(frames.begin(), frames.end(),
+                      [&](const bus::UnexpectedFrame& frame) { return frame.id == servo.id; }));
+}
+
+struct FirstReply {
+    base::Duration at{};
+    int missedPings = 0; ///< before it; a PING that was answered late is not missed
+};
+
+base::Result<FirstReply> waitForReply(const device::Context& context, const device::Servo& servo,
+                                      base::Duration sentAt)
 {
     base::Clock& clock = context.bus.clock();
+    const base::Duration first = clock.now();
     const base::Duration end = sentAt + maxStartTime + 200ms + 2 * context.bus.maxReplyLateness();
     for (int missedPings = 0;; ++missedPings) {
         const auto answering = isAnswering(context, servo.protocol, servo.id, 0);
         if (!answering && endsJob(answering.error().code))
             return tl::unexpected(answering.error());
         if (answering && *answering) {
-            const auto late = context.bus.takeUnexpectedFrames();
-            return missedPings - static_cast<int>(std::count_if(
-                                     late.begin(), late.end(), [&](const bus::UnexpectedFrame& it) {
-                                         return it.id == servo.id;
-                                     }));
+            const base::Duration at = clock.now();
+            const int late = missedPings == 0 ? 0 : lateReplies(context, servo, first);
+            return FirstReply{at, missedPings - late};
         }
         if (clock.now() > end)
             return base::fail(ErrorCode::NoReply, rebootOperation, {}, servo.id);
@@ -166,11 +182,11 @@ base::Result<RebootAttempt> rebootOnce(const device::Context& context, device::S
     const auto word = isAcknowledged(context, servo);
     if (!word)
         return tl::unexpected(word.error());
-    const auto missedPings = waitForReply(context, servo, sentAt);
-    if (!missedPings)
-        return tl::unexpected(missedPings.error());
-    RebootAttempt result{*word, *missedPings >= missedPingsProvingRestart, false,
-                         context.bus.clock().now() - sentAt};
+    const auto reply = waitForReply(context, servo, sentAt);
+    if (!reply)
+        return tl::unexpected(reply.error());
+    RebootAttempt result{*word, reply->missedPings >= missedPingsProvingRestart, false,
+                         reply->at - sentAt};
     servo.image.clear();
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());

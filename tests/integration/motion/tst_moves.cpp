@@ -90,6 +90,7 @@ private Q_SLOTS:
     void motionIsDetectedWithoutTheFlag();
     void cancelingTheWaitDoesNotStopTheServo();
     void losingTheLinkDoesNotStopTheServos();
+    void aSilentServoKeepsNoOtherMoving();
     void refusedMoves_data();
     void refusedMoves();
     void timeActsOnScs();
@@ -659,6 +660,30 @@ void TestMoves::alarmsShowTheirRemedy()
     device::addAlarmNotices(fixture.context(), servo);
     QCOMPARE(fixture.notices().size(), std::size_t(1));
     QCOMPARE(fixture.notices()[0].code, notice);
+}
+
+/// Servos are stopped in turn; one that has lost its power is asked again after the others.
+void TestMoves::aSilentServoKeepsNoOtherMoving()
+{
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    device::Servo one = fixture.servo(1);
+    device::Servo two = fixture.servo(2);
+    QVERIFY(device::switchMode(fixture.context(), two, text("speed")));
+    QVERIFY(move(fixture, two, to("30rpm")));
+    fixture.runFor(300ms);
+    fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
+    const base::Duration began = fixture.clock().now();
+    std::optional<base::Duration> stopped;
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
+        if (!stopped && frame.size() > 4 && frame[2] == 2 && frame[4] == support::Write)
+            stopped = fixture.clock().now() - began;
+    };
+    const auto halted = device::haltAll(fixture.context(), {&one, &two});
+    QVERIFY(!halted[0]);
+    QVERIFY(halted[1]);
+    QVERIFY(stopped);
+    QVERIFY2(*stopped < 250ms, qPrintable(QString::number(*stopped / 1ms)));
+    QCOMPARE(fixture.raw(2, text("goal_speed")), 0);
 }
 
 SERVODESK_GUILESS_TEST(TestMoves)
