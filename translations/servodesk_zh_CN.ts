@@ -290,7 +290,7 @@
         <translation>更改舵机 ID；先确认新 ID 未被占用</translation>
     </message>
     <message>
-        <source>Changes the baud rate of the servo and continues at the new rate</source>
+        <source>Changes the servo&apos;s baud rate and continues communicating at the new rate</source>
         <translation>更改舵机波特率，并以新波特率继续通信</translation>
     </message>
     <message>
@@ -318,7 +318,7 @@
         <translation>闪烁 LED(&amp;K)</translation>
     </message>
     <message>
-        <source>Blinks the LED of the servo for a few seconds</source>
+        <source>Blinks the servo&apos;s LED for a few seconds</source>
         <translation>让舵机的 LED 闪烁几秒</translation>
     </message>
     <message>
@@ -346,7 +346,7 @@
         <translation>查看舵机的阶跃响应，并试用其他增益</translation>
     </message>
     <message>
-        <source>Save, compare and restore the settings of servos</source>
+        <source>Save, compare and restore servo settings</source>
         <translation>保存、对比和恢复舵机的设置</translation>
     </message>
     <message>
@@ -378,7 +378,7 @@
         <translation>全部卸力(&amp;T)</translation>
     </message>
     <message>
-        <source>Turns torque off on the whole bus immediately (Esc, also in input fields of the motion panel; Shift+Esc works everywhere)</source>
+        <source>Immediately turns off torque on the whole bus (Esc, including in input fields of the motion panel; Shift+Esc works everywhere)</source>
         <translation>立即让总线上的全部舵机卸力（Esc，在运动面板的输入框中也有效；Shift+Esc 在任何界面都有效）</translation>
     </message>
     <message>
@@ -684,7 +684,7 @@
         <translation>转到指定角度后卸力</translation>
     </message>
     <message>
-        <source>The angle limits %1 are saved, and will be restored when you switch back.</source>
+        <source>The angle limits %1 are saved and will be restored when you switch back.</source>
         <translation>角度限制 %1 已保存，切换回来时恢复。</translation>
     </message>
     <message>
@@ -722,7 +722,7 @@
         <translation>此舵机有应答，但读不到型号信息，因此无法驱动。请重新搜索，或检查是否有两个舵机 ID 相同。</translation>
     </message>
     <message>
-        <source>The firmware of this servo is unknown. Its measurements are shown, but moving it could cause damage. To allow movement, add a model file.</source>
+        <source>The firmware of this servo is unknown. Measurements are shown, but moving the servo could cause damage. To allow movement, add a model file.</source>
         <translation>此舵机的固件未知。只显示其测量值；驱动此舵机可能造成损坏。添加型号文件后即可驱动。</translation>
     </message>
     <message>
@@ -907,7 +907,7 @@
         <translation>。无应答：ID %1</translation>
     </message>
     <message>
-        <source>These servos were expected, but did not reply to several queries.</source>
+        <source>These servos were expected but did not reply despite several queries.</source>
         <translation>这些舵机本应在总线上，但多次查询均无应答。</translation>
     </message>
     <message>
@@ -955,7 +955,7 @@
         <translation>急停尚未发送：连接已断开。</translation>
     </message>
     <message>
-        <source>The emergency stop will be sent first when the connection is restored.</source>
+        <source>When the connection is restored, the emergency stop will be sent first.</source>
         <translation>连接恢复后会首先发送急停。</translation>
     </message>
     <message>
@@ -1298,7 +1298,7 @@
         <translation>此舵机未连接。</translation>
     </message>
     <message>
-        <source>Use Servo → Set ID or Set baud rate to change it back.</source>
+        <source>To change the ID or baud rate back, use Servo → Set ID or Servo → Set baud rate.</source>
         <translation>请用“舵机 → 设置 ID”或“设置波特率”改回。</translation>
     </message>
     <message>
@@ -1460,7 +1460,7 @@
         <translation>舵机中读出的原始值</translation>
     </message>
     <message>
-        <source>The same value with its unit or name</source>
+        <source>Raw value converted to its unit or name</source>
         <translation>同一数值，带单位或名称</translation>
     </message>
     <message>
@@ -1536,7 +1536,7 @@
         <translation>曾写入 %1，但之后舵机报告了另一个值。可能是临时值因断电丢失，或有其他程序写入了该舵机。</translation>
     </message>
     <message>
-        <source>The value shown was just read.</source>
+        <source>The value shown was read just now.</source>
         <translation>显示的是刚刚读取的值。</translation>
     </message>
     <message>
@@ -2145,7 +2145,7 @@
         <translation>让输出轴往回转？</translation>
     </message>
     <message>
-        <source>The shaft turns from %1 to %2, away from the stalled position, and holds there with full torque.</source>
+        <source>The shaft turns away from the stalled position, from %1 to %2, and holds the new position with full torque.</source>
         <translation>输出轴将从 %1 转到 %2，离开堵转位置，并以最大扭矩保持在该位置。</translation>
     </message>
     <message>
@@ -2193,7 +2193,7 @@
         <translation>闪烁 LED</translation>
     </message>
     <message>
-        <source>The LED of this servo blinks for a few seconds, then its setting is restored. Nothing moves. A servo without an LED shows nothing.</source>
+        <source>This servo&apos;s LED blinks for a few seconds, and then the LED setting is restored. Nothing moves. On a servo without an LED, nothing is visible.</source>
         <translation>该舵机的 LED 闪烁几秒，然后恢复原来的设置。舵机不会转动。没有 LED 的舵机上看不到任何变化。</translation>
     </message>
     <message>
@@ -2233,7 +2233,7 @@
         <translation>因拔线、断电或程序被终止而未写完的更改会列在这里。</translation>
     </message>
     <message>
-        <source>Another program is still making these changes, so ServoDesk does not touch them. If that program ends before the changes are complete, they are listed here.</source>
+        <source>Another program is still making these changes, so ServoDesk does not touch them. If that program ends before the changes are complete, they will be listed here.</source>
         <translation>另一个仍在运行的程序正在进行这些更改，ServoDesk 不会干预。如果该程序没有写完就结束，未写完的更改会在此列出。</translation>
     </message>
     <message>
@@ -2273,7 +2273,7 @@
         <translation>恢复测试前的设置并回读确认</translation>
     </message>
     <message>
-        <source>Writes and verifies the missing values and locks the EPROM; Undo then reverts the whole change</source>
+        <source>Writes and verifies the missing values and locks the EPROM; afterwards, Undo can revert the whole change</source>
         <translation>写入缺少的值，回读确认，并给 EPROM 上锁；之后可用“撤销”撤销整个更改</translation>
     </message>
     <message>
@@ -2293,7 +2293,7 @@
         <translation>未写入任何内容，因为该更改已不再列为未写完，或开始该更改时所用的端口已重新可用。</translation>
     </message>
     <message>
-        <source>Unfinished changes from other ports. If the adapter has a new port name, search this port for the servos:</source>
+        <source>Unfinished changes from other ports. If the adapter&apos;s port name has changed, search the new port for the servos:</source>
         <translation>在其他端口上开始的更改尚未写完。如果适配器的端口名已改变，请在此端口查找舵机：</translation>
     </message>
     <message>
@@ -2391,7 +2391,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>舵机当前已使用此波特率。</translation>
     </message>
     <message>
-        <source>After this, the servo replies only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
+        <source>After this change, the servo replies only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
         <translation>此后舵机只以波特率 %1 应答。ServoDesk 会自动切换；其他程序需要另行设置。</translation>
     </message>
     <message numerus="yes">
@@ -2469,7 +2469,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>仍在另一个程序中进行</translation>
     </message>
     <message>
-        <source>value has since changed: left unchanged</source>
+        <source>value has since changed: left as it is</source>
         <translation>数值此后已被改动：未作更改</translation>
     </message>
     <message>
@@ -2485,11 +2485,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>舵机现以 ID %1 应答。</translation>
     </message>
     <message>
-        <source>The servo did not reply at the end, so its baud rate may be %1 or %2. To find the servo, use Port → Interrupted writes or search at both baud rates.</source>
+        <source>The servo did not reply at the end of the operation, so its baud rate may be %1 or %2. To find the servo, use Port → Interrupted writes or search at both baud rates.</source>
         <translation>舵机最后没有应答，其波特率可能是 %1 或 %2。要找到该舵机，请使用“端口 → 中断的写入”，或以这两个波特率搜索。</translation>
     </message>
     <message>
-        <source>The servo did not reply at the end, so its ID may be %1 or %2. To find the servo, use Port → Interrupted writes or search the bus.</source>
+        <source>The servo did not reply at the end of the operation, so its ID may be %1 or %2. To find the servo, use Port → Interrupted writes or search the bus.</source>
         <translation>舵机最后没有应答，其 ID 可能是 %1 或 %2。要找到该舵机，请使用“端口 → 中断的写入”，或搜索总线。</translation>
     </message>
     <message>
@@ -2680,7 +2680,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>停在目标附近，存在静差：I 偏小，不足以克服静摩擦。齿轮间隙无法通过调整增益消除。</translation>
     </message>
     <message>
-        <source>The servo jitters: I is above 0, D or the startup force is too high, the dead zone is too small, or the mechanism has backlash.</source>
+        <source>The servo jitters: D or the startup force is too high, I is above 0, the dead zone is too small, or the mechanism has backlash.</source>
         <translation>抖动：I 不为 0、D 或启动力过大、死区过小，或机构有间隙。</translation>
     </message>
     <message>
@@ -2688,15 +2688,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>强烈振荡：P 过大。</translation>
     </message>
     <message>
-        <source>Check cable, adapter and CPU load, then run the test again</source>
+        <source>Check the cable, adapter and CPU load, then run the test again</source>
         <translation>检查线缆、适配器和电脑 CPU 占用，然后重新运行测试</translation>
     </message>
     <message>
-        <source>Check mechanism, end stops, torque limit and power supply</source>
+        <source>Check the mechanism, end stops, torque limit and power supply</source>
         <translation>检查机构、机械限位、扭矩限制和供电</translation>
     </message>
     <message>
-        <source>Check power supply, torque limit, alarms and mechanism, or use a larger step</source>
+        <source>Check the power supply, torque limit, alarms and mechanism, or use a larger step</source>
         <translation>检查供电、扭矩限制、报警和机构，或加大阶跃幅度</translation>
     </message>
     <message>
@@ -2787,7 +2787,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>测试之间的差异</translation>
     </message>
     <message>
-        <source>The tests used different movements: their metrics cannot be compared.</source>
+        <source>The tests used different movements, so the metrics cannot be compared.</source>
         <translation>两次测试的运动方式不同，指标不可对比。</translation>
     </message>
     <message>
@@ -3123,7 +3123,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>判定依据：误差、超调、整定时间、跟随、相位滞后、重复性、电流和负载取最差的行程；速度和到位时间取平均值；计数项取总和。</translation>
     </message>
     <message>
-        <source>Positions are those reported by the servo: gear backlash after its encoder is not measured.</source>
+        <source>Positions are those reported by the servo: gear backlash beyond the encoder is not measured.</source>
         <translation>位置均为舵机自身反馈：编码器之后的齿轮间隙未测量。</translation>
     </message>
     <message>
@@ -3516,7 +3516,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>提前结束：出现不合格项，按设置停止。</translation>
     </message>
     <message>
-        <source>Ended early: a servo no longer accepted its goal; its limits or mode have changed.</source>
+        <source>Ended early: a servo no longer accepted its goal because its limits or mode changed.</source>
         <translation>提前结束：舵机不再接受目标位置；其限位或模式已改变。</translation>
     </message>
     <message>
@@ -3556,7 +3556,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>目标点列表</translation>
     </message>
     <message>
-        <source>delay from one goal to the next, whether reached or not</source>
+        <source>delay from one goal to the next, whether or not the goal is reached</source>
         <translation>延时（从一个目标到下一个）</translation>
     </message>
     <message>
@@ -3757,7 +3757,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>向 %2 写入 %1 会使舵机切换到“%3”。</translation>
     </message>
     <message>
-        <source>The command register of the new mode (%1) is set to 0.</source>
+        <source>The command register (%1) of the new mode is set to 0.</source>
         <translation>新模式的指令参数（%1）会清零。</translation>
     </message>
     <message>
@@ -4670,15 +4670,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>%1（ID %2，波特率 %3）将设为 ID %4。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If this is that servo, type &quot;s&quot; and press Enter. To set this servo aside, type &quot;a&quot; and press Enter.</source>
+        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If the connected servo is that one, type &quot;s&quot; and press Enter. To set the connected servo aside, type &quot;a&quot; and press Enter.</source>
         <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果现在接上的就是该舵机，请输入“s”再按回车；要剔除现在接上的舵机，请输入“a”再按回车。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If this is that servo, type &quot;s&quot; and press Enter; otherwise this servo is set up as a new one.</source>
+        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If the connected servo is that one, type &quot;s&quot; and press Enter; otherwise, the connected servo is set up as a new one.</source>
         <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果现在接上的就是该舵机，请输入“s”再按回车；否则会把现在接上的舵机作为新舵机设置。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished in this batch. Continue only if this is that servo.</source>
+        <source>Setup of a servo of this model was not finished in this batch. Continue only if the connected servo is that one.</source>
         <translation>此批次中有一个同型号的舵机尚未设置完。请确认接上的就是该舵机，再继续。</translation>
     </message>
     <message>
@@ -4714,7 +4714,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>ID %1 已完成，请拔下舵机。</translation>
     </message>
     <message>
-        <source>Unfinished: %1 with assigned ID %2. Some of its settings may have been written. Connect it and run the same command again to finish it.</source>
+        <source>Unfinished: %1 with assigned ID %2. Some of its settings may have been written. Connect the servo and run the same command again to finish its setup.</source>
         <translation>未设置完：%1，分配的 ID 为 %2。部分参数可能已写入。请接上该舵机并再次运行同一命令，以完成设置。</translation>
     </message>
     <message>
@@ -4832,11 +4832,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>以下参数的新值没有记录，因此保存时不含值：%1</translation>
     </message>
     <message>
-        <source>Temporary writes are not included; the table contains the stored values of: %1</source>
+        <source>Temporary writes are not included; for these registers, the table contains the stored values: %1</source>
         <translation>不计入临时写入；内存表中以下参数为已保存的值：%1</translation>
     </message>
     <message>
-        <source>The ID was changed to %1 on %2; writes made with that ID are in the history of the servo with ID %1, not here</source>
+        <source>The ID was changed to %1 on %2; writes made with the new ID are in the history of the servo with ID %1, not here</source>
         <translation>ID 已于 %2 改为 %1；以新 ID 进行的写入在 ID %1 舵机的历史记录中，不在此处</translation>
     </message>
     <message>
@@ -4876,7 +4876,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>输出文件，例如 NAME.servo.json；已有文件会被覆盖</translation>
     </message>
     <message>
-        <source>save a servo&apos;s memory table at a given time (last snapshot plus the writes up to then) as a file for snapshot restore</source>
+        <source>save a servo&apos;s memory table as it was at a given time (last snapshot plus the writes up to then) to a file for snapshot restore</source>
         <translation>把舵机在某一时刻的内存表存为供 snapshot restore 使用的文件：取该时刻前的最后一个快照，加上快照之后到该时刻为止的写入</translation>
     </message>
     <message>
@@ -4957,7 +4957,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>goal, raw (1=2048) or with its unit (1=90deg; in speed mode 1=30rpm)</source>
-        <translation>目标：原始值（1=2048）或带单位（1=90deg；恒速模式 1=30rpm）</translation>
+        <translation>目标，写成 ID=数值：原始值（如 1=2048）或带单位的值（如 1=90deg；恒速模式如 1=30rpm）</translation>
     </message>
     <message>
         <source>wait until the servos have reached their goals</source>
@@ -5048,7 +5048,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>也处理在其他端口上开始的更改：端口已不存在的直接处理，端口仍然存在的须加 --change。只要其他端口上开始的更改还有未写完的，退出码就为 1</translation>
     </message>
     <message>
-        <source>restore the parameters stored in the servo (0x06); ID and baud rate may change, so connect only this servo</source>
+        <source>restore the parameters stored in the servo (instruction 0x06); ID and baud rate may change, so connect only this servo</source>
         <translation>恢复舵机内备份的参数（0x06）；ID 和波特率可能改变，请只接这一个舵机</translation>
     </message>
     <message>
@@ -5180,11 +5180,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>第二次运行使用的值：position_p=40,position_d=20；之后恢复原值</translation>
     </message>
     <message>
-        <source>Gaps without readings: %1. Moves with such a gap have no times or speeds.</source>
+        <source>Gaps without readings: %1. No times or speeds are available for moves with such a gap.</source>
         <translation>无采样数据的时段：%1。包含此类时段的行程不给出时间和速度。</translation>
     </message>
     <message>
-        <source>the report file must end with .html, .pdf, .json or .csv</source>
+        <source>the report file name must end with .html, .pdf, .json or .csv</source>
         <translation>报告文件须以 .html、.pdf、.json 或 .csv 结尾</translation>
     </message>
     <message>
@@ -5208,7 +5208,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>对舵机运行扫描测试并评定结果</translation>
     </message>
     <message>
-        <source>the report of a comparison must end with .html</source>
+        <source>the file name of a comparison report must end with .html</source>
         <translation>对比报告的文件名须以 .html 结尾</translation>
     </message>
     <message>
@@ -5257,7 +5257,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Test run %1, ID %2, is not a reference for %3</source>
-        <translation>测试记录 %1 的 ID %2 不是 %3 的参考</translation>
+        <translation>测试记录 %1 中 ID %2 的结果未设为 %3 的参考</translation>
     </message>
     <message>
         <source>list the sweep tests in the history; needs no port</source>
@@ -5280,7 +5280,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>取消参考标记</translation>
     </message>
     <message>
-        <source>%1 identifies the servo; a template contains it only with --identity</source>
+        <source>%1 identifies the servo and is included in a template only with --identity</source>
         <translation>%1 用于识别舵机；只有使用 --identity 时，模板才会包含该参数</translation>
     </message>
     <message>
@@ -5376,7 +5376,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>在模拟总线上演示功能；不需要舵机</translation>
     </message>
     <message>
-        <source>read the feedback of servos continuously</source>
+        <source>read servo feedback continuously</source>
         <translation>连续读取舵机反馈</translation>
     </message>
     <message>
@@ -5622,7 +5622,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>结束时卸力（默认保持）</translation>
     </message>
     <message>
-        <source>stop at the first limit that fails</source>
+        <source>stop at the first limit that is not met</source>
         <translation>出现第一个不合格项时结束</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>更改仍在另一个程序中进行</translation>
     </message>
     <message>
-        <source>value has since changed: left unchanged</source>
+        <source>value has since changed: left as it is</source>
         <translation>数值此后已被改动：未作更改</translation>
     </message>
     <message numerus="yes">
@@ -5684,7 +5684,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>未更改</translation>
     </message>
     <message>
-        <source>Change %1: registers left as they are because their values have since changed, or because writing them would move the servo: %2</source>
+        <source>In change %1, these registers were left as they are because their values have since changed or because writing them would move the servo: %2</source>
         <translation>更改 %1：以下参数未处理，因为之后已被改动，或写入会使舵机转动：%2</translation>
     </message>
     <message>
@@ -5824,7 +5824,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>波特率；auto 表示逐个尝试所有波特率（默认 1000000；LX 和 Modbus 为 115200）</translation>
     </message>
     <message>
-        <source>protocol of the servos: auto, feetech, modbus or lx (default: auto, which tries all protocols possible at the baud rate)</source>
+        <source>servo protocol: auto, feetech, modbus or lx (default: auto, which tries all protocols possible at the baud rate)</source>
         <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto，即尝试该波特率下所有可能的协议）</translation>
     </message>
     <message>
@@ -5836,7 +5836,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>Modbus 帧间静默时间（微秒；默认按标准，波特率高于 19200 时为 1750）</translation>
     </message>
     <message>
-        <source>language of the output</source>
+        <source>output language</source>
         <translation>输出的语言</translation>
     </message>
     <message>
@@ -5852,7 +5852,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>连接了多个适配器；请用 --port 选择其中一个：%1</translation>
     </message>
     <message>
-        <source>A change on this port was interrupted (ID %1). To see, finish or undo it: %2</source>
+        <source>A change on this port was interrupted (servo ID %1). To see, finish or undo the change: %2</source>
         <translation>此端口上有被中断、尚未写完的更改（ID %1）。要查看、完成或撤销该更改：%2</translation>
     </message>
     <message>
@@ -5884,11 +5884,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>测试结果已改存到 %1</translation>
     </message>
     <message>
-        <source>Servo %1 could not be stopped after the test (%2). Torque may still be on, and the servo may continue to its last goal. Use &quot;torque %1 off&quot;, or disconnect its power supply.</source>
+        <source>After the test, servo %1 could not be stopped (%2). Torque may still be on, and the servo may continue to its last goal. Use &quot;torque %1 off&quot;, or disconnect its power supply.</source>
         <translation>测试结束后未能使舵机 %1 停止（%2）。扭矩可能仍然打开，舵机可能继续向最后的目标运动。请使用“torque %1 off”，或切断其供电。</translation>
     </message>
     <message>
-        <source>Torque of servo %1 could not be turned off after the test (%2) and may still be on. Use &quot;torque %1 off&quot;, or disconnect the servo from its power supply.</source>
+        <source>After the test, torque could not be turned off on servo %1 (%2) and may still be on. Use &quot;torque %1 off&quot;, or disconnect the servo from its power supply.</source>
         <translation>测试后舵机 %1 卸力失败（%2），扭矩可能仍然打开。请使用“torque %1 off”，或切断其供电。</translation>
     </message>
     <message>
@@ -5897,7 +5897,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>
-Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the replies took less than %5 ms.</source>
+Totals: servos found %1, requests %2, replies %3, retries %4; half of the replies took less than %5 ms.</source>
         <translation>
 总计：找到舵机 %1 个；请求 %2 次，应答 %3 次，重试 %4 次；半数应答用时不到 %5 毫秒。</translation>
     </message>
@@ -6132,7 +6132,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Save a snapshot, then repeat the write and confirm it explicitly.</source>
-        <translation>请先保存快照，再重新写入并明确确认。</translation>
+        <translation>请先保存快照，再重新写入，并在提示时确认。</translation>
     </message>
     <message>
         <source>file not found</source>
@@ -6147,7 +6147,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>文件无法读取</translation>
     </message>
     <message>
-        <source>Check its permissions, or use a copy.</source>
+        <source>Check the file permissions, or use a copy.</source>
         <translation>检查权限，或换用副本。</translation>
     </message>
     <message>
@@ -6182,7 +6182,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>应答来自 ID %1。</translation>
     </message>
     <message>
-        <source>This takes effect at the next power-on.</source>
+        <source>The change takes effect at the next power-on.</source>
         <translation>此更改在下次上电后生效。</translation>
     </message>
     <message>
@@ -6267,11 +6267,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>%3 为 0，即不允许有电流，因此舵机没有扭矩。</translation>
     </message>
     <message>
-        <source>The temperature is above its limit (determined by ServoDesk, not reported by the servo).</source>
+        <source>ServoDesk detected that the temperature is above its limit; the servo did not report this.</source>
         <translation>温度超过上限（由 ServoDesk 判断，并非舵机报告）。</translation>
     </message>
     <message>
-        <source>The voltage is outside its limits (determined by ServoDesk, not reported by the servo).</source>
+        <source>ServoDesk detected that the voltage is outside its limits; the servo did not report this.</source>
         <translation>电压超出限值（由 ServoDesk 判断，并非舵机报告）。</translation>
     </message>
     <message>
@@ -6513,7 +6513,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>无法验证历史记录服务器的证书</translation>
     </message>
     <message>
-        <source>Save the certificate of the issuing authority as ~/.postgresql/root.crt, or specify its file with sslrootcert=FILE in the connection string. sslmode=require encrypts without verification.</source>
+        <source>Save the certificate of the issuing authority as ~/.postgresql/root.crt, or specify the certificate file with sslrootcert=FILE in the connection string. sslmode=require encrypts without verification.</source>
         <translation>请将签发机构的证书保存为 ~/.postgresql/root.crt，或在连接字符串中用 sslrootcert=FILE 指定其文件。sslmode=require 只加密而不验证。</translation>
     </message>
     <message>
@@ -6529,7 +6529,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>请从连接字符串中删除密码，并将其存放在 ~/.pgpass 中：格式为一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。</translation>
     </message>
     <message>
-        <source>the password of the history server was removed from the settings</source>
+        <source>the history server password was removed from the settings</source>
         <translation>已从设置中删除历史记录服务器的密码</translation>
     </message>
     <message>
@@ -6692,7 +6692,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
     </message>
     <message>
         <source>Use the center command to set the midpoint.</source>
-        <translation>请用 center 设置中位。</translation>
+        <translation>请用 center 命令设为中位。</translation>
     </message>
     <message>
         <source>Use the torque command to turn torque on or off. When torque is turned on, the servo holds its present position.</source>
@@ -6731,7 +6731,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>此 ID 下应答的是另一个舵机：%1</translation>
     </message>
     <message>
-        <source>the servo&apos;s present position is outside its limits (%1)</source>
+        <source>the present position is outside the servo&apos;s limits (%1)</source>
         <translation>舵机的当前位置超出限制（%1）</translation>
     </message>
     <message>
@@ -6755,7 +6755,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>此后有其他程序改动了该值，或舵机被换成了同型号的另一个。</translation>
     </message>
     <message>
-        <source>The service mistakes adapters with this chip for braille displays, and their port disappears.</source>
+        <source>The service mistakes an adapter with this chip for a braille display, and the adapter&apos;s port disappears.</source>
         <translation>该服务把采用这种芯片的适配器当作盲文显示器，端口因此消失。</translation>
     </message>
     <message>
@@ -6959,11 +6959,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>此舵机不支持该操作</translation>
     </message>
     <message>
-        <source>The servo&apos;s family, firmware or present mode does not have this function.</source>
+        <source>The servo&apos;s family, firmware or present mode does not support this function.</source>
         <translation>舵机的系列、固件或当前模式没有这项功能。</translation>
     </message>
     <message>
-        <source>Check the servo&apos;s model and mode, and use the functions it supports.</source>
+        <source>Check the servo&apos;s model and mode, and use functions that the servo supports.</source>
         <translation>请查看舵机的型号和模式，只使用该舵机支持的功能。</translation>
     </message>
     <message>
@@ -7023,7 +7023,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>固件版本不属于任何已知系列，写入可能造成损坏。</translation>
     </message>
     <message>
-        <source>Only read the servo&apos;s feedback, or add a model file for it.</source>
+        <source>Read only the servo&apos;s feedback, or add a model file for the servo.</source>
         <translation>请仅读取舵机的反馈，或为该舵机添加型号文件。</translation>
     </message>
     <message>
@@ -7091,7 +7091,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>文件内容无效</translation>
     </message>
     <message>
-        <source>The file is damaged, truncated, or of another type.</source>
+        <source>The file is damaged, truncated, or not the expected type of file.</source>
         <translation>文件损坏、不完整，或类型不对。</translation>
     </message>
     <message>
@@ -7127,7 +7127,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>%1仍发送了卸力指令，但不能确认其已生效。</translation>
     </message>
     <message>
-        <source>the servo family is unclear: according to firmware %1, byte order flag %2 and model number %3, the EPROM lock is at address %4, but that byte is %5</source>
+        <source>the servo family is unclear: according to firmware %1, byte order flag %2 and model number %3, the EPROM lock is at address %4, but the byte at that address is %5</source>
         <translation>舵机系列不明：按固件 %1、字节序标志 %2 和型号编号 %3，EPROM 锁应在地址 %4，但该地址的值为 %5</translation>
     </message>
     <message>
@@ -7167,11 +7167,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>另一个程序一直锁着历史记录，或者历史记录所在的网络盘没有响应。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
-        <source>Part of the file was lost on the disk, or the file is of another type. Without the history, nothing is written to the servo.</source>
+        <source>Part of the file was lost on the disk, or the file is not a history file. Without the history, nothing is written to the servo.</source>
         <translation>文件的一部分在磁盘上丢失，或者文件类型不对。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
-        <source>Close the program and move history.sqlite, together with history.sqlite-wal and -shm, to a safe place; a new history is created. &quot;sqlite3 history.sqlite .recover&quot; recovers what is still readable in the old one.</source>
+        <source>Close the program and move history.sqlite, together with history.sqlite-wal and history.sqlite-shm, to a safe place; a new history is created. &quot;sqlite3 history.sqlite .recover&quot; recovers what is still readable in the old file.</source>
         <translation>请关闭本程序，把 history.sqlite 连同 history.sqlite-wal 和 -shm 移到安全的地方；程序会建立新的历史记录。“sqlite3 history.sqlite .recover”可取出旧历史记录中还能读的内容。</translation>
     </message>
     <message>
@@ -7319,7 +7319,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>电流限制已恢复为 %1（%3）。</translation>
     </message>
     <message>
-        <source>SCS servos share this bus with STS, SMS or HLS servos; the vendor advises against it.</source>
+        <source>SCS servos share this bus with STS, SMS or HLS servos; the vendor advises against this combination.</source>
         <translation>SCS 舵机与 STS、SMS 或 HLS 舵机接在同一总线上；厂家不建议混用。</translation>
     </message>
     <message>
@@ -7447,7 +7447,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>舵机没有应答此读取请求</translation>
     </message>
     <message>
-        <source>Some models of this family do not have this command; the connection is good.</source>
+        <source>Some models in this family do not have this command; the connection is good.</source>
         <translation>该系列部分型号没有此指令；线路正常。</translation>
     </message>
     <message>
@@ -7503,7 +7503,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>此模式下舵机无法只往回转一点来解除堵转</translation>
     </message>
     <message>
-        <source>Only turning in the opposite direction clears an overload; in this mode, the shaft would keep turning.</source>
+        <source>Only turning in the opposite direction clears an overload alarm; in this mode, the shaft would keep turning.</source>
         <translation>过载只能靠反方向转动解除，而在此模式下输出轴会一直转下去。</translation>
     </message>
     <message>
@@ -7727,7 +7727,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>解除此报警会使输出轴转动</translation>
     </message>
     <message>
-        <source>Only a goal away from the stalled position clears an overload.</source>
+        <source>Only a goal away from the stalled position clears an overload alarm.</source>
         <translation>须写入能使舵机离开堵转位置的目标，才能解除过载。</translation>
     </message>
     <message>
@@ -7739,7 +7739,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>解除此报警会打开扭矩</translation>
     </message>
     <message>
-        <source>Only a new goal clears an overcurrent.</source>
+        <source>Only a new goal clears an overcurrent alarm.</source>
         <translation>须重新写入目标，才能解除过流。</translation>
     </message>
     <message>
@@ -7759,7 +7759,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>舵机没有重启</translation>
     </message>
     <message>
-        <source>The servo replies, and its RAM is unchanged: it ignored or did not receive the reboot command.</source>
+        <source>The servo replies, and its RAM is unchanged: the servo ignored or did not receive the reboot command.</source>
         <translation>舵机有应答，RAM 内容未变：舵机忽略了重启指令，或没有收到该指令。</translation>
     </message>
     <message>
@@ -7879,12 +7879,12 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>身份参数：默认不写</translation>
     </message>
     <message>
-        <source>ID and baud rate identify the servo. They are written only on request, as the last step.</source>
+        <source>The ID and baud rate identify the servo. They are written only on request, as the last step.</source>
         <translation>ID 和波特率用于识别舵机，仅在您要求时写入，且放在最后。</translation>
     </message>
     <message>
         <source>live value: never restored</source>
-        <translation>瞬时值：从不恢复</translation>
+        <translation>瞬时值：恢复时一律跳过</translation>
     </message>
     <message>
         <source>Torque, goals and the lock are saved for reference only, because writing them back could turn the shaft.</source>
@@ -7955,7 +7955,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>没有要求写入此行。</translation>
     </message>
     <message>
-        <source>Voltage, temperature, current and torque limits depend on the model. They are written only if you select the row.</source>
+        <source>Voltage, temperature, current and torque limits depend on the model. Each is written only if you select its row.</source>
         <translation>电压、温度、电流和扭矩的限制与型号有关。除非您自己勾选该行，否则不写入。</translation>
     </message>
     <message>
@@ -8023,7 +8023,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>历史记录服务器没有响应</translation>
     </message>
     <message>
-        <source>The server accepts connections but does not reply: it hangs, a firewall blocks it, or it is not a PostgreSQL server.</source>
+        <source>The server accepts connections but does not reply: it has hung, a firewall is blocking it, or it is not a PostgreSQL server.</source>
         <translation>服务器接受连接但没有响应：服务器卡死、被防火墙拦截，或者不是 PostgreSQL 服务器。</translation>
     </message>
     <message>
@@ -8059,7 +8059,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>证书已过期，本机不信任其签发机构，或者有另一台计算机在冒充该服务器。</translation>
     </message>
     <message>
-        <source>The connection string uses another name for the server, or another computer is posing as the server.</source>
+        <source>The server name in the connection string does not match the certificate, or another computer is posing as the server.</source>
         <translation>连接字符串中的服务器名称与证书不同，或者有另一台计算机在冒充该服务器。</translation>
     </message>
     <message>
@@ -8075,7 +8075,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>参数名拼写有误，或该参数可能含有密码。</translation>
     </message>
     <message>
-        <source>Store the password in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600. If other users may have read the settings, change the password.</source>
+        <source>Store the password in ~/.pgpass (file mode 0600) as a line HOST:PORT:DATABASE:USER:PASSWORD. If other users may have read the settings, change the password.</source>
         <translation>请将密码存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。如果他人可能读到过设置文件，请更换密码。</translation>
     </message>
     <message>
@@ -8103,7 +8103,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>请安装驱动（Debian：“sudo apt install libqt6sql6-psql”），然后重新启动程序。</translation>
     </message>
     <message>
-        <source>Another bench uses a newer version, which has updated the tables on the server.</source>
+        <source>Another bench uses a newer version of this program, which has updated the tables on the server.</source>
         <translation>另一工位使用了更新的版本，并升级了服务器上的表。</translation>
     </message>
     <message>
@@ -8111,7 +8111,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>请同时升级本程序。在此之前，所有数据都保存在本机。</translation>
     </message>
     <message>
-        <source>The tables are updated when a bench with this version sends data for the first time.</source>
+        <source>The tables are updated when a bench with this version of the program sends data for the first time.</source>
         <translation>第一个用此版本发送数据的工位会升级服务器上的表。</translation>
     </message>
     <message>
@@ -8143,7 +8143,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>连接数已达上限，或数据表被锁住。</translation>
     </message>
     <message>
-        <source>No data is lost; the program tries again automatically. If this continues, check the server.</source>
+        <source>No data is lost; the program tries again automatically. If the problem continues, check the server.</source>
         <translation>没有丢失任何数据，程序会自动重试。若一直如此，请检查服务器。</translation>
     </message>
     <message>
@@ -8171,7 +8171,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>服务器的状态与本程序的预期不符。</translation>
     </message>
     <message>
-        <source>No data is lost; the program tries again automatically. If this continues, check the server&apos;s log.</source>
+        <source>No data is lost; the program tries again automatically. If the problem continues, check the server&apos;s log.</source>
         <translation>没有丢失任何数据，程序会自动重试。若一直如此，请查看服务器日志。</translation>
     </message>
     <message>
@@ -8228,7 +8228,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>打开扭矩？</translation>
     </message>
     <message>
-        <source>The emergency stop has turned torque off for %1. Torque is turned on again where the servos are now; nothing moves until you start a test.</source>
+        <source>The emergency stop has turned torque off for %1. Torque is turned on again at the servos&apos; present positions; nothing moves until you start a test.</source>
         <translation>急停已让 %1 卸力。扭矩将在舵机当前位置重新打开；在您开始测试之前，舵机不会运动。</translation>
     </message>
     <message>
@@ -8372,11 +8372,11 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>“%1”：逐个读取已勾选的舵机，只写入有差异的行。这里绝不写入 ID 和波特率。</translation>
     </message>
     <message>
-        <source>If a row fails, restore the old values of this servo</source>
+        <source>If a row fails, restore that servo&apos;s old values</source>
         <translation>如果某行写入失败，则恢复该舵机的原值</translation>
     </message>
     <message>
-        <source>If not selected, writing to this servo stops at the failed row; values already written stay in the servo</source>
+        <source>If this option is not selected, writing to a servo stops at the failed row; values already written stay in the servo</source>
         <translation>不勾选时，遇到写入失败的行即停止写入该舵机，已写入的值保留在舵机中</translation>
     </message>
     <message>
@@ -8408,7 +8408,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>写完当前舵机后停止</translation>
     </message>
     <message>
-        <source>Saves the result of each row to a file</source>
+        <source>Saves the result for each row to a file</source>
         <translation>把每一行的结果保存为文件</translation>
     </message>
     <message>
@@ -8543,7 +8543,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>重置</translation>
     </message>
     <message>
-        <source>Shows goal, position, speed and current of the selected servo</source>
+        <source>Shows the goal, position, speed and current of the selected servo</source>
         <translation>显示所选舵机的目标、位置、速度和电流</translation>
     </message>
     <message>
@@ -8695,7 +8695,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
 <context>
     <name>ui::CommissionBatchView</name>
     <message>
-        <source>Servos of the batch</source>
+        <source>Servos in the batch</source>
         <translation>批次中的舵机</translation>
     </message>
     <message>
@@ -8707,7 +8707,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>复制标签</translation>
     </message>
     <message>
-        <source>Copies the labels of the selected (or all) servos, one per line</source>
+        <source>Copies the labels of the selected servos, or of all servos if none is selected, one per line</source>
         <translation>复制所选（或全部）舵机的标签，每行一个</translation>
     </message>
     <message>
@@ -8790,7 +8790,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>起始 ID</translation>
     </message>
     <message>
-        <source>ID of the first servo; the next servos get the following IDs</source>
+        <source>ID of the first servo; each later servo gets the next ID</source>
         <translation>第一个舵机的 ID，之后依次递增</translation>
     </message>
     <message>
@@ -8846,7 +8846,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>设置每个舵机时不再询问；有报警或核对不符的舵机会被剔除</translation>
     </message>
     <message>
-        <source>Include dangerous rows of the template</source>
+        <source>Include the template&apos;s dangerous rows</source>
         <translation>同时写入模板中的危险项</translation>
     </message>
 </context>
@@ -8940,7 +8940,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>无法读取模板。</translation>
     </message>
     <message>
-        <source>A wrong value can make a servo unreachable or dangerous, and it is written to every servo of the batch.</source>
+        <source>A wrong value can make a servo unreachable or dangerous, and these rows are written to every servo in the batch.</source>
         <translation>数值错误可能导致舵机失联或发生危险，且该数值会写入本批次的每个舵机。</translation>
     </message>
     <message>
@@ -8948,7 +8948,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>此批次无法继续。</translation>
     </message>
     <message>
-        <source>A search is running; commissioning can start when it has ended.</source>
+        <source>A search is running; commissioning can start after the search has ended.</source>
         <translation>正在搜索，搜索结束后即可开始批量设置。</translation>
     </message>
     <message>
@@ -9031,19 +9031,19 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>%1（ID %2）</translation>
     </message>
     <message>
-        <source>Unfinished: %1. To finish a servo, connect it and start the same batch again.</source>
+        <source>Unfinished: %1. To finish setting up a servo, connect it and start the same batch again.</source>
         <translation>尚未设置完：%1。接上相应的舵机，再次开始同一批次即可完成设置。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished in this batch. Continue only if this is that servo.</source>
+        <source>Setup of a servo of this model was not finished in this batch. Continue only if the connected servo is that one.</source>
         <translation>此批次中有一个同型号的舵机尚未设置完。确认接上的就是该舵机后再继续。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If this is that servo, click &quot;%1&quot;.</source>
+        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If the connected servo is the unfinished one, click &quot;%1&quot;.</source>
         <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点“%1”。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If this is that servo, click &quot;%2&quot;; otherwise this servo is set up as a new one.</source>
+        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If the connected servo is the unfinished one, click &quot;%2&quot;; otherwise the connected servo is set up as a new one.</source>
         <translation>有一个同型号的舵机尚未设置完，已为其分配 ID %1。如果接上的就是该舵机，请点“%2”；否则接上的舵机将作为新舵机设置。</translation>
     </message>
     <message>
@@ -9055,7 +9055,7 @@ Total: servos found: %1; requests: %2, replies: %3, retries: %4; half of the rep
         <translation>列表中的舵机已变化，正在重新搜索总线。</translation>
     </message>
     <message>
-        <source>Connect all servos to the bus and search to see them.</source>
+        <source>Connect all servos to the bus, then search the bus to see them.</source>
         <translation>将全部舵机接到总线上再搜索，即可查看。</translation>
     </message>
     <message>
@@ -9516,11 +9516,11 @@ Retries: %9</source>
         <translation>最大输出；松开滑块时发送</translation>
     </message>
     <message>
-        <source>Enter the data sheet value for your supply voltage; it is stored for this model, not written to the servo</source>
+        <source>Enter the data sheet value for your supply voltage; the value is stored for this model, not written to the servo</source>
         <translation>请输入规格书中对应供电电压的数值；该值按型号保存，不写入舵机</translation>
     </message>
     <message>
-        <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo slower. Use this only for parts of equal mass.</source>
+        <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). A lower limit also makes the servo slower. Use this method only for parts of equal mass.</source>
         <translation>夹持：按工件能承受的力设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。舵机也会变慢。仅适合质量相同的工件。</translation>
     </message>
     <message>
@@ -9539,7 +9539,7 @@ Retries: %9</source>
         <translation>运行模式</translation>
     </message>
     <message>
-        <source>%1. Click to preview what switching to this mode changes.</source>
+        <source>%1. Click to preview what changes when you switch to this mode.</source>
         <translation>%1。点击可预览切换到此模式会改变什么。</translation>
     </message>
 </context>
@@ -9920,7 +9920,7 @@ Retries: %9</source>
         <translation>舵机</translation>
     </message>
     <message>
-        <source>Shows only entries of this servo</source>
+        <source>Shows only entries for this servo</source>
         <translation>只看此舵机的记录</translation>
     </message>
     <message>
@@ -10047,7 +10047,7 @@ Retries: %9</source>
         <translation>显示以往测试的报告与对比</translation>
     </message>
     <message>
-        <source>Opens the snapshot to compare and restore it</source>
+        <source>Opens the snapshot so that you can compare and restore it</source>
         <translation>打开快照，可对比和恢复</translation>
     </message>
     <message>
@@ -10071,7 +10071,7 @@ Retries: %9</source>
         </translation>
     </message>
     <message>
-        <source>Some register values at that time are unknown.</source>
+        <source>Some register values from that time are unknown.</source>
         <translation>当时有些参数的值未知。</translation>
     </message>
     <message>
@@ -10145,7 +10145,7 @@ Retries: %9</source>
         <translation>最新的在前</translation>
     </message>
     <message>
-        <source>All entries of this servo</source>
+        <source>All entries for this servo</source>
         <translation>此舵机的全部记录</translation>
     </message>
     <message>
@@ -10233,7 +10233,7 @@ Retries: %9</source>
         <translation>放弃更改</translation>
     </message>
     <message>
-        <source>Writes, snapshots, labels and tests of this bench are copied to a PostgreSQL server, where all benches can be viewed together. This computer keeps its own complete history; an unreachable server never blocks a write.</source>
+        <source>Writes, snapshots, labels and tests from this bench are copied to a PostgreSQL server, where all benches can be viewed together. This computer keeps its own complete history; an unreachable server never blocks a write.</source>
         <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里集中查看所有工位的记录。本机仍保存完整的历史记录；即使服务器连接不上，也绝不影响写入。</translation>
     </message>
 </context>
@@ -10256,7 +10256,7 @@ Retries: %9</source>
         <translation>所有文件 (*)</translation>
     </message>
     <message>
-        <source>Limits of the sweep test</source>
+        <source>Sweep test limits</source>
         <translation>扫描测试的限值</translation>
     </message>
     <message>
@@ -10450,7 +10450,7 @@ Retries: %9</source>
         <translation>ServoDesk 会不断尝试重新连接，关闭此提示即停止尝试。当时正在进行的写入已记在写入日志中，重新连接后会先核对。</translation>
     </message>
     <message>
-        <source>Plug the adapter in again and ServoDesk reconnects automatically; close this message to stay disconnected. A write that was in progress is recorded in the journal and will be checked first.</source>
+        <source>ServoDesk reconnects automatically when you plug the adapter in again; close this message to stay disconnected. A write that was in progress is recorded in the journal and will be checked first.</source>
         <translation>重新插上适配器后，ServoDesk 会自动重新连接；关闭此提示则保持断开。当时正在进行的写入已记在写入日志中，重新连接后会先核对。</translation>
     </message>
 </context>
@@ -10633,7 +10633,7 @@ Retries: %9</source>
         <translation>只显示身份信息和测量值。添加型号文件后才能写入。</translation>
     </message>
     <message>
-        <source>Press Enter or double-click to change a value; nothing is written until Enter is pressed again</source>
+        <source>Press Enter or double-click to edit a value; nothing is written until you press Enter after editing</source>
         <translation>按回车或双击可修改数值；再次按回车之前不会写入</translation>
     </message>
     <message>
@@ -10692,11 +10692,11 @@ Retries: %9</source>
         <translation>只显示一组参数</translation>
     </message>
     <message>
-        <source>Shows raw values before physical values and uses them for input</source>
+        <source>Shows raw values before physical values and uses raw values for input</source>
         <translation>优先显示原始值，输入时也用原始值</translation>
     </message>
     <message>
-        <source>Shows physical values before raw values and uses them for input</source>
+        <source>Shows physical values before raw values and uses physical values for input</source>
         <translation>优先显示带单位的物理值，输入时也用物理值</translation>
     </message>
     <message>
@@ -11034,7 +11034,7 @@ Retries: %9</source>
         <translation>快照</translation>
     </message>
     <message>
-        <source>Save, compare and restore the settings of servos</source>
+        <source>Save, compare and restore servo settings</source>
         <translation>保存、对比和恢复舵机的设置</translation>
     </message>
     <message>
@@ -11350,7 +11350,7 @@ Retries: %9</source>
         <translation>说明所选参数的作用，也可在此修改</translation>
     </message>
     <message>
-        <source>Writes this value and reads it back; it is kept after power-off if the register supports this</source>
+        <source>Writes this value and reads it back; the value is kept after power-off if the register supports permanent storage</source>
         <translation>写入该值并回读；如果该参数支持保存，断电后仍保留</translation>
     </message>
     <message>
@@ -11435,7 +11435,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Write to ID %1?</source>
-        <translation>写入 ID %1？</translation>
+        <translation>向 ID %1 的舵机写入？</translation>
     </message>
     <message>
         <source>Torque is on: it is turned off first and stays off. A load held by the servo may drop.</source>
@@ -11478,7 +11478,7 @@ Retries: %9</source>
         <translation>不勾选时，写入会在失败的那一行停止，已写入的值保留在舵机中</translation>
     </message>
     <message>
-        <source>Writes only the selected rows that differ</source>
+        <source>Writes only the selected rows that differ from the servo&apos;s present values</source>
         <translation>只写入已勾选且数值不同的行</translation>
     </message>
     <message>
@@ -11525,7 +11525,7 @@ Retries: %9</source>
         <translation>以往测试</translation>
     </message>
     <message>
-        <source>One row for each servo of a test, newest first</source>
+        <source>One row for each servo in a test, newest first</source>
         <translation>测试中每个舵机一行，最新的在前</translation>
     </message>
     <message>
@@ -11533,7 +11533,7 @@ Retries: %9</source>
         <translation>标签…</translation>
     </message>
     <message>
-        <source>Labels the servo of the selected test (servos have no serial number)</source>
+        <source>Gives the servo in the selected test a label, because servos have no serial number</source>
         <translation>为所选测试中的舵机加标签（舵机没有序列号）</translation>
     </message>
     <message>
@@ -11927,7 +11927,7 @@ Retries: %9</source>
         <translation>写入已开始，后被撤销：已恢复原值。</translation>
     </message>
     <message>
-        <source>Abandoned: never finished or undone.</source>
+        <source>Abandoned: neither finished nor undone.</source>
         <translation>已放弃：写入既未完成，也未撤销。</translation>
     </message>
     <message>
@@ -12023,7 +12023,7 @@ Retries: %9</source>
         <translation>全部卸力</translation>
     </message>
     <message>
-        <source>Immediately turns torque off on the whole bus. In a field of the motion panel, Esc also shows the present value again. In a menu, a dialog or a table cell being edited, the first Esc only closes the menu or dialog or cancels the editing. While servos are moving or jammed, Esc stops them even from a menu or a dialog.</source>
+        <source>Immediately turns torque off on the whole bus. In a field of the motion panel, Esc also shows the present value again. In a menu, a dialog or a table cell being edited, the first Esc only closes the menu or dialog or cancels the edit. While servos are moving or jammed, Esc stops them even from a menu or a dialog.</source>
         <translation>立即让整条总线卸力。在运动面板的输入框中，Esc 还会重新显示当前值。在菜单、对话框或正在编辑的单元格中，第一次按 Esc 只关闭菜单或对话框，或取消编辑。但有舵机正在运动或被卡住时，即使在菜单或对话框中，按 Esc 也会立即卸力。</translation>
     </message>
     <message>
@@ -12240,7 +12240,7 @@ Retries: %9</source>
         <translation>也显示相同的行和只读的行</translation>
     </message>
     <message>
-        <source>Also compares with the factory default and other servos. To compare more snapshots, hold Ctrl and click them</source>
+        <source>Adds the factory default and other servos to the comparison. To compare more snapshots, hold Ctrl and click them</source>
         <translation>同时与出厂默认值和其他舵机对比。按住 Ctrl 点击可选择更多快照</translation>
     </message>
     <message>
@@ -12248,7 +12248,7 @@ Retries: %9</source>
         <translation>并排的内存表</translation>
     </message>
     <message>
-        <source>The space bar selects a row; selected rows are written</source>
+        <source>The space bar selects a row for writing</source>
         <translation>按空格键勾选一行；勾选的行会被写入</translation>
     </message>
 </context>
@@ -12318,7 +12318,7 @@ Retries: %9</source>
         <translation>加速度</translation>
     </message>
     <message>
-        <source>Step size: in steps, or with a unit (30deg); negative: toward lower positions first</source>
+        <source>Raw value, or a value with its unit (30deg); if the value is negative, the servo first moves toward lower positions</source>
         <translation>阶跃大小：可用步数，也可带单位（30deg）；负值表示先朝位置减小的方向运动</translation>
     </message>
     <message>
@@ -12353,7 +12353,7 @@ Retries: %9</source>
 <context>
     <name>ui::StepGains</name>
     <message>
-        <source>This family has no gains to set.</source>
+        <source>This servo family has no gains to set.</source>
         <translation>该系列没有可设置的增益。</translation>
     </message>
     <message>
@@ -12416,7 +12416,7 @@ Retries: %9</source>
         <translation>%1 %2（原值 %3）</translation>
     </message>
     <message>
-        <source>This is recorded in the journal. When the servo replies again, restore the old values under Port → Interrupted writes. At power-off, the servo discards the trial values.</source>
+        <source>The old values are recorded in the journal. When the servo replies again, restore them under Port → Interrupted writes. At power-off, the servo discards the trial values.</source>
         <translation>此情况已记入写入日志。舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
     </message>
     <message>
@@ -12480,7 +12480,7 @@ Retries: %9</source>
         <translation>请先修改“试用”列中的值。</translation>
     </message>
     <message>
-        <source>Clicking Measure or Try gains moves the servo.</source>
+        <source>The servo moves when you click Measure or Try gains.</source>
         <translation>点击“测量”或“试用增益”会使舵机运动。</translation>
     </message>
     <message>
@@ -12500,7 +12500,7 @@ Retries: %9</source>
         <translation>将“试用”列恢复为当前值</translation>
     </message>
     <message>
-        <source>Writes the gains from before the last change: %1</source>
+        <source>Writes the gains that were set before the last change: %1</source>
         <translation>写回上次更改之前的增益：%1</translation>
     </message>
     <message>
@@ -12508,7 +12508,7 @@ Retries: %9</source>
         <translation>测量</translation>
     </message>
     <message>
-        <source>Makes the step with the servo&apos;s present gains: the servo will move</source>
+        <source>Measures the step with the servo&apos;s present gains: the servo will move</source>
         <translation>用舵机当前的增益执行阶跃：舵机会运动</translation>
     </message>
     <message>
@@ -12599,7 +12599,7 @@ Retries: %9</source>
         <translation>阶跃响应叠加图</translation>
     </message>
     <message>
-        <source>Mean of all steps of a run, out and back</source>
+        <source>Mean of all steps in a run, out and back</source>
         <translation>一次运行中所有往返阶跃的平均值</translation>
     </message>
     <message>
@@ -12682,7 +12682,7 @@ Retries: %9</source>
         <translation>打开</translation>
     </message>
     <message>
-        <source>Shows the selected runs on the Step response page. Two runs are compared with each other; later runs are compared with the newer one</source>
+        <source>Shows the selected runs on the Step response page. If two runs are selected, they are compared with each other; later runs are compared with the newer one</source>
         <translation>在“阶跃响应”页显示所选运行。两项运行互相对比；之后的运行与其中较新的一项对比</translation>
     </message>
     <message>
@@ -13139,7 +13139,7 @@ Retries: %9</source>
         <translation>开始测试：舵机将会运动</translation>
     </message>
     <message>
-        <source>Ends the test; the servos hold their position or torque is turned off, as selected under Afterwards</source>
+        <source>Ends the test; the servos hold their position, or torque is turned off, as selected under Afterwards</source>
         <translation>结束测试；舵机按“结束后”的选择保持位置或卸力</translation>
     </message>
     <message>
@@ -13163,7 +13163,7 @@ Retries: %9</source>
         <translation>结束后舵机保持位置，扭矩保持打开。中途停止测试或关闭窗口也是如此。</translation>
     </message>
     <message>
-        <source>Torque is off afterwards on servos that switch back to another mode.</source>
+        <source>Afterwards, torque is off on servos that switch back to another mode.</source>
         <translation>如果舵机测试后切回其他模式，则保持卸力。</translation>
     </message>
     <message>
@@ -13175,7 +13175,7 @@ Retries: %9</source>
         <translation>改为 %1</translation>
     </message>
     <message>
-        <source>the sine is faster than the servo can move. Use a period of at least %1.</source>
+        <source>the sine wave is faster than the servo can move. Use a period of at least %1.</source>
         <translation>此正弦所需的速度超过舵机的最高速度，周期至少需要 %1。</translation>
     </message>
     <message>
@@ -13270,7 +13270,7 @@ Retries: %9</source>
         <translation>鼠标停在某一行上可看到更多内容</translation>
     </message>
     <message>
-        <source>Shows metrics without a limit, too</source>
+        <source>Also shows metrics that have no limit</source>
         <translation>也显示没有限值的指标</translation>
     </message>
     <message>
@@ -13355,7 +13355,7 @@ Retries: %9</source>
         <translation>要测试的舵机</translation>
     </message>
     <message>
-        <source>Select the servos to test; enter their own start and end where needed</source>
+        <source>Select the servos to test; enter individual start and end values where needed</source>
         <translation>勾选参加测试的舵机；需要时可单独填写起始和结束位置</translation>
     </message>
     <message>

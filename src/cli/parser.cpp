@@ -274,8 +274,8 @@ const std::vector<Option>& globalOptions()
                                   "LX and Modbus)"),
          "N|auto"},
         {"--protocol",
-         QT_TRANSLATE_NOOP("cli", "protocol of the servos: auto, feetech, modbus or lx (default: "
-                                  "auto, which tries all protocols possible at the baud rate)"),
+         QT_TRANSLATE_NOOP("cli", "servo protocol: auto, feetech, modbus or lx (default: auto, "
+                                  "which tries all protocols possible at the baud rate)"),
          "NAME"},
         {"--timeout",
          QT_TRANSLATE_NOOP(
@@ -289,7 +289,7 @@ const std::vector<Option>& globalOptions()
                                   "above 19200 baud, as in the standard)"),
          "US"},
         {"--json", QT_TRANSLATE_NOOP("cli", "print one JSON document")},
-        {"--lang", QT_TRANSLATE_NOOP("cli", "language of the output"), "en|zh_CN"},
+        {"--lang", QT_TRANSLATE_NOOP("cli", "output language"), "en|zh_CN"},
     };
     return options;
 }

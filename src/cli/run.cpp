@@ -123,8 +123,8 @@ void Run::warnOfOpenChanges()
     if (ids.isEmpty())
         return;
     warn("open-change", ids.size() == 1 ? ids.front().toInt() : -1,
-         translate("cli",
-                   "A change on this port was interrupted (ID %1). To see, finish or undo it: %2")
+         translate("cli", "A change on this port was interrupted (servo ID %1). To see, finish or "
+                          "undo the change: %2")
              .arg(ids.join(QStringLiteral(", ")), recoverCommand()));
 }
 

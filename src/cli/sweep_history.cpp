@@ -54,13 +54,13 @@ QString unreleasedTorqueText(const jobs::UnreleasedTorque& left)
 {
     const QString words =
         left.holding
-            ? translate("cli", "Servo %1 could not be stopped after the test (%2). Torque may "
+            ? translate("cli", "After the test, servo %1 could not be stopped (%2). Torque may "
                                "still be on, and the servo may continue to its last goal. Use "
                                "\"torque %1 off\", or disconnect its power supply.")
             : translate(
                   "cli",
-                  "Torque of servo %1 could not be turned off after the test (%2) and may still be "
-                  "on. Use \"torque %1 off\", or disconnect the servo from its power supply.");
+                  "After the test, torque could not be turned off on servo %1 (%2) and may still "
+                  "be on. Use \"torque %1 off\", or disconnect the servo from its power supply.");
     return words.arg(QString::number(left.id), base::errorName(left.error.code));
 }
 

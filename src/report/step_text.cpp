@@ -119,7 +119,7 @@ Text stepSymptomText(StepSymptom symptom)
                                      "static friction. Gear backlash cannot be tuned out.");
     case StepSymptom::Jitter:
         return translate("StepText",
-                         "The servo jitters: I is above 0, D or the startup force is too high, the "
+                         "The servo jitters: D or the startup force is too high, I is above 0, the "
                          "dead zone is too small, or the mechanism has backlash.");
     case StepSymptom::Oscillation:
         return translate("StepText", "The servo oscillates strongly: P is far too high.");
@@ -131,13 +131,15 @@ Text stepRemedyText(StepRemedy remedy)
 {
     switch (remedy) {
     case StepRemedy::RepeatRun:
-        return translate("StepText", "Check cable, adapter and CPU load, then run the test again");
+        return translate("StepText",
+                         "Check the cable, adapter and CPU load, then run the test again");
     case StepRemedy::RemoveObstacle:
-        return translate("StepText", "Check mechanism, end stops, torque limit and power supply");
+        return translate("StepText",
+                         "Check the mechanism, end stops, torque limit and power supply");
     case StepRemedy::FreeMotion:
         return translate(
             "StepText",
-            "Check power supply, torque limit, alarms and mechanism, or use a larger step");
+            "Check the power supply, torque limit, alarms and mechanism, or use a larger step");
     case StepRemedy::RaiseP:
         return translate("StepText", "Raise P");
     case StepRemedy::LowerP:

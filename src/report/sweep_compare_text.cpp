@@ -79,7 +79,7 @@ const CompareTexts& compareTexts()
         translate("SweepCompareText", "Grade of B"),
         translate("SweepCompareText", "Differences between the tests"),
         translate("SweepCompareText",
-                  "The tests used different movements: their metrics cannot be compared."),
+                  "The tests used different movements, so the metrics cannot be compared."),
         translate("SweepCompareText", "Some metrics depend on the differences below."),
         translate("SweepCompareText",
                   "The limits differ: the metrics can be compared, but the grades cannot."),

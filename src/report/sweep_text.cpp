@@ -92,7 +92,7 @@ void fillFigures(SweepTexts& words)
     words.paperNote = translate(
         "SweepText", "The HTML report also has the memory tables and more about each move.");
     words.hysteresisNote = translate("SweepText", "Positions are those reported by the servo: gear "
-                                                  "backlash after its encoder is not measured.");
+                                                  "backlash beyond the encoder is not measured.");
 }
 
 void fillCharts(SweepTexts& words)
@@ -328,7 +328,7 @@ Text endText(results::SweepEnd end)
     case results::SweepEnd::Refused:
         return translate(
             "SweepText",
-            "Ended early: a servo no longer accepted its goal; its limits or mode have changed.");
+            "Ended early: a servo no longer accepted its goal because its limits or mode changed.");
     case results::SweepEnd::TorqueLost:
         return translate("SweepText",
                          "Ended early: a servo lost torque because it rebooted or another program "
@@ -364,7 +364,8 @@ Text shapeText(results::SweepShape shape)
 Text paceText(results::SweepPace pace)
 {
     return pace == results::SweepPace::Delay
-               ? translate("SweepText", "delay from one goal to the next, whether reached or not")
+               ? translate("SweepText",
+                           "delay from one goal to the next, whether or not the goal is reached")
                : translate("SweepText", "dwell after arrival");
 }
 

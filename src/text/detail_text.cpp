@@ -192,7 +192,7 @@ QString specialCase(const base::Error& error)
                    : translate("text", "another servo replies with this ID: %1").arg(error.detail);
     case ErrorCode::OutOfRange:
         return standsOutside(error)
-                   ? translate("text", "the servo's present position is outside its limits (%1)")
+                   ? translate("text", "the present position is outside the servo's limits (%1)")
                          .arg(error.detail)
                    : QString();
     case ErrorCode::NotSupported:
@@ -236,8 +236,8 @@ QString specialCause(const base::Error& error)
         return translate("text", "Another program has changed the value, or the servo was "
                                  "replaced by one of the same model.");
     if (adaptersClaimedByBrltty(error))
-        return translate("text", "The service mistakes adapters with this chip for braille "
-                                 "displays, and their port disappears.");
+        return translate("text", "The service mistakes an adapter with this chip for a braille "
+                                 "display, and the adapter's port disappears.");
     if (procedureRemedy(error) != nullptr)
         return translate("text", "A safe change requires more than writing one register.");
     return {};

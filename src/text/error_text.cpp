@@ -130,9 +130,10 @@ constexpr std::array errorEntries{
         ErrorCode::NotSupported,
         QT_TRANSLATE_NOOP("text", "this servo does not support this operation"),
         QT_TRANSLATE_NOOP(
-            "text", "The servo's family, firmware or present mode does not have this function."),
-        QT_TRANSLATE_NOOP("text", "Check the servo's model and mode, and use the functions it "
-                                  "supports.")},
+            "text", "The servo's family, firmware or present mode does not support this function."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Check the servo's model and mode, and use functions that the servo supports.")},
     ErrorEntry{
         ErrorCode::IdInUse, QT_TRANSLATE_NOOP("text", "another servo already has this ID"),
         QT_TRANSLATE_NOOP("text", "Two servos with the same ID reply at the same time, and "
@@ -162,7 +163,8 @@ constexpr std::array errorEntries{
         QT_TRANSLATE_NOOP(
             "text",
             "The firmware version belongs to no known family, so writing could cause damage."),
-        QT_TRANSLATE_NOOP("text", "Only read the servo's feedback, or add a model file for it.")},
+        QT_TRANSLATE_NOOP("text",
+                          "Read only the servo's feedback, or add a model file for the servo.")},
     ErrorEntry{
         ErrorCode::FamilyConflict, QT_TRANSLATE_NOOP("text", "the servo family is unclear"),
         QT_TRANSLATE_NOOP(
@@ -208,9 +210,10 @@ constexpr std::array errorEntries{
         ErrorCode::FileUnreadable, QT_TRANSLATE_NOOP("text", "the file cannot be read"),
         QT_TRANSLATE_NOOP("text",
                           "You have no permission to read the file, or the disk reports an error."),
-        QT_TRANSLATE_NOOP("text", "Check its permissions, or use a copy.")},
+        QT_TRANSLATE_NOOP("text", "Check the file permissions, or use a copy.")},
     ErrorEntry{ErrorCode::FileFormat, QT_TRANSLATE_NOOP("text", "the file content is not valid"),
-               QT_TRANSLATE_NOOP("text", "The file is damaged, truncated, or of another type."),
+               QT_TRANSLATE_NOOP(
+                   "text", "The file is damaged, truncated, or not the expected type of file."),
                QT_TRANSLATE_NOOP("text", "Use an undamaged copy, or create the file again.")},
     ErrorEntry{ErrorCode::FileUnwritable, QT_TRANSLATE_NOOP("text", "the file cannot be written"),
                QT_TRANSLATE_NOOP("text",

@@ -41,9 +41,9 @@ QString unclearFamily(const FamilyFacts& facts)
             .arg(facts.byteOrderFlag)
             .arg(modelFact(facts));
     }
-    return translate("text",
-                     "the servo family is unclear: according to firmware %1, byte order flag %2 "
-                     "and model number %3, the EPROM lock is at address %4, but that byte is %5")
+    return translate("text", "the servo family is unclear: according to firmware %1, byte order "
+                             "flag %2 and model number %3, the EPROM lock is at address %4, but "
+                             "the byte at that address is %5")
         .arg(firmwareFact(facts))
         .arg(facts.byteOrderFlag)
         .arg(modelFact(facts))

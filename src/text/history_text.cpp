@@ -23,12 +23,12 @@ constexpr RefusalText busy{
                               "again.")};
 constexpr RefusalText damaged{
     "damaged", QT_TRANSLATE_NOOP("text", "the history database is damaged"),
-    QT_TRANSLATE_NOOP("text", "Part of the file was lost on the disk, or the file is of another "
-                              "type. Without the history, nothing is written to the servo."),
-    QT_TRANSLATE_NOOP("text", "Close the program and move history.sqlite, together with "
-                              "history.sqlite-wal and -shm, to a safe place; a new history is "
-                              "created. \"sqlite3 history.sqlite .recover\" recovers what is "
-                              "still readable in the old one.")};
+    QT_TRANSLATE_NOOP("text", "Part of the file was lost on the disk, or the file is not a history "
+                              "file. Without the history, nothing is written to the servo."),
+    QT_TRANSLATE_NOOP(
+        "text", "Close the program and move history.sqlite, together with history.sqlite-wal and "
+                "history.sqlite-shm, to a safe place; a new history is created. \"sqlite3 "
+                "history.sqlite .recover\" recovers what is still readable in the old file.")};
 constexpr RefusalText unwritable{
     "unwritable", QT_TRANSLATE_NOOP("text", "the history cannot be written"),
     QT_TRANSLATE_NOOP("text", "The history file or its folder is read-only or belongs to another "

@@ -64,7 +64,7 @@ constexpr std::array noticeEntries{
     NoticeEntry{NoticeCode::AlreadySet, "already-so",
                 QT_TRANSLATE_NOOP("text", "The value was already set; nothing was written.")},
     NoticeEntry{NoticeCode::EffectiveAfterRestart, "acts-after-restart",
-                QT_TRANSLATE_NOOP("text", "This takes effect at the next power-on.")},
+                QT_TRANSLATE_NOOP("text", "The change takes effect at the next power-on.")},
     NoticeEntry{NoticeCode::AboveRecommended, "above-usual",
                 QT_TRANSLATE_NOOP("text", "%3 is above %1, the highest useful value.")},
     NoticeEntry{NoticeCode::StoppedByUser, "stopped-before",
@@ -113,15 +113,14 @@ constexpr std::array noticeEntries{
     NoticeEntry{NoticeCode::CurrentRestored, "current-restored",
                 QT_TRANSLATE_NOOP("text", "The current limit %1 (%3) was restored.")},
     NoticeEntry{NoticeCode::DerivedTemperature, "derived-temperature",
-                QT_TRANSLATE_NOOP("text", "The temperature is above its limit (determined by "
-                                          "ServoDesk, not reported by the servo).")},
+                QT_TRANSLATE_NOOP("text", "ServoDesk detected that the temperature is above its "
+                                          "limit; the servo did not report this.")},
     NoticeEntry{NoticeCode::DerivedVoltage, "derived-voltage",
-                QT_TRANSLATE_NOOP("text", "The voltage is outside its limits (determined by "
-                                          "ServoDesk, not reported by the servo).")},
+                QT_TRANSLATE_NOOP("text", "ServoDesk detected that the voltage is outside its "
+                                          "limits; the servo did not report this.")},
     NoticeEntry{NoticeCode::MixedFamilies, "families-mixed",
-                QT_TRANSLATE_NOOP("text",
-                                  "SCS servos share this bus with STS, SMS or HLS servos; the "
-                                  "vendor advises against it.")},
+                QT_TRANSLATE_NOOP("text", "SCS servos share this bus with STS, SMS or HLS servos; "
+                                          "the vendor advises against this combination.")},
     NoticeEntry{NoticeCode::LedNotRestored, "led-not-put-back",
                 QT_TRANSLATE_NOOP("text",
                                   "The LED setting (%3) could not be restored; this is recorded "

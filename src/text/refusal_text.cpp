@@ -47,10 +47,11 @@ constexpr std::array notSupported{
     RefusalText{"speed-by-time", QT_TRANSLATE_NOOP("text", "the servo has no speed setting"),
                 QT_TRANSLATE_NOOP("text", "The travel time determines the speed."),
                 QT_TRANSLATE_NOOP("text", "Use a travel time instead.")},
-    RefusalText{"not-readable", QT_TRANSLATE_NOOP("text", "no reply to this read request"),
-                QT_TRANSLATE_NOOP("text", "Some models of this family do not have this command; "
-                                          "the connection is good."),
-                QT_TRANSLATE_NOOP("text", "You can ignore this value.")},
+    RefusalText{
+        "not-readable", QT_TRANSLATE_NOOP("text", "no reply to this read request"),
+        QT_TRANSLATE_NOOP(
+            "text", "Some models in this family do not have this command; the connection is good."),
+        QT_TRANSLATE_NOOP("text", "You can ignore this value.")},
     RefusalText{"with-goal",
                 QT_TRANSLATE_NOOP("text", "the time must be written together with "
                                           "a goal"),
@@ -84,8 +85,8 @@ constexpr std::array notSupported{
         QT_TRANSLATE_NOOP(
             "text",
             "in this mode, the servo cannot back off from the stalled position by a small amount"),
-        QT_TRANSLATE_NOOP("text", "Only turning in the opposite direction clears an overload; in "
-                                  "this mode, the shaft would keep turning."),
+        QT_TRANSLATE_NOOP("text", "Only turning in the opposite direction clears an overload "
+                                  "alarm; in this mode, the shaft would keep turning."),
         QT_TRANSLATE_NOOP("text", "Remove the load and send a command in the opposite direction, "
                                   "or turn the power supply off and on.")},
     RefusalText{
@@ -194,13 +195,14 @@ constexpr std::array consent{
             "Keep clear of the mechanism, then repeat the write and confirm it explicitly.")},
     RefusalText{
         "release-moves", QT_TRANSLATE_NOOP("text", "clearing this alarm moves the shaft"),
-        QT_TRANSLATE_NOOP("text", "Only a goal away from the stalled position clears an overload."),
+        QT_TRANSLATE_NOOP("text",
+                          "Only a goal away from the stalled position clears an overload alarm."),
         QT_TRANSLATE_NOOP(
             "text",
             "Keep clear of the mechanism, then repeat this action and confirm it explicitly.")},
     RefusalText{"release-energises",
                 QT_TRANSLATE_NOOP("text", "clearing this alarm turns torque on"),
-                QT_TRANSLATE_NOOP("text", "Only a new goal clears an overcurrent."),
+                QT_TRANSLATE_NOOP("text", "Only a new goal clears an overcurrent alarm."),
                 QT_TRANSLATE_NOOP("text", "Remove the cause and keep clear of the mechanism, then "
                                           "repeat this action and confirm it explicitly.")},
     RefusalText{
@@ -212,8 +214,8 @@ constexpr std::array consent{
 
 constexpr std::array refused{
     RefusalText{"not-restarted", QT_TRANSLATE_NOOP("text", "the servo did not reboot"),
-                QT_TRANSLATE_NOOP("text", "The servo replies, and its RAM is unchanged: it ignored "
-                                          "or did not receive the reboot command."),
+                QT_TRANSLATE_NOOP("text", "The servo replies, and its RAM is unchanged: the servo "
+                                          "ignored or did not receive the reboot command."),
                 QT_TRANSLATE_NOOP("text", "Turn the power supply off and on.")},
     RefusalText{
         "restart-acknowledged",

@@ -17,9 +17,8 @@ constexpr std::array reasons{
     ReasonText{"same", QT_TRANSLATE_NOOP("text", "unchanged"),
                QT_TRANSLATE_NOOP("text", "The servo already has this value; nothing is written.")},
     ReasonText{"identity", QT_TRANSLATE_NOOP("text", "identity: not written by default"),
-               QT_TRANSLATE_NOOP("text",
-                                 "ID and baud rate identify the servo. They are written only "
-                                 "on request, as the last step.")},
+               QT_TRANSLATE_NOOP("text", "The ID and baud rate identify the servo. They are "
+                                         "written only on request, as the last step.")},
     ReasonText{"live", QT_TRANSLATE_NOOP("text", "live value: never restored"),
                QT_TRANSLATE_NOOP("text", "Torque, goals and the lock are saved for reference only, "
                                          "because writing them back could turn the shaft.")},
@@ -68,7 +67,7 @@ constexpr std::array reasons{
     ReasonText{"other-model-limit", QT_TRANSLATE_NOOP("text", "limit of another model"),
                QT_TRANSLATE_NOOP("text",
                                  "Voltage, temperature, current and torque limits depend on the "
-                                 "model. They are written only if you select the row.")},
+                                 "model. Each is written only if you select its row.")},
     ReasonText{"only-temporary", QT_TRANSLATE_NOOP("text", "not permanent yet"),
                QT_TRANSLATE_NOOP("text", "This value was written temporarily and would be lost at "
                                          "power-off. It will be written again permanently.")},

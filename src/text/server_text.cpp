@@ -16,8 +16,8 @@ constexpr std::array serverKinds{
                                   "Check the host and port in the connection string.")},
     RefusalText{"hung", QT_TRANSLATE_NOOP("text", "the history server does not respond"),
                 QT_TRANSLATE_NOOP("text",
-                                  "The server accepts connections but does not reply: it hangs, a "
-                                  "firewall blocks it, or it is not a PostgreSQL server."),
+                                  "The server accepts connections but does not reply: it has hung, "
+                                  "a firewall is blocking it, or it is not a PostgreSQL server."),
                 QT_TRANSLATE_NOOP("text", "No data is lost: pending data is sent when the "
                                           "server responds again. Check the server, host and "
                                           "port.")},
@@ -55,15 +55,16 @@ constexpr std::array serverKinds{
                                   "verified"),
         QT_TRANSLATE_NOOP("text", "The certificate has expired, this computer does not trust its "
                                   "issuer, or another computer is posing as the server."),
-        QT_TRANSLATE_NOOP("text",
-                          "Save the certificate of the issuing authority as "
-                          "~/.postgresql/root.crt, or specify its file with sslrootcert=FILE in "
-                          "the connection string. sslmode=require encrypts without verification.")},
+        QT_TRANSLATE_NOOP(
+            "text", "Save the certificate of the issuing authority as ~/.postgresql/root.crt, or "
+                    "specify the certificate file with sslrootcert=FILE in the connection string. "
+                    "sslmode=require encrypts without verification.")},
     RefusalText{"host-name",
                 QT_TRANSLATE_NOOP("text", "the certificate of the history server is for another "
                                           "host name"),
-                QT_TRANSLATE_NOOP("text", "The connection string uses another name for the server, "
-                                          "or another computer is posing as the server."),
+                QT_TRANSLATE_NOOP("text",
+                                  "The server name in the connection string does not match the "
+                                  "certificate, or another computer is posing as the server."),
                 QT_TRANSLATE_NOOP("text", "Use the host name in the certificate, or get a "
                                           "certificate for this host name. sslmode=verify-ca "
                                           "checks only the issuer.")},
@@ -84,15 +85,13 @@ constexpr std::array serverKinds{
                                   "with ssl, gss or keepalives.")},
     RefusalText{
         "secret-removed",
-        QT_TRANSLATE_NOOP("text", "the password of the history server was removed from "
-                                  "the settings"),
+        QT_TRANSLATE_NOOP("text", "the history server password was removed from the settings"),
         QT_TRANSLATE_NOOP(
             "text",
             "An earlier version of this program saved the password in the settings as plain text."),
-        QT_TRANSLATE_NOOP(
-            "text",
-            "Store the password in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode "
-            "0600. If other users may have read the settings, change the password.")},
+        QT_TRANSLATE_NOOP("text", "Store the password in ~/.pgpass (file mode 0600) as a line "
+                                  "HOST:PORT:DATABASE:USER:PASSWORD. If other users may have read "
+                                  "the settings, change the password.")},
     RefusalText{"refused", QT_TRANSLATE_NOOP("text", "the history server rejects the login"),
                 QT_TRANSLATE_NOOP("text", "The server states the reason in its own language."),
                 QT_TRANSLATE_NOOP("text", "Check the user, password and database in the connection "
@@ -106,7 +105,7 @@ constexpr std::array serverKinds{
         "newer",
         QT_TRANSLATE_NOOP(
             "text", "the database on the history server is from a newer version of this program"),
-        QT_TRANSLATE_NOOP("text", "Another bench uses a newer version, which has "
+        QT_TRANSLATE_NOOP("text", "Another bench uses a newer version of this program, which has "
                                   "updated the tables on the server."),
         QT_TRANSLATE_NOOP("text", "Update this program as well. Until then, all data is "
                                   "kept on this computer.")},
@@ -114,9 +113,8 @@ constexpr std::array serverKinds{
         "older",
         QT_TRANSLATE_NOOP(
             "text", "the database on the history server is from an older version of this program"),
-        QT_TRANSLATE_NOOP(
-            "text",
-            "The tables are updated when a bench with this version sends data for the first time."),
+        QT_TRANSLATE_NOOP("text", "The tables are updated when a bench with this version of the "
+                                  "program sends data for the first time."),
         QT_TRANSLATE_NOOP("text", "Send data from a bench that uses this version.")},
     RefusalText{
         "empty", QT_TRANSLATE_NOOP("text", "no data has been sent to this history server yet"),
@@ -137,8 +135,8 @@ constexpr std::array serverKinds{
         QT_TRANSLATE_NOOP(
             "text",
             "The server has reached its maximum number of connections, or the tables are locked."),
-        QT_TRANSLATE_NOOP("text", "No data is lost; the program tries again "
-                                  "automatically. If this continues, check the server.")},
+        QT_TRANSLATE_NOOP("text", "No data is lost; the program tries again automatically. If the "
+                                  "problem continues, check the server.")},
     RefusalText{"full", QT_TRANSLATE_NOOP("text", "the disk of the history server is full"),
                 QT_TRANSLATE_NOOP("text", "There is no space left for the database tables."),
                 QT_TRANSLATE_NOOP("text", "Free some space on the server. Until then, data is kept "
@@ -152,9 +150,8 @@ constexpr std::array serverKinds{
                                   "under \"Connection Strings\".")},
     RefusalText{"server", QT_TRANSLATE_NOOP("text", "the history server reports an error"),
                 QT_TRANSLATE_NOOP("text", "The server is not in the state this program expects."),
-                QT_TRANSLATE_NOOP("text", "No data is lost; the program tries again "
-                                          "automatically. If this continues, check the server's "
-                                          "log.")},
+                QT_TRANSLATE_NOOP("text", "No data is lost; the program tries again automatically. "
+                                          "If the problem continues, check the server's log.")},
 };
 
 const QLatin1StringView between(": ");

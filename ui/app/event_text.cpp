@@ -137,7 +137,7 @@ EventText searchEnded(const Event& event)
         line +
         text::translate("EventText", ". No reply: ID %1").arg(missing.join(QStringLiteral(", "))));
     eventText.details << text::translate(
-        "EventText", "These servos were expected, but did not reply to several queries.");
+        "EventText", "These servos were expected but did not reply despite several queries.");
     return eventText;
 }
 
@@ -207,13 +207,13 @@ EventText stopSent(const Event& event)
     if (!event.isPending)
         return withWarning(
             text::translate("EventText", "Emergency stop: torque off sent to all servos"));
-    return {
-        text::translate("EventText", "Emergency stop not sent yet: the connection is lost."),
-        {supplyOff(),
-         text::translate("EventText",
-                         "The emergency stop will be sent first when the connection is restored.")},
-        Tone::Bad,
-        QStringLiteral("✗")};
+    return {text::translate("EventText", "Emergency stop not sent yet: the connection is lost."),
+            {supplyOff(),
+             text::translate(
+                 "EventText",
+                 "When the connection is restored, the emergency stop will be sent first.")},
+            Tone::Bad,
+            QStringLiteral("✗")};
 }
 
 EventText stopNotSent(const Event& event)

@@ -38,7 +38,7 @@ constexpr std::array allPages{
     Page{"step", Command::PageStep, QT_TRANSLATE_NOOP("ui::Pages", "Step response"),
          QT_TRANSLATE_NOOP("ui::Pages", "See how a servo responds to a step, and try other gains")},
     Page{"snapshots", Command::PageSnapshots, QT_TRANSLATE_NOOP("ui::Pages", "Snapshots"),
-         QT_TRANSLATE_NOOP("ui::Pages", "Save, compare and restore the settings of servos")},
+         QT_TRANSLATE_NOOP("ui::Pages", "Save, compare and restore servo settings")},
     Page{"commission", Command::PageCommission, QT_TRANSLATE_NOOP("ui::Pages", "Commissioning"),
          QT_TRANSLATE_NOOP("ui::Pages", "Set up servos one at a time")},
     Page{"history", Command::PageHistory, QT_TRANSLATE_NOOP("ui::Pages", "History"),

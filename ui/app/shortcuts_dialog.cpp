@@ -34,7 +34,7 @@ ShortcutsDialog::ShortcutsDialog(const Commands& commands, QWidget* parent)
     addRow(*list, QStringLiteral("Esc"), tr("All torque off"),
            tr("Immediately turns torque off on the whole bus. In a field of the motion panel, Esc "
               "also shows the present value again. In a menu, a dialog or a table cell being "
-              "edited, the first Esc only closes the menu or dialog or cancels the editing. While "
+              "edited, the first Esc only closes the menu or dialog or cancels the edit. While "
               "servos are moving or jammed, Esc stops them even from a menu or a dialog."));
     addRow(*list, QStringLiteral("Shift+Esc"), tr("All torque off"),
            tr("Immediately turns torque off on the whole bus; works everywhere"));

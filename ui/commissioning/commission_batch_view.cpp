@@ -135,10 +135,11 @@ void CommissionBatchView::retranslate()
     m_title->setText(tr("Servos"));
     m_emptyLabel->setText(
         tr("No servo has been set up yet. Click Start, then connect the first servo."));
-    setAccessText(m_table, tr("Servos of the batch"),
+    setAccessText(m_table, tr("Servos in the batch"),
                   tr("One line per servo, as in the batch file"));
     setButtonText(m_copy, tr("Copy labels"),
-                  tr("Copies the labels of the selected (or all) servos, one per line"));
+                  tr("Copies the labels of the selected servos, or of all servos if none is "
+                     "selected, one per line"));
     m_model.retranslate();
     showSummary();
 }

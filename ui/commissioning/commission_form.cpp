@@ -243,7 +243,7 @@ void CommissionForm::retranslate()
     field(m_template->parentWidget(), m_template, tr("Template"),
           tr("Snapshot or template written to every servo; leave empty for none"));
     field(m_firstId, m_firstId, tr("First ID"),
-          tr("ID of the first servo; the next servos get the following IDs"));
+          tr("ID of the first servo; each later servo gets the next ID"));
     field(m_lastId, m_lastId, tr("Last ID"),
           tr("Commissioning ends when this ID has been assigned"));
     field(m_rate, m_rate, tr("Baud rate"), tr("Baud rate to set on every servo"));
@@ -260,7 +260,7 @@ void CommissionForm::retranslate()
     setButtonText(
         m_automatic, tr("Set up without confirmation"),
         tr("Sets up each servo without asking; servos with an alarm or a mismatch are set aside"));
-    m_dangerous->setText(tr("Include dangerous rows of the template"));
+    m_dangerous->setText(tr("Include the template's dangerous rows"));
     m_dangerous->setAccessibleName(m_dangerous->text());
     showDangerousKeys();
 }

@@ -173,8 +173,8 @@ void CommissionPage::askForConfirmation()
     question.title = tr("Write dangerous rows to every servo?");
     question.text = tr("The template contains: %1")
                         .arg(m_commissioning.files().dangerous.join(QStringLiteral(", ")));
-    question.risk = tr("A wrong value can make a servo unreachable or dangerous, and it is written "
-                       "to every servo of the batch.");
+    question.risk = tr("A wrong value can make a servo unreachable or dangerous, and these rows "
+                       "are written to every servo in the batch.");
     question.acceptText = tr("Write anyway");
     question.guard = this;
     ask(this, question, [this] {
@@ -212,7 +212,7 @@ QString CommissionPage::blockedReason() const
     if (const QString problem = m_form->idProblem(); !problem.isEmpty())
         return problem;
     if (m_workbench.search().isSearching())
-        return tr("A search is running; commissioning can start when it has ended.");
+        return tr("A search is running; commissioning can start after the search has ended.");
     if (m_workbench.tasks().isTesting() && !m_commissioning.isRunning())
         return tr("A test is running.");
     return {};

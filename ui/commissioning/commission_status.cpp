@@ -153,7 +153,8 @@ QString CommissionStatus::unfinishedText() const
             servos.back() +=
                 QStringLiteral(" (⚠ %1)").arg(text::localized(report::commissionIssuesText(known)));
     }
-    return tr("Unfinished: %1. To finish a servo, connect it and start the same batch again.")
+    return tr("Unfinished: %1. To finish setting up a servo, connect it and start the same batch "
+              "again.")
         .arg(servos.join(QStringLiteral(", ")));
 }
 
@@ -163,15 +164,16 @@ QString CommissionStatus::pendingQuestionText() const
     const jobs::CommissionView& view = m_commissioning.view();
     if (view.isResumed)
         return tr("Setup of a servo of this model was not finished in this batch. Continue only if "
-                  "this is that servo.");
+                  "the connected servo is that one.");
     if (view.candidateId < 0)
         return {};
     if (view.candidateId == view.newId)
         return tr("Setup of a servo of this model was not finished, and no IDs are left for other "
-                  "servos. If this is that servo, click \"%1\".")
+                  "servos. If the connected servo is the unfinished one, click \"%1\".")
             .arg(m_same->text());
-    return tr("Setup of a servo of this model was not finished; its assigned ID is %1. If this is "
-              "that servo, click \"%2\"; otherwise this servo is set up as a new one.")
+    return tr("Setup of a servo of this model was not finished; its assigned ID is %1. If the "
+              "connected servo is the unfinished one, click \"%2\"; otherwise the connected servo "
+              "is set up as a new one.")
         .arg(view.candidateId)
         .arg(m_same->text());
 }
@@ -185,7 +187,7 @@ QString CommissionStatus::stoppedDetail() const
         return unfinishedText();
     return m_search.isSearching()
                ? tr("The servos in the list have changed. Searching the bus again.")
-               : tr("Connect all servos to the bus and search to see them.");
+               : tr("Connect all servos to the bus, then search the bus to see them.");
 }
 
 /// The label of a servo that is done, or which servo it is.

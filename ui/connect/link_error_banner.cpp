@@ -135,13 +135,12 @@ void LinkErrorBanner::linkLost()
             const QString what = bridge || there ? tr("The connection to %1 was lost.").arg(port)
                                                  : tr("%1 was unplugged.").arg(port);
             const QString remedy =
-                bridge
-                    ? tr("ServoDesk keeps trying to reconnect until you close this message. A "
-                         "write that was in progress is recorded in the journal and will be "
-                         "checked first.")
-                    : tr("Plug the adapter in again and ServoDesk reconnects automatically; close "
-                         "this message to stay disconnected. A write that was in progress is "
-                         "recorded in the journal and will be checked first.");
+                bridge ? tr("ServoDesk keeps trying to reconnect until you close this message. A "
+                            "write that was in progress is recorded in the journal and will be "
+                            "checked first.")
+                       : tr("ServoDesk reconnects automatically when you plug the adapter in "
+                            "again; close this message to stay disconnected. A write that was in "
+                            "progress is recorded in the journal and will be checked first.");
             return BannerText{Tone::Bad, what, words.cause, remedy};
         },
         {m_reconnect});

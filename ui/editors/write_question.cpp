@@ -74,7 +74,7 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
     const QString zeroed =
         step.to->command == Role::GoalPosition || command.isEmpty()
             ? QString()
-            : translate("WriteQuestion", "The command register of the new mode (%1) is set to 0.")
+            : translate("WriteQuestion", "The command register (%1) of the new mode is set to 0.")
                   .arg(command);
     question.text =
         joinSentences({change,

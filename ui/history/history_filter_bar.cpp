@@ -246,7 +246,7 @@ void HistoryFilterBar::retranslate()
     for (int i = 0; i < m_kind->count(); ++i)
         m_kind->setItemText(i,
                             HistoryFormatter::kindName(HistoryKind(m_kind->itemData(i).toInt())));
-    setAccessText(m_servo, tr("Servo"), tr("Shows only entries of this servo"));
+    setAccessText(m_servo, tr("Servo"), tr("Shows only entries for this servo"));
     setAccessText(m_register, tr("Register"), tr("Shows only writes to this register"));
     const QString periods[] = {tr("Any time"),     tr("Today"),     tr("Last 7 days"),
                                tr("Last 30 days"), tr("Last year"), tr("Custom range…")};

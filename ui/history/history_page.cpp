@@ -264,7 +264,7 @@ void HistoryPage::showActions()
         : step
             ? tr("Shows this run on the Step response page, where the next run is compared with it")
         : runs ? tr("Shows reports and comparisons of saved tests")
-               : tr("Opens the snapshot to compare and restore it"));
+               : tr("Opens the snapshot so that you can compare and restore it"));
     m_open->setVisible(writes || kind == HistoryKind::Snapshots || (runs && !isRemote()));
     m_open->setEnabled(one || runs);
     m_label->setVisible(!isRemote() &&
@@ -343,7 +343,7 @@ void HistoryPage::showTableNote(const history::TableState& table)
 {
     if (!table.unknown.isEmpty()) {
         m_banner->showMessage([keys = table.unknown] {
-            return BannerText{Tone::Warn, tr("Some register values at that time are unknown."),
+            return BannerText{Tone::Warn, tr("Some register values from that time are unknown."),
                               tr("These registers were changed by unrecorded operations: %1.")
                                   .arg(keys.join(QStringLiteral(", "))),
                               tr("Restoring the memory table leaves these registers unchanged.")};
@@ -434,7 +434,7 @@ void HistoryPage::retranslate()
         tr("Servos have no serial number. They are identified by model, firmware, ID and the label "
            "you assign; two identical servos without a label cannot be distinguished."));
     setAccessText(m_view, tr("History"), tr("Newest first"));
-    setButtonText(m_ofServo, tr("All entries of this servo"),
+    setButtonText(m_ofServo, tr("All entries for this servo"),
                   tr("Lists only entries for the servo in this row"));
     setButtonText(m_label, tr("Label…"), tr("Labels the servo or the snapshot"));
     setButtonText(m_export, tr("Export…"), tr("Saves the filtered list as CSV or JSON"));

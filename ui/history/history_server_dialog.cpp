@@ -101,7 +101,7 @@ void HistoryServerDialog::retranslate()
     setWindowTitle(tr("History server"));
     setAccessibleName(windowTitle());
     m_explanation->setText(
-        tr("Writes, snapshots, labels and tests of this bench are copied to a PostgreSQL server, "
+        tr("Writes, snapshots, labels and tests from this bench are copied to a PostgreSQL server, "
            "where all benches can be viewed together. This computer keeps its own complete "
            "history; an unreachable server never blocks a write."));
     m_addressName->setText(tr("&Server"));

@@ -37,7 +37,9 @@ QString undoRefusal(const session::Workbench& workbench, const history::HistoryW
         return translate("History", "This servo is not connected.");
     const device::WriteMeaning meaning = device::classify(*reg, write.oldRaw);
     if (meaning.changesAddress())
-        return translate("History", "Use Servo → Set ID or Set baud rate to change it back.");
+        return translate(
+            "History",
+            "To change the ID or baud rate back, use Servo → Set ID or Servo → Set baud rate.");
     if (meaning.procedure != device::WriteProcedure::Register || meaning.isMotion() ||
         reg->access != catalog::Access::ReadWrite || !write.newRaw)
         return translate("History",

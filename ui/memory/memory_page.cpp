@@ -251,8 +251,8 @@ void MemoryPage::retranslate()
 {
     setAccessibleName(tr("Memory table"));
     m_view->setAccessibleName(tr("Memory table"));
-    m_view->setToolTip(tr("Press Enter or double-click to change a value; nothing is written "
-                          "until Enter is pressed again"));
+    m_view->setToolTip(tr("Press Enter or double-click to edit a value; nothing is written until "
+                          "you press Enter after editing"));
     m_model.retranslate();
     m_view->resizeColumns();
     refresh();

@@ -209,9 +209,9 @@ void MemoryToolbar::retranslate()
                   tr("Shows registers that differ from their known factory value"));
     setAccessText(m_groups, tr("Group"), tr("Shows only one group of registers"));
     setButtonText(m_order->segment(0), tr("Raw"),
-                  tr("Shows raw values before physical values and uses them for input"));
+                  tr("Shows raw values before physical values and uses raw values for input"));
     setButtonText(m_order->segment(1), tr("Physical"),
-                  tr("Shows physical values before raw values and uses them for input"));
+                  tr("Shows physical values before raw values and uses physical values for input"));
     m_columns->setTitle(tr("&Columns"));
     m_live->menuAction()->setToolTip(tr("Read rate of the visible rows; nothing is written"));
     m_help->setText(tr("Explain this &row"));

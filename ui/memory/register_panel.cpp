@@ -234,8 +234,8 @@ void RegisterPanel::retranslate()
     setAccessibleName(tr("Register help"));
     setToolTip(tr("Explains the selected register and lets you change it"));
     setButtonText(m_write, tr("Write"),
-                  tr("Writes this value and reads it back; it is kept after power-off if the "
-                     "register supports this"));
+                  tr("Writes this value and reads it back; the value is kept after power-off if "
+                     "the register supports permanent storage"));
     setButtonText(
         m_writeTemporarily, tr("Write temporarily"),
         tr("Writes the value without unlocking the EPROM; the value is lost at power-off"));

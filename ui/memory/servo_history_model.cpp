@@ -95,7 +95,7 @@ QString ServoHistoryModel::tip(const Line& line) const
     else if (line.end == QLatin1String("undone"))
         outcomeText = tr("Started, then undone: the old value was restored.");
     else if (line.end == QLatin1String("abandoned"))
-        outcomeText = tr("Abandoned: never finished or undone.");
+        outcomeText = tr("Abandoned: neither finished nor undone.");
     else if (line.end != QLatin1String("done"))
         outcomeText = tr("The write did not end as expected.");
     else if (line.temporary)

@@ -131,7 +131,7 @@ QString stateHelp(const MemoryRow& row)
         lines << description.message << description.cause << description.remedy;
     }
     if (row.age.seconds == 0)
-        lines << translate("MemoryTable", "The value shown was just read.");
+        lines << translate("MemoryTable", "The value shown was read just now.");
     else if (row.age.seconds > 0)
         lines << translate("MemoryTable", "The value shown was read %1 ago.").arg(ageText(row.age));
     lines.removeAll(QString());

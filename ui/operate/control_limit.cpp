@@ -253,11 +253,11 @@ void ControlLimit::retranslate()
     m_stallTitle->setText(tr("Stall torque of this model"));
     m_stall->setSpecialValueText(tr("not entered"));
     m_stall->setAccessibleName(m_stallTitle->text());
-    m_stall->setToolTip(tr("Enter the data sheet value for your supply voltage; it is stored for "
-                           "this model, not written to the servo"));
+    m_stall->setToolTip(tr("Enter the data sheet value for your supply voltage; the value is "
+                           "stored for this model, not written to the servo"));
     m_advice->setText(tr("Gripping: set the percentage of the stall torque that the part can "
-                         "withstand (10 % of 10 kg·cm is about 1 kg·cm). This also makes the servo "
-                         "slower. Use this only for parts of equal mass."));
+                         "withstand (10 % of 10 kg·cm is about 1 kg·cm). A lower limit also makes "
+                         "the servo slower. Use this method only for parts of equal mass."));
     fill();
 }
 

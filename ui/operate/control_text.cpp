@@ -147,7 +147,7 @@ void addLimits(QStringList& lines, const device::ModePlan& plan)
     if (plan.limitsSaved) {
         lines << translate(
                      "ControlText",
-                     "The angle limits %1 are saved, and will be restored when you switch back.")
+                     "The angle limits %1 are saved and will be restored when you switch back.")
                      .arg(limits.arg(*plan.writes[0].oldRaw).arg(*plan.writes[1].oldRaw));
     }
     const QString now = limits.arg(plan.writes[0].newRaw).arg(plan.writes[1].newRaw);
@@ -207,9 +207,10 @@ QString controlObstacle(const session::ServoEntry* entry)
         return QStringList{words.message, words.cause, words.remedy}.join(QLatin1Char('\n'));
     }
     if (!entry->servo.profile->writable)
-        return translate("ControlText",
-                         "The firmware of this servo is unknown. Its measurements are shown, but "
-                         "moving it could cause damage. To allow movement, add a model file.");
+        return translate(
+            "ControlText",
+            "The firmware of this servo is unknown. Measurements are shown, but moving the servo "
+            "could cause damage. To allow movement, add a model file.");
     if (entry->servo.mode() != nullptr)
         return {};
     return entry->readError

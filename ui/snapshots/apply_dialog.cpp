@@ -271,9 +271,9 @@ void ApplyDialog::retranslate()
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
-    setTexts(m_rollBack, tr("If a row fails, restore the old values of this servo"),
-             tr("If not selected, writing to this servo stops at the failed row; values already "
-                "written stay in the servo"));
+    setTexts(m_rollBack, tr("If a row fails, restore that servo's old values"),
+             tr("If this option is not selected, writing to a servo stops at the failed row; "
+                "values already written stay in the servo"));
     setTexts(m_otherModel, tr("Include IDs that now belong to another model"),
              tr("Matches registers by name; registers without a match are skipped and listed"));
     setTexts(m_dangerous, tr("Include dangerous rows"),
@@ -283,7 +283,7 @@ void ApplyDialog::retranslate()
                 "each"));
     setTexts(m_write, tr("Write"), tr("Writes the differing rows to each selected servo"));
     setTexts(m_stop, tr("Stop"), tr("Stops after the current servo has been written"));
-    setTexts(m_save, tr("Save result…"), tr("Saves the result of each row to a file"));
+    setTexts(m_save, tr("Save result…"), tr("Saves the result for each row to a file"));
     setTexts(m_close, tr("Close"), tr("Closes this window"));
     for (int row = 0; row < int(m_rows.size()); ++row)
         fillRow(row);

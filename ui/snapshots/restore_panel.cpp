@@ -337,7 +337,8 @@ void RestorePanel::retranslate()
     setButtonText(m_rollBack, tr("If a row fails, restore all old values"),
                   tr("Without this option, writing stops at the failed row; values already written "
                      "stay in the servo"));
-    m_write->setToolTip(tr("Writes only the selected rows that differ"));
+    m_write->setToolTip(
+        tr("Writes only the selected rows that differ from the servo's present values"));
     setButtonText(m_dryRun, tr("Dry run…"),
                   tr("Shows exactly what would be written, and in which order"));
     m_applyToSeveral->setToolTip(tr("Writes the selected rows to several servos"));

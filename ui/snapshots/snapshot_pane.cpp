@@ -165,10 +165,10 @@ void SnapshotPane::retranslate()
     m_all->setToolTip(tr("Shows identical and read-only rows too"));
     m_columns->setText(tr("Columns"));
     m_columns->setAccessibleName(m_columns->text());
-    m_columns->setToolTip(tr("Also compares with the factory default and other servos. To compare "
-                             "more snapshots, hold Ctrl and click them"));
+    m_columns->setToolTip(tr("Adds the factory default and other servos to the comparison. To "
+                             "compare more snapshots, hold Ctrl and click them"));
     m_table->setAccessibleName(tr("Memory tables side by side"));
-    m_table->setToolTip(tr("The space bar selects a row; selected rows are written"));
+    m_table->setToolTip(tr("The space bar selects a row for writing"));
     m_model.retranslate();
     showCounts();
 }

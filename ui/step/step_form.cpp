@@ -135,9 +135,9 @@ void StepForm::retranslate()
         field->setAccessibleName(name);
         field->setToolTip(tip);
     };
-    setTexts(
-        m_sizeLabel, m_size, tr("Step"),
-        tr("Step size: in steps, or with a unit (30deg); negative: toward lower positions first"));
+    setTexts(m_sizeLabel, m_size, tr("Step"),
+             tr("Raw value, or a value with its unit (30deg); if the value is negative, the servo "
+                "first moves toward lower positions"));
     setTexts(m_fromLabel, m_from, tr("Start"),
              tr("Start position of the step; leave empty to use the present position, or the "
                 "nearest one with enough room"));

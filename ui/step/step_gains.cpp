@@ -154,7 +154,7 @@ void StepGains::retranslate()
 {
     m_nowTitle->setText(tr("Now"));
     m_trialTitle->setText(tr("Trial"));
-    m_none->setText(m_profile ? tr("This family has no gains to set.")
+    m_none->setText(m_profile ? tr("This servo family has no gains to set.")
                               : tr("Select a servo to see its gains."));
     m_none->setVisible(m_rows.empty());
     m_nowTitle->setVisible(!m_rows.empty());

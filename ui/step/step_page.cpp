@@ -193,8 +193,9 @@ void StepPage::showState()
                        (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));
     m_progress->setVisible(running);
     m_reasonLabel->setText(running ? tr("The servo is moving. Esc turns torque off on all servos.")
-                           : !why.isEmpty() ? why
-                                            : tr("Clicking Measure or Try gains moves the servo."));
+                           : !why.isEmpty()
+                               ? why
+                               : tr("The servo moves when you click Measure or Try gains."));
     m_try->setToolTip(noTrial.isEmpty()
                           ? tr("Measures the same step with these values and restores the old "
                                "values afterwards: %1")
@@ -207,7 +208,7 @@ void StepPage::showState()
     m_back->setText(discards ? tr("Discard") : tr("Restore old"));
     m_back->setAccessibleName(m_back->text());
     m_back->setToolTip(discards ? tr("Resets the values under Trial to the present values")
-                                : tr("Writes the gains from before the last change: %1")
+                                : tr("Writes the gains that were set before the last change: %1")
                                       .arg(stepGainsText(earlier, profile)));
     showProgress();
 }

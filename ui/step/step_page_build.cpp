@@ -123,7 +123,7 @@ void StepPage::retranslate()
     setAccessibleName(tr("Step response"));
     m_gainsTitle->setText(tr("Gains"));
     m_run->setText(tr("Measure"));
-    m_run->setToolTip(tr("Makes the step with the servo's present gains: the servo will move"));
+    m_run->setToolTip(tr("Measures the step with the servo's present gains: the servo will move"));
     m_try->setText(tr("Try gains"));
     m_stop->setText(tr("Stop"));
     m_stop->setToolTip(tr("Ends the run; the servo holds its position"));

@@ -185,7 +185,7 @@ void StepResults::retranslate()
            "click Try gains to compare."));
     m_chart->setAccessibleName(tr("Overlaid step responses"));
     m_figures->setAccessibleName(tr("Metrics before and after"));
-    m_figures->setToolTip(tr("Mean of all steps of a run, out and back"));
+    m_figures->setToolTip(tr("Mean of all steps in a run, out and back"));
     const QString value = m_test.previousRun() == nullptr           ? tr("Value")
                           : m_test.runs().back().spec.trial.empty() ? tr("After")
                                                                     : tr("Trial");

@@ -28,9 +28,10 @@ StepRunsDialog::StepRunsDialog(session::HistoryService& historyService,
 void StepRunsDialog::retranslate()
 {
     setWindowTitle(tr("Earlier step responses"));
-    setButtonText(m_open, tr("Open"),
-                  tr("Shows the selected runs on the Step response page. Two runs are compared "
-                     "with each other; later runs are compared with the newer one"));
+    setButtonText(
+        m_open, tr("Open"),
+        tr("Shows the selected runs on the Step response page. If two runs are selected, they are "
+           "compared with each other; later runs are compared with the newer one"));
     m_detailsOf = 0;
     RunListDialog::retranslate();
 }

@@ -288,7 +288,7 @@ void LimitsDialog::onFileError(const base::Error& error)
 
 void LimitsDialog::retranslate()
 {
-    setWindowTitle(tr("Limits of the sweep test"));
+    setWindowTitle(tr("Sweep test limits"));
     const auto label = [this](QWidget* field, const QString& text, const QString& tip) {
         static_cast<QLabel*>(m_form->labelForField(field))->setText(text);
         field->setAccessibleName(text);

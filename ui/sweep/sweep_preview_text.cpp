@@ -69,12 +69,13 @@ PreviewText durationCheckText(const session::SweepPreview& preview, const result
     const QString who =
         entry != nullptr ? SweepPage::tr("ID %1: ").arg(entry->servo.id) : QString();
     if (estimate.tooShort && sine)
-        return {Tone::Warn,
-                who +
-                    SweepPage::tr(
-                        "the sine is faster than the servo can move. Use a period of at least %1.")
-                        .arg(durationText(estimate.proposedDelay)) +
-                    QLatin1Char(' ') + link};
+        return {
+            Tone::Warn,
+            who +
+                SweepPage::tr(
+                    "the sine wave is faster than the servo can move. Use a period of at least %1.")
+                    .arg(durationText(estimate.proposedDelay)) +
+                QLatin1Char(' ') + link};
     if (estimate.tooShort)
         return {Tone::Warn,
                 who +

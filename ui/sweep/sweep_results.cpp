@@ -354,7 +354,7 @@ void SweepResults::retranslate()
     m_verdictView->setToolTip(tr("Hover over a row for details"));
     m_legsView->setToolTip(m_verdictView->toolTip());
     m_all->setText(tr("All metrics"));
-    m_all->setToolTip(tr("Shows metrics without a limit, too"));
+    m_all->setToolTip(tr("Also shows metrics that have no limit"));
     m_histogramTitle->setText(tr("Error at the goal"));
     m_reportTitle->setText(tr("Report"));
     for (QPushButton* button : m_reports) {

@@ -308,7 +308,7 @@ void SweepServos::retranslate()
     m_table->setHorizontalHeaderLabels(
         {tr("Servo"), tr("Own start"), tr("Own end"), tr("Verdict")});
     m_table->setToolTip(
-        tr("Select the servos to test; enter their own start and end where needed"));
+        tr("Select the servos to test; enter individual start and end values where needed"));
     m_limits->setText(tr("Limits…"));
     m_limits->setAccessibleName(m_limits->text());
     m_limits->setToolTip(

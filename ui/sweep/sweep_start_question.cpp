@@ -47,7 +47,7 @@ QString torqueAfterwards(const SweepConsent& consent)
                ? held + QLatin1Char('\n') +
                      translate(
                          "ui::SweepPage",
-                         "Torque is off afterwards on servos that switch back to another mode.")
+                         "Afterwards, torque is off on servos that switch back to another mode.")
                : held;
 }
 } // namespace

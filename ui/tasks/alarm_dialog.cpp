@@ -188,8 +188,8 @@ void AlarmDialog::runAction()
     if (m_plan->next == ClearMethod::BackOff) {
         question.title = translate("ServoTasks", "Turn the shaft back?");
         question.text =
-            translate("ServoTasks", "The shaft turns from %1 to %2, away from the stalled "
-                                    "position, and holds there with full torque.")
+            translate("ServoTasks", "The shaft turns away from the stalled position, from %1 to "
+                                    "%2, and holds the new position with full torque.")
                 .arg(positionText(m_plan->from), positionText(m_plan->to));
         question.acceptText = translate("ServoTasks", "Turn back");
     } else {

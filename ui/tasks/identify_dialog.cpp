@@ -24,8 +24,8 @@ void IdentifyDialog::retranslate()
 {
     setTexts(translate("ServoTasks", "Blink LED"),
              translate("ServoTasks",
-                       "The LED of this servo blinks for a few seconds, then its setting is "
-                       "restored. Nothing moves. A servo without an LED shows nothing."),
+                       "This servo's LED blinks for a few seconds, and then the LED setting is "
+                       "restored. Nothing moves. On a servo without an LED, nothing is visible."),
              translate("ServoTasks", "Repeat"), translate("ServoTasks", "Blinks the LED again"));
 }
 

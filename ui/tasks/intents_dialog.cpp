@@ -187,7 +187,7 @@ QString IntentsDialog::explanation() const
         return translate(
             "ServoTasks",
             "Another program is still making these changes, so ServoDesk does not touch them. If "
-            "that program ends before the changes are complete, they are listed here.");
+            "that program ends before the changes are complete, they will be listed here.");
     const QString interrupted = translate(
         "ServoTasks", "These changes were started but not finished because a cable was pulled, the "
                       "power failed, or the program was terminated. ServoDesk has only checked "
@@ -242,8 +242,9 @@ void IntentsDialog::updateFinishText()
                                 "Restores the settings from before the test and verifies them"));
     else
         setButtonText(m_finish, translate("ServoTasks", "Finish"),
-                      translate("ServoTasks", "Writes and verifies the missing values and locks "
-                                              "the EPROM; Undo then reverts the whole change"));
+                      translate("ServoTasks",
+                                "Writes and verifies the missing values and locks the EPROM; "
+                                "afterwards, Undo can revert the whole change"));
 }
 
 void IntentsDialog::updateButtons()
@@ -350,8 +351,8 @@ void IntentsDialog::updateElsewhereText()
     }
     if (!gone.isEmpty())
         gone.prepend(translate("ServoTasks",
-                               "Unfinished changes from other ports. If the adapter has a new "
-                               "port name, search this port for the servos:"));
+                               "Unfinished changes from other ports. If the adapter's port "
+                               "name has changed, search the new port for the servos:"));
     if (!present.isEmpty())
         present.prepend(translate("ServoTasks", "Unfinished changes from other ports. To finish or "
                                                 "undo a change, connect to its port:"));

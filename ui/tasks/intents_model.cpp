@@ -155,7 +155,7 @@ QString findingText(Finding finding)
     case Finding::UnderWay:
         return translate("ServoTasks", "still in progress in another program");
     case Finding::Replaced:
-        return translate("ServoTasks", "value has since changed: left unchanged");
+        return translate("ServoTasks", "value has since changed: left as it is");
     }
     return {};
 }

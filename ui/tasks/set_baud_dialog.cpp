@@ -90,9 +90,10 @@ void SetBaudDialog::validate()
     if (same) {
         lines << translate("ServoTasks", "The servo already uses this baud rate.");
     } else {
-        lines << translate("ServoTasks",
-                           "After this, the servo replies only at %1 baud. ServoDesk switches "
-                           "automatically; other programs must be set to the new baud rate.")
+        lines << translate(
+                     "ServoTasks",
+                     "After this change, the servo replies only at %1 baud. ServoDesk switches "
+                     "automatically; other programs must be set to the new baud rate.")
                      .arg(m_rates->currentText());
         if (const int others = neighbors(); others > 0)
             lines << translate("ServoTasks",

@@ -276,7 +276,7 @@ void ChannelsDialog::retranslate()
                  tr("Drawn as value × scale + offset; cursors show the actual value"));
     setFieldText(style, m_offset, tr("Offset"), tr("Added to the drawn value, in the same unit"));
     m_reset->setText(tr("Reset"));
-    m_reset->setToolTip(tr("Shows goal, position, speed and current of the selected servo"));
+    m_reset->setToolTip(tr("Shows the goal, position, speed and current of the selected servo"));
     m_close->setText(tr("Close"));
     m_close->setToolTip(tr("Closes this list and keeps the channels"));
     fill();

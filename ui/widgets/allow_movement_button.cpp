@@ -46,7 +46,7 @@ void AllowMovementButton::askToAllow()
     Question question;
     question.title = tr("Turn torque on?");
     question.text = tr("The emergency stop has turned torque off for %1. Torque is turned on again "
-                       "where the servos are now; nothing moves until you start a test.")
+                       "at the servos' present positions; nothing moves until you start a test.")
                         .arg(blockedByStopText(m_workbench.registry(), m_servos));
     question.risk = tr("Keep hands and objects away from the servos. Esc immediately turns torque "
                        "off on all servos.");

@@ -102,9 +102,10 @@ void RunListDialog::retranslate()
     m_filter->setAccessibleName(tr("Filter"));
     m_filter->setToolTip(tr("Shows only tests that contain this text"));
     m_table->setAccessibleName(tr("Earlier tests"));
-    m_table->setToolTip(tr("One row for each servo of a test, newest first"));
-    setButtonText(m_label, tr("Label…"),
-                  tr("Labels the servo of the selected test (servos have no serial number)"));
+    m_table->setToolTip(tr("One row for each servo in a test, newest first"));
+    setButtonText(
+        m_label, tr("Label…"),
+        tr("Gives the servo in the selected test a label, because servos have no serial number"));
     setButtonText(m_delete, tr("Delete…"), tr("Deletes the selected tests from the history"));
     setButtonText(m_close, tr("Close"), tr("Closes this window"));
     m_model->retranslate();

@@ -116,15 +116,15 @@ QString possibleAddressText(const session::ServoEntry& entry, const device::Writ
     const QString before = valueText(entry.servo, write.key, write.oldRaw);
     const QString after = valueText(entry.servo, write.key, write.newRaw);
     if (reg->role == catalog::Role::BaudRate)
-        return translate(
-                   "ServoTasks",
-                   "The servo did not reply at the end, so its baud rate may be %1 or %2. To find "
-                   "the servo, use Port → Interrupted writes or search at both baud rates.")
+        return translate("ServoTasks", "The servo did not reply at the end of the operation, so "
+                                       "its baud rate may be %1 or %2. To find the servo, use Port "
+                                       "→ Interrupted writes or search at both baud rates.")
             .arg(before, after);
     if (reg->role == catalog::Role::Id)
-        return translate("ServoTasks",
-                         "The servo did not reply at the end, so its ID may be %1 or %2. To find "
-                         "the servo, use Port → Interrupted writes or search the bus.")
+        return translate(
+                   "ServoTasks",
+                   "The servo did not reply at the end of the operation, so its ID may be %1 or "
+                   "%2. To find the servo, use Port → Interrupted writes or search the bus.")
             .arg(before, after);
     return {};
 }

@@ -116,7 +116,7 @@ QString unrevertedSettingsRemedy()
 {
     return text::translate(
         "ui::StepPage",
-        "This is recorded in the journal. When the servo replies again, restore the old values "
+        "The old values are recorded in the journal. When the servo replies again, restore them "
         "under Port → Interrupted writes. At power-off, the servo discards the trial values.");
 }
 

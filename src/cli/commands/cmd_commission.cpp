@@ -253,18 +253,18 @@ QString confirmText(const CommissionView& view)
         return text + QLatin1Char(' ') +
                translate("cli",
                          "Setup of a servo of this model was not finished, and no IDs are left for "
-                         "other servos. If this is that servo, type \"s\" and press Enter. To set "
-                         "this servo aside, type \"a\" and press Enter.");
+                         "other servos. If the connected servo is that one, type \"s\" and press "
+                         "Enter. To set the connected servo aside, type \"a\" and press Enter.");
     if (view.candidateId >= 0)
         text += QLatin1Char(' ') +
                 translate("cli", "Setup of a servo of this model was not finished; its assigned ID "
-                                 "is %1. If this is that servo, type \"s\" and press Enter; "
-                                 "otherwise this servo is set up as a new one.")
+                                 "is %1. If the connected servo is that one, type \"s\" and press "
+                                 "Enter; otherwise, the connected servo is set up as a new one.")
                     .arg(view.candidateId);
     else if (view.isResumed)
         text += QLatin1Char(' ') +
                 translate("cli", "Setup of a servo of this model was not finished in this batch. "
-                                 "Continue only if this is that servo.");
+                                 "Continue only if the connected servo is that one.");
     return text + QLatin1Char(' ') +
            translate(
                "cli",
@@ -369,9 +369,10 @@ void CommissionCommand::listUnfinished()
         return;
     for (const results::PendingCommission& one : m_batch.pending)
         m_run.console().printNote(withConcerns(
-            translate("cli", "Unfinished: %1 with assigned ID %2. Some of its settings may have "
-                             "been written. Connect it and run the same command again to finish "
-                             "it.")
+            translate(
+                "cli",
+                "Unfinished: %1 with assigned ID %2. Some of its settings may have been written. "
+                "Connect the servo and run the same command again to finish its setup.")
                 .arg(one.servo.model)
                 .arg(one.newId),
             results::unfinishedIssues(one)));

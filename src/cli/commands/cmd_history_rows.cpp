@@ -211,13 +211,11 @@ QString tableText(const history::TableState& point, const QString& file)
                            "Saved without a value because the new value was not recorded: %1")
                      .arg(point.unknown.join(comma));
     if (!point.temporary.isEmpty())
-        lines
-            << translate(
-                   "cli",
-                   "Temporary writes are not included; the table contains the stored values of: %1")
-                   .arg(point.temporary.join(comma));
+        lines << translate("cli", "Temporary writes are not included; for these registers, the "
+                                  "table contains the stored values: %1")
+                     .arg(point.temporary.join(comma));
     if (point.changedId)
-        lines << translate("cli", "The ID was changed to %1 on %2; writes made with that ID are "
+        lines << translate("cli", "The ID was changed to %1 on %2; writes made with the new ID are "
                                   "in the history of the servo with ID %1, not here")
                      .arg(QString::number(point.changedId->id), localTime(point.changedId->at));
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
@@ -301,8 +299,9 @@ Command historyTableCommand()
 {
     return {
         "history table",
-        QT_TRANSLATE_NOOP("cli", "save a servo's memory table at a given time (last snapshot plus "
-                                 "the writes up to then) as a file for snapshot restore"),
+        QT_TRANSLATE_NOOP("cli",
+                          "save a servo's memory table as it was at a given time (last snapshot "
+                          "plus the writes up to then) to a file for snapshot restore"),
         {{"SERVO", QT_TRANSLATE_NOOP(
                        "cli", "servo label, or number as listed by \"history --kind servos\"")},
          {"TIME", QT_TRANSLATE_NOOP(

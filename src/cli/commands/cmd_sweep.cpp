@@ -87,8 +87,8 @@ QString gapsText(const results::SweepRun& run)
         gaps << QStringLiteral("%1–%2 s").arg(seconds(gap.at), seconds(gap.at + gap.span));
     if (gaps.isEmpty())
         return {};
-    return translate("cli",
-                     "Gaps without readings: %1. Moves with such a gap have no times or speeds.")
+    return translate("cli", "Gaps without readings: %1. No times or speeds are available for moves "
+                            "with such a gap.")
                .arg(gaps.join(QStringLiteral(", "))) +
            QLatin1Char('\n');
 }
@@ -145,8 +145,8 @@ base::Result<void> SweepCommand::collect()
     m_path = m_values.option("--report").value_or(QString());
     m_format = session::sweepFormatOf(m_path);
     if (!m_path.isEmpty() && !m_format)
-        return badArgument(translate("cli", "the report file must end with .html, .pdf, .json "
-                                            "or .csv"));
+        return badArgument(
+            translate("cli", "the report file name must end with .html, .pdf, .json or .csv"));
     for (const int id : *ids) {
         auto servo = m_run.servoWithSettings(id);
         if (!servo)

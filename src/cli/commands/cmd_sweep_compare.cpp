@@ -181,7 +181,8 @@ base::Result<Exit> runSweepCompare(Run& run, const Values& values)
 {
     const auto path = values.option("--report");
     if (path && QFileInfo(*path).suffix().toLower() != QLatin1String("html"))
-        return badArgument(translate("cli", "the report of a comparison must end with .html"));
+        return badArgument(
+            translate("cli", "the file name of a comparison report must end with .html"));
     Chosen one;
     Chosen two;
     if (const auto chosen = choose(values, "A", one); !chosen)

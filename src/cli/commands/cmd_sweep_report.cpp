@@ -35,8 +35,8 @@ base::Result<Exit> runSweepReport(Run& run, const Values& values)
     const QString path = values.argument("FILE");
     const auto format = session::sweepFormatOf(path);
     if (!format)
-        return badArgument(translate("cli", "the report file must end with .html, .pdf, .json "
-                                            "or .csv"));
+        return badArgument(
+            translate("cli", "the report file name must end with .html, .pdf, .json or .csv"));
     const auto word = parseRunSelector(values.argument("RUN"));
     if (!word)
         return tl::unexpected(word.error());

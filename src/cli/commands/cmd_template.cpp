@@ -41,9 +41,10 @@ tl::unexpected<base::Error> whyNot(const base::Error& error, const snapshot::Sna
     }
     switch (error.reason) {
     case base::Reason::IdentityRegister:
-        return badArgument(translate("cli", "%1 identifies the servo; a template contains it "
-                                            "only with --identity")
-                               .arg(key));
+        return badArgument(
+            translate("cli",
+                      "%1 identifies the servo and is included in a template only with --identity")
+                .arg(key));
     case base::Reason::ReadOnlyRegister:
         return badArgument(translate("cli", "%1 is read-only").arg(key));
     case base::Reason::NoValue:

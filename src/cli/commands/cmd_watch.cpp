@@ -194,7 +194,7 @@ Command watchCommand()
 {
     return {
         "watch",
-        QT_TRANSLATE_NOOP("cli", "read the feedback of servos continuously"),
+        QT_TRANSLATE_NOOP("cli", "read servo feedback continuously"),
         {{"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1 2 3, 1-6 or 1,3"), 1, many}},
         {{"--rate", QT_TRANSLATE_NOOP("cli", "readings per second for each servo (default: 20)"),
           "HZ|max"},

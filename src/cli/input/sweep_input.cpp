@@ -217,7 +217,7 @@ std::vector<Option> sweepOptions()
          QT_TRANSLATE_NOOP(
              "cli", "switch servos in other modes to position mode for the test, then back")},
         {"--torque-off", QT_TRANSLATE_NOOP("cli", "turn torque off at the end (default: hold)")},
-        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "stop at the first limit that fails")},
+        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "stop at the first limit that is not met")},
         {"--limits", QT_TRANSLATE_NOOP("cli", "limits for the verdict (default: built-in limits)"),
          "FILE"},
         {"--report",

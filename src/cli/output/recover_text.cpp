@@ -48,7 +48,7 @@ FindingText findingText(jobs::Finding finding)
     case jobs::Finding::UnderWay:
         return {"under-way", QT_TRANSLATE_NOOP("cli", "still in progress in another program")};
     case jobs::Finding::Replaced:
-        return {"replaced", QT_TRANSLATE_NOOP("cli", "value has since changed: left unchanged")};
+        return {"replaced", QT_TRANSLATE_NOOP("cli", "value has since changed: left as it is")};
     }
     return {"", ""};
 }
@@ -192,8 +192,9 @@ QString notWrittenLine(const jobs::RecoveryResult& one)
 {
     if (one.skippedKeys.isEmpty())
         return {};
-    return translate("cli", "Change %1: registers left as they are because their values have since "
-                            "changed, or because writing them would move the servo: %2")
+    return translate("cli",
+                     "In change %1, these registers were left as they are because their values "
+                     "have since changed or because writing them would move the servo: %2")
                .arg(one.before.intent.uuid.left(uuidDigits),
                     one.skippedKeys.join(QStringLiteral(", "))) +
            QLatin1Char('\n');

@@ -54,7 +54,7 @@ base::Result<void> checkStepReportName(const QString& path)
     if (report::isStepReport(path))
         return {};
     return badArgument(
-        translate("cli", "the report file must end with .html, .pdf, .json or .csv"));
+        translate("cli", "the report file name must end with .html, .pdf, .json or .csv"));
 }
 
 QString stepRunsText(const std::vector<results::StepRun>& runs,

@@ -732,7 +732,7 @@ private Q_SLOTS:
         QDialog* question = fixture.question();
         QVERIFY(question != nullptr);
         const QString questionText = gui::labelsOf(question);
-        QVERIFY2(questionText.contains(QLatin1String("Torque is off afterwards on servos")),
+        QVERIFY2(questionText.contains(QLatin1String("torque is off on servos")),
                  qPrintable(questionText));
         gui::click(question, "questionYes");
         QVERIFY(fixture.begun());

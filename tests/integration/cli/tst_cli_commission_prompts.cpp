@@ -206,7 +206,8 @@ void TestCliCommissionPrompts::sConfirmsTheInterruptedServo()
     QVERIFY(results::saveCommissionBatch(batch, keys.csv()));
 
     keys.start(QByteArray("commission --first-id 5 --count 1" + way).constData());
-    QVERIFY(keys.asks("its assigned ID is 9. If this is that servo, type \"s\" and press Enter"));
+    QVERIFY(keys.asks(
+        "its assigned ID is 9. If the connected servo is that one, type \"s\" and press Enter"));
     keys.press(answer.constData());
     const ProgramResult result = keys.finish();
     QCOMPARE(result.exit, unfinished);

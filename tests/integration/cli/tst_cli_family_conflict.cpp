@@ -104,9 +104,10 @@ void TestCliFamilyConflict::invalidLockValueIsTheReason()
     cli.setPort(bus.port());
     const ProgramResult result = cli.json("write 1 max_temperature=61");
     QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("family-unclear"));
-    QVERIFY(errorOf(result)[QLatin1String("message")].toString().contains(text("that byte is 77")));
+    QVERIFY(errorOf(result)[QLatin1String("message")].toString().contains(
+        text("the byte at that address is 77")));
     QCOMPARE(bus.writes(), 0);
-    QVERIFY(cli.run("info 1").out.contains(text("that byte is 77")));
+    QVERIFY(cli.run("info 1").out.contains(text("the byte at that address is 77")));
 }
 
 void TestCliFamilyConflict::theTableCanBeRead()

@@ -165,7 +165,7 @@ void TestFamilyConflict::theFactsAreReported_data()
                                     "9.3 (STS3215, byte order flag 0)"});
     QTest::newRow("and the lock") << true
                                   << list({"firmware 3.10", "byte order flag 0", "9.3 (STS3215",
-                                           "address 55", "that byte is 77"});
+                                           "address 55", "the byte at that address is 77"});
 }
 
 void TestFamilyConflict::theFactsAreReported()

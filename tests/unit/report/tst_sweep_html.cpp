@@ -173,7 +173,7 @@ private Q_SLOTS:
                                  "> 16",
                                  "above 0 moves",
                                  "4096 steps a turn, built in",
-                                 "gear backlash after its encoder",
+                                 "gear backlash beyond the encoder",
                                  "not measured",
                                  "min_angle",
                                  "512",
