@@ -183,7 +183,7 @@
     </message>
     <message>
         <source>Op&amp;en a recording…</source>
-        <translation>打开录制(&amp;E)…</translation>
+        <translation>打开录制文件(&amp;E)…</translation>
     </message>
     <message>
         <source>S&amp;weep test</source>
@@ -378,7 +378,7 @@
         <translation>全部卸力(&amp;T)</translation>
     </message>
     <message>
-        <source>Immediately turns off torque on the whole bus (Esc, including in input fields of the motion panel; Shift+Esc works everywhere)</source>
+        <source>Immediately turns torque off on the whole bus. Shift+Esc works everywhere; Esc also works in input fields of the motion panel</source>
         <translation>立即让总线上的全部舵机卸力（Esc，在运动面板的输入框中也有效；Shift+Esc 在任何界面都有效）</translation>
     </message>
     <message>
@@ -5149,7 +5149,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The trial has ended. The servo has its old values again, unless a note says otherwise. To keep good values, use &quot;write&quot;.</source>
-        <translation>试用已结束。除非另有说明，舵机已恢复原值。效果好的值请用 write 保存。</translation>
+        <translation>试用已结束。如果上面没有恢复失败的提示，舵机已恢复原值。效果好的值请用 write 保存。</translation>
     </message>
     <message>
         <source>measure the step response of a servo, before and after changing its gains</source>
@@ -5161,7 +5161,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>start position (default: present position, if there is enough room)</source>
-        <translation>起点（默认：如果空间足够，则为当前位置）</translation>
+        <translation>起点（默认：行程余量足够时为当前位置）</translation>
     </message>
     <message>
         <source>number of back-and-forth movements (default: 3)</source>
@@ -5697,7 +5697,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Port %1 still exists. To list its changes (%2): %3</source>
-        <translation>端口 %1 仍然存在。要列出其更改（%2），请运行：%3</translation>
+        <translation>端口 %1 仍可用。要查看该端口上未写完的更改（%2），请运行：%3</translation>
     </message>
     <message>
         <source>ServoDesk cannot distinguish the servo from another one with the same model and ID. Run the following only if you are sure that the same servo is now connected to %1: %2</source>
@@ -6132,7 +6132,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Save a snapshot, then repeat the write and confirm it explicitly.</source>
-        <translation>请先保存快照，再重新写入，并在提示时确认。</translation>
+        <translation>请先保存快照，再重新写入，并按提示确认。</translation>
     </message>
     <message>
         <source>file not found</source>
@@ -6292,7 +6292,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Keep clear of the mechanism, then repeat the write and confirm it explicitly.</source>
-        <translation>请远离机构的活动范围，再重新写入并明确确认。</translation>
+        <translation>请远离机构，再重新写入，并按提示确认。</translation>
     </message>
     <message>
         <source>not reported</source>
@@ -6615,7 +6615,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <translation>供电电压超出舵机限值：电源不对、功率不足，或导线太细，带载时压降大。</translation>
     </message>
     <message>
-        <source>The servo is too hot: a prolonged load, a stall, poor cooling, or a temperature limit that is set too low. Remove the load and let the servo cool down.</source>
+        <source>The servo has exceeded its temperature limit. Possible causes: a prolonged load, a stall, poor cooling, or a limit that is set too low. Remove the load and let the servo cool down.</source>
         <translation>舵机过温：长时间负载、堵转、散热差，或温度上限设得太低。请去除负载，等待舵机冷却。</translation>
     </message>
     <message>
@@ -7732,7 +7732,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
-        <translation>请远离机构，然后重新执行此操作并明确确认。</translation>
+        <translation>请远离机构，然后重新执行此操作，并按提示确认。</translation>
     </message>
     <message>
         <source>clearing this alarm turns torque on</source>
@@ -7744,7 +7744,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Remove the cause and keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
-        <translation>请排除原因并远离机构，然后重新执行此操作并明确确认。</translation>
+        <translation>请先排除故障原因并远离机构，然后重新执行此操作，并按提示确认。</translation>
     </message>
     <message>
         <source>The servo&apos;s state has changed in the meantime.</source>
@@ -8160,7 +8160,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>The string has neither the form postgresql://USER@HOST/DATABASE nor the form host=HOST dbname=DATABASE user=USER, or part of it is not recognized.</source>
-        <translation>该字符串既不是 postgresql://USER@HOST/DATABASE 的形式，也不是 host=HOST dbname=DATABASE user=USER 的形式，或含有无法识别的部分。</translation>
+        <translation>连接字符串格式有误，或含有无法识别的部分。正确格式：postgresql://USER@HOST/DATABASE，或 host=HOST dbname=DATABASE user=USER。</translation>
     </message>
     <message>
         <source>Correct the string; the PostgreSQL manual describes its format under &quot;Connection Strings&quot;.</source>
@@ -8184,7 +8184,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Choose another label, or specify that the servo now replying is the one with this label.</source>
-        <translation>请换一个标签，或指明现在应答的舵机就是带此标签的那一个。</translation>
+        <translation>请换一个标签；如果当前应答的舵机就是原来使用此标签的舵机，请予以确认。</translation>
     </message>
 </context>
 <context>
@@ -9482,7 +9482,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Stopped. Turn torque on to continue.</source>
-        <translation>已急停。打开扭矩后继续。</translation>
+        <translation>已急停。打开扭矩后才能继续操作。</translation>
     </message>
 </context>
 <context>
@@ -11686,7 +11686,7 @@ Retries: %9</source>
         <translation>对比所选的两次测试；标为参考的一次为 A，如果都未标为参考，则较早的一次为 A</translation>
     </message>
     <message>
-        <source>Compares later tests of this model with this servo; each model has one reference</source>
+        <source>Uses this servo&apos;s test as the reference for later tests of this model; each model has one reference</source>
         <translation>以后此型号的测试都与此舵机对比；每个型号只有一个参考</translation>
     </message>
     <message>
@@ -12691,7 +12691,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The metrics, responses and settings of these runs are deleted from the history. Report files are kept.</source>
-        <translation>所选运行的指标、响应和设置将从历史记录中删除。报告文件会保留。</translation>
+        <translation>将从历史记录中删除所选各次运行的指标、响应和设置。报告文件会保留。</translation>
     </message>
 </context>
 <context>
@@ -13545,7 +13545,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>&amp;Open a recording…</source>
-        <translation>打开录制(&amp;O)…</translation>
+        <translation>打开录制文件(&amp;O)…</translation>
     </message>
     <message>
         <source>Pause</source>

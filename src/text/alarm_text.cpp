@@ -28,12 +28,11 @@ constexpr std::array alarms{
                QT_TRANSLATE_NOOP(
                    "text", "The supply voltage is outside the servo's limits: a wrong or weak "
                            "power supply, or thin wires with a voltage drop under load.")},
-    AlarmEntry{
-        "temperature", QT_TRANSLATE_NOOP("text", "temperature"),
-        QT_TRANSLATE_NOOP(
-            "text",
-            "The servo is too hot: a prolonged load, a stall, poor cooling, or a temperature limit "
-            "that is set too low. Remove the load and let the servo cool down.")},
+    AlarmEntry{"temperature", QT_TRANSLATE_NOOP("text", "temperature"),
+               QT_TRANSLATE_NOOP("text",
+                                 "The servo has exceeded its temperature limit. Possible causes: "
+                                 "a prolonged load, a stall, poor cooling, or a limit that is set "
+                                 "too low. Remove the load and let the servo cool down.")},
     AlarmEntry{"sensor", QT_TRANSLATE_NOOP("text", "sensor"),
                QT_TRANSLATE_NOOP("text",
                                  "The magnet, the encoder or a cable inside the servo is "

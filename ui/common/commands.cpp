@@ -112,7 +112,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::OpenRecording, QT_TRANSLATE_NOOP("Commands", "Op&en a recording…"),
      QT_TRANSLATE_NOOP("Commands", "Shows a recording in the chart"), "document-open", "Ctrl+O", Always},
     {Command::TorqueOffAll, QT_TRANSLATE_NOOP("Commands", "All &torque off"),
-     QT_TRANSLATE_NOOP("Commands", "Immediately turns off torque on the whole bus (Esc, including in input fields of the motion panel; Shift+Esc works everywhere)"), "process-stop", "", Always},
+     QT_TRANSLATE_NOOP("Commands", "Immediately turns torque off on the whole bus. Shift+Esc works everywhere; Esc also works in input fields of the motion panel"), "process-stop", "", Always},
     {Command::ThemeSystem, QT_TRANSLATE_NOOP("Commands", "&System"),
      QT_TRANSLATE_NOOP("Commands", "Follows the light or dark setting of the desktop"), "", "", Always, true},
     {Command::ThemeLight, QT_TRANSLATE_NOOP("Commands", "&Light"),

@@ -68,8 +68,8 @@ void RunsDialog::updateButtons()
     m_reference->setEnabled(one && refusal.isEmpty());
     const QString mark = !refusal.isEmpty()
                              ? refusal
-                             : tr("Compares later tests of this model with this servo; each "
-                                  "model has one reference");
+                             : tr("Uses this servo's test as the reference for later tests of this "
+                                  "model; each model has one reference");
     setButtonText(m_reference, isReference ? tr("Clear reference") : tr("Mark as reference"),
                   isReference ? tr("Stops using this servo as the reference") : mark);
     showHint(tr("Select two rows to compare them. Servos have no serial number; they are "

@@ -284,8 +284,8 @@ void TestSlowAdapter::fastLinkStaysFast()
     const base::Duration start = fixture.clock().now();
     QVERIFY(jobs::changeId(fixture.context(), servo, 9));
     const base::Duration took = fixture.clock().now() - start;
-    // Of simulated time; a quarter of a second proves that the ID is free.
-    QVERIFY2(took < 800ms, qPrintable(QString::number(took / 1ms)));
+    // Of simulated time; half a second proves that the ID is free.
+    QVERIFY2(took < 1050ms, qPrintable(QString::number(took / 1ms)));
 }
 
 SERVODESK_GUILESS_TEST(TestSlowAdapter)
