@@ -448,6 +448,7 @@ private Q_SLOTS:
         QVERIFY(fixture.ready(1));
         fixture.context.workbench.motion().setTorque(device::Torque::On);
         QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(1));
+        QVERIFY(fixture.waitUntilIdle()); // then the goal follows the position no more
         auto* slider = fixture.find<QWidget>("goalSlider");
         QTRY_VERIFY(slider->isEnabled());
         const auto servo = [&](const char* key) {
