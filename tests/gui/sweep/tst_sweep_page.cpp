@@ -286,6 +286,7 @@ private Q_SLOTS:
         QVERIFY(fixture.find<QWidget>("sweepBanner")->isVisible());
         QCOMPARE(fixture.now("torque_switch"), 0);
         // One click beside Run allows it; the servo holds its place, and the next run asks again.
+        QTRY_COMPARE(fixture.now("present_speed"), 0); // without torque it coasts
         const qint64 place = fixture.now("present_position");
         QVERIFY(fixture.find<QPushButton>("sweepAllow")->isVisible());
         fixture.click("sweepAllow");
@@ -297,7 +298,9 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.find<QPushButton>("sweepRun")->isEnabled());
         QVERIFY(!fixture.find<QPushButton>("sweepAllow")->isVisible());
         QCOMPARE(fixture.now("torque_switch"), 1);
-        QVERIFY(std::abs(fixture.now("present_position") - place) < 20);
+        const qint64 held = fixture.now("present_position");
+        QVERIFY2(std::abs(held - place) < 20,
+                 qPrintable(QStringLiteral("%1 %2").arg(place).arg(held)));
         fixture.click("sweepRun");
         QVERIFY(fixture.question() != nullptr);
     }
