@@ -56,12 +56,12 @@ run_tests() {
     failed=$folder/Testing/Temporary/LastTestsFailed.log
     log=$(mktemp)
     rm -f -- "$failed"
-    if ! "$@" 2>&1 | tee -- "$log"; then
+    if ! run_aside "$@" 2>&1 | tee -- "$log"; then
         [ -s "$failed" ] || return 1 # it failed before the tests
         mapfile -t names < <(cut -d: -f2 -- "$failed")
         [ ${#names[@]} -le 24 ] || return 1
         printf '\n%d of the tests failed; repeating them alone: %s\n' "${#names[@]}" "${names[*]}"
-        ctest --test-dir "$folder" --rerun-failed --parallel 1 --repeat until-pass:2 --output-on-failure
+        run_aside ctest --test-dir "$folder" --rerun-failed --parallel 1 --repeat until-pass:2 --output-on-failure
         unstable_tests+=("${names[@]/%/ ($name)}")
     fi
     test_summaries+=("$name: $(grep -E '^[0-9]+% tests passed' "$log")")

@@ -117,3 +117,21 @@ configure_release() {
         die "the project could not be configured; see the messages above."
     fi
 }
+
+# run_aside COMMAND...: in a session that yields the processor to every other one. The kernel carries the
+# bytes of a pseudo-terminal in a thread of its own, and where Linux shares the processor by sessions
+# (autogroup) that thread waited up to half a second beside a session that is never idle (6.18, seen with
+# `perf sched`): longer than servos may take to reply. Ctrl-C ends the command too.
+run_aside() {
+    local child code=0
+    # What runs in the background of a script ignores Ctrl-C, and so would the programs that the tests start.
+    # shellcheck disable=SC2016 # for the inner shell
+    setsid env --default-signal=INT,QUIT bash -c \
+        'echo 19 2>/dev/null >/proc/self/autogroup || true; exec "$@"' bash "$@" &
+    child=$!
+    # shellcheck disable=SC2064 # this child
+    trap "kill -- -$child 2>/dev/null" INT TERM
+    wait "$child" || code=$?
+    trap - INT TERM
+    return "$code"
+}

@@ -8,6 +8,14 @@ set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
 
+# The load belongs to the same session as the tests, or it would get the whole processor.
+if [ "${1:-}" != --aside ]; then
+    code=0
+    run_aside "$0" --aside "$@" || code=$?
+    exit "$code"
+fi
+shift
+
 runs=10
 if [[ ${1:-} =~ ^[1-9][0-9]*$ ]]; then
     runs=$1

@@ -23,12 +23,15 @@ configure_release "${options[@]}"
 cmake --build "$BUILD_DIR"
 step 3/3 "Tests"
 tests=(ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 6 "$@")
-$times || exec "${tests[@]}"
+code=0
+if ! $times; then
+    run_aside "${tests[@]}" || code=$?
+    exit "$code"
+fi
 
 log=$(mktemp)
 trap 'rm -f -- "$log"' EXIT
-code=0
-"${tests[@]}" | tee -- "$log" || code=$?
+run_aside "${tests[@]}" | tee -- "$log" || code=$?
 printf '\nThe slowest, in seconds:\n'
 sed -nE 's/^ *[0-9]+\/[0-9]+ +Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec.*/\2 \1/p' "$log" | sort -rn | sed 20q
 exit "$code"

@@ -179,7 +179,7 @@ void TestCliOutputFormats::rawIsSignedForSignedRegisters()
     CliProgram cli;
     const ProgramResult result = cli.json("write 1 position_offset=-100 --dangerous");
     QCOMPARE(result.exit, 0);
-    const QJsonValue write = result.json()[QLatin1String("writes")].toArray()[0];
+    const QJsonValue write = result.json()[QLatin1String("writes")].toArray().at(0);
     QCOMPARE(write[QLatin1String("new")].toInt(), -100);
     QCOMPARE(write[QLatin1String("read_back")].toInt(), -100);
 }
@@ -344,7 +344,7 @@ void TestCliOutputFormats::setIdChangesTheId()
     QCOMPARE(result.exit, 0);
     const QJsonObject json = result.json();
     QCOMPARE(named(json, "lock"), QStringLiteral("closed"));
-    const QJsonValue write = json[QLatin1String("writes")].toArray()[0];
+    const QJsonValue write = json[QLatin1String("writes")].toArray().at(0);
     QCOMPARE(write[QLatin1String("address")].toInt(), 5);
     QCOMPARE(write[QLatin1String("old")].toInt(), 1);
     QCOMPARE(write[QLatin1String("read_back")].toInt(), 77);

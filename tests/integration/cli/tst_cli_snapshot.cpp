@@ -72,7 +72,7 @@ private:
     {
         const ProgramResult programResult =
             json(qPrintable(text("read %1 %2").arg(id).arg(text(key))));
-        return programResult.json()[text("registers")].toArray()[0][text("raw")].toInt(-1);
+        return programResult.json()[text("registers")].toArray().at(0)[text("raw")].toInt(-1);
     }
     int snapshots() const
     {
@@ -288,7 +288,7 @@ void TestCliSnapshot::skippedRowsAreReportedAndCounted()
     QCOMPARE(run("template make 1 @t.servo.json speed_p protection_time overload_torque").exit, 0);
     const ProgramResult lacks = json("template apply @t.servo.json 3");
     QCOMPARE(lacks.exit, 1);
-    const QJsonValue servo = lacks.json()[text("servos")].toArray()[0];
+    const QJsonValue servo = lacks.json()[text("servos")].toArray().at(0);
     QCOMPARE(servo[text("verdict")].toString(), text("already-so"));
     const QJsonArray left = servo[text("left_out")].toArray();
     QVERIFY(!left.isEmpty());

@@ -24,7 +24,8 @@ inline QString written(double value)
     const double size = std::abs(value);
     QString text = QString::number(value, 'f', size >= 1000 ? 0 : size >= 10 ? 1 : 2);
     static const QRegularExpression zeros(QStringLiteral("\\.0*$|(\\.\\d*?)0+$"));
-    return text.replace(zeros, QStringLiteral("\\1"));
+    text.replace(zeros, QStringLiteral("\\1"));
+    return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
 }
 
 inline results::SweepLeg leg(int number)

@@ -209,7 +209,7 @@ private Q_SLOTS:
         const QJsonArray servos =
             QJsonDocument::fromJson(file.readAll()).object()[text("servos")].toArray();
         QCOMPARE(servos.size(), 2);
-        const QJsonObject row = servos[0][text("rows")].toArray()[0].toObject();
+        const QJsonObject row = servos[0][text("rows")].toArray().at(0).toObject();
         QCOMPARE(row[text("before")].toInt(), 40);
         QCOMPARE(row[text("outcome")].toString(), text("refused"));
         QCOMPARE(row[text("rolled_back")].toBool(), true);
