@@ -22,7 +22,7 @@ step 2/3 "Building in $BUILD_DIR"
 configure_release "${options[@]}"
 cmake --build "$BUILD_DIR"
 step 3/3 "Tests"
-tests=(ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 6 "$@")
+tests=(ctest --test-dir "$BUILD_DIR" --output-on-failure --no-tests=error --parallel 8 "$@")
 code=0
 if ! $times; then
     run_aside "${tests[@]}" || code=$?

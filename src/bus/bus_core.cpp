@@ -159,7 +159,9 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
         foreignId = attempt->foreignId;
         outcome.faults.push_back({*attempt->fault, attempt->endedAt});
         const bool first = outcome.attempts == 1 && !m_lateReplyGuard.hasMeasured();
-        const bool last = outcome.attempts == maxRetries + 1 && transaction.patient;
+        const bool last =
+            outcome.attempts == maxRetries + 1 && transaction.patient &&
+            !m_lateReplyGuard.isKnownSilent(request.id, m_clock.now(), request.protocol);
         if (attempts > 1 && transaction.timeout <= 0us && (first || last) &&
             isSilence(outcome.faults)) {
             const Duration patience = last ? LateReplyGuard::maxStall : LateReplyGuard::maxLateness;
@@ -167,6 +169,8 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
             if (!late)
                 return tl::unexpected(withContext(late.error(), request, outcome.attempts));
             attempts += last && *late ? 1 : 0;
+            if (last && !*late && !m_line.isReconnecting())
+                m_lateReplyGuard.silenceProven(request.id, m_clock.now(), request.protocol);
         }
     }
     Error error{errorFor(outcome.faults)};
@@ -251,6 +255,7 @@ Result<void> BusCore::setBaud(int baud)
     }
     if (!quiet)
         return quiet;
+    m_lateReplyGuard.forgetSilence();
     return m_line.setBaud(baud);
 }
 

@@ -14,6 +14,8 @@ constexpr Duration plausibleLateness = LateReplyGuard::maxLateness;
 constexpr Duration minWindow = 20ms;
 /// A busy servo takes tens of milliseconds, however quick the adapter is.
 constexpr Duration minReplyLateness = 25ms;
+/// Longer ago, it may have been plugged in again.
+constexpr Duration silenceMemory = 2s;
 
 bool isBroadcast(const protocol::Request& request)
 {
@@ -69,12 +71,35 @@ void LateReplyGuard::timedOut(int id, Duration expectedAt, Duration now, base::P
     setQuietUntil(servo, now + window());
 }
 
+void LateReplyGuard::silenceProven(int id, Duration now, base::Protocol protocol)
+{
+    if (!isServoId(id))
+        return;
+    m_servos[std::size_t(id)].silentAt = now;
+    m_servos[std::size_t(id)].silentProtocol = protocol;
+}
+
+bool LateReplyGuard::isKnownSilent(int id, Duration now, base::Protocol protocol) const
+{
+    if (!isServoId(id))
+        return false;
+    const Servo& servo = m_servos[std::size_t(id)];
+    return servo.silentProtocol == protocol && now - servo.silentAt < silenceMemory;
+}
+
+void LateReplyGuard::forgetSilence()
+{
+    for (Servo& servo : m_servos)
+        servo.silentAt = noSilence;
+}
+
 void LateReplyGuard::replyReceived(int id, Duration expectedAt, Duration now,
                                    base::Protocol protocol)
 {
     if (!isServoId(id))
         return;
     Servo& servo = m_servos[std::size_t(id)];
+    servo.silentAt = noSilence;
     const auto oldest = findPending(servo, protocol);
     if (oldest == servo.pending.end())
         return;
@@ -126,6 +151,7 @@ std::optional<Duration> LateReplyGuard::matchLateReply(int id, Duration now,
     if (!isServoId(id))
         return std::nullopt;
     Servo& servo = m_servos[std::size_t(id)];
+    servo.silentAt = noSilence;
     const auto matched = findPending(servo, protocol);
     if (matched == servo.pending.end()) {
         const auto pending = std::exchange(m_broadcastPendingSince, std::nullopt);

@@ -25,6 +25,12 @@ public:
     static constexpr base::Duration maxLateness = std::chrono::milliseconds(250);
     /// A busy computer may hold back replies for as long as this.
     static constexpr base::Duration maxStall = std::chrono::milliseconds(500);
+    /// A servo that was silent for maxStall is not waited for so long again for the next seconds,
+    /// unless it replies: one that is unplugged during a long write must not take half a second per
+    /// register.
+    void silenceProven(int id, base::Duration now, base::Protocol protocol);
+    bool isKnownSilent(int id, base::Duration now, base::Protocol protocol) const;
+    void forgetSilence(); ///< at another rate
     /// A reply has shown how late this link is.
     bool hasMeasured() const { return m_measured.load(std::memory_order_relaxed); }
 
@@ -50,6 +56,8 @@ public:
     void quietAll(base::Duration now);
 
 private:
+    static constexpr base::Duration noSilence = -std::chrono::hours(1);
+
     /// A request that timed out; its reply may still come.
     struct PendingReply {
         base::Duration expectedAt{}; ///< when a prompt reply would have come
@@ -59,6 +67,8 @@ private:
         base::Duration quietUntil{};
         std::vector<PendingReply> pending{}; ///< oldest first
         bool trailing = false;               ///< answered, maybe by the reply to an earlier request
+        base::Duration silentAt = noSilence; ///< when its silence was proven
+        base::Protocol silentProtocol{};
     };
     static std::vector<PendingReply>::iterator findPending(Servo& servo, base::Protocol protocol);
     base::Duration window() const;

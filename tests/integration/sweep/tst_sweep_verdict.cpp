@@ -449,7 +449,7 @@ void TestSweepVerdict::anUnobservedLegPassesNoServo()
     jobs::SweepCallbacks watch;
     watch.onGoal = [this](std::size_t, int leg, Duration at) {
         if (leg == 1)
-            m_wire->unplug(at, at + 2s);
+            m_wire->unplug(at, at + 3500ms);
     };
     for (const bool stops : {false, true}) {
         results::SweepSpec spec = sine(4s);

@@ -180,6 +180,31 @@ private Q_SLOTS:
         QVERIFY(fixture.script.clock.now() - began < 150ms);
     }
 
+    /// A servo that is unplugged while many of its registers are written.
+    void aProvenSilenceIsNotWaitedForAgain()
+    {
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(fixture.transact(Request::ping(1), 2));
+        fixture.script.tables.erase(1);
+        const auto span = [&](int id) {
+            static_cast<void>(fixture.core->listen(300ms));
+            return fixture.timed(Request::ping(id), 2);
+        };
+        QVERIFY(span(1) > 500ms);
+        QVERIFY(span(1) < 150ms);
+        QVERIFY2(span(9) > 500ms, "another one");
+        QVERIFY(fixture.core->listen(2s));
+        QVERIFY2(span(1) > 500ms, "it may have been plugged in again");
+        QVERIFY(span(1) < 150ms);
+        QVERIFY(fixture.core->setBaud(500'000));
+        QVERIFY2(span(1) > 500ms, "at another rate");
+        fixture.script.tables[1] = sequentialTable(1);
+        QVERIFY(span(1) < 50ms);
+        fixture.script.tables.erase(1);
+        QVERIFY2(span(1) > 500ms, "it has replied since");
+    }
+
     void repliesInTimeAreMeasuredToo()
     {
         BusFixture fixture;
