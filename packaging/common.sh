@@ -130,8 +130,8 @@ run_aside() {
         'echo 19 2>/dev/null >/proc/self/autogroup || true; exec "$@"' bash "$@" &
     child=$!
     # shellcheck disable=SC2064 # this child
-    trap "kill -- -$child 2>/dev/null" INT TERM
+    trap "kill -- -$child 2>/dev/null" INT TERM HUP QUIT
     wait "$child" || code=$?
-    trap - INT TERM
+    trap - INT TERM HUP QUIT
     return "$code"
 }

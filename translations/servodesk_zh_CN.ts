@@ -42,6 +42,10 @@
         <source>a good, a worn and a badly damped servo to test</source>
         <translation>三个待测舵机：良好、磨损、阻尼不良各一个</translation>
     </message>
+    <message>
+        <source>six new servos, all with ID 1</source>
+        <translation>六个新舵机，ID 全为 1</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

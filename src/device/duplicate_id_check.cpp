@@ -20,6 +20,8 @@ constexpr int maxPasses = 4;
 /// With this many unreadable replies, and more than readable ones, no retry would make a write
 /// safe.
 constexpr int maxBroken = 6;
+/// Fewer bytes outside of a reply are a glitch.
+constexpr std::uint64_t minDamagedReply = 3;
 /// After this many rounds in a row without a byte the servo does not answer any more.
 constexpr int maxSilentRounds = 3;
 
@@ -211,9 +213,12 @@ private:
             ++m_clean;
             return true;
         case ErrorCode::NoReply: {
-            // Its reply may still come, and must not be taken for a second one.
+            // Its reply may still come, damaged or not, and must not be taken for a second one.
+            const auto noiseBefore = m_context.bus.statistics().unsolicitedNoise();
             const auto replyCount = m_context.bus.listen(m_context.bus.maxReplyLateness());
             m_context.bus.takeUnexpectedFrames();
+            if (m_context.bus.statistics().unsolicitedNoise() >= noiseBefore + minDamagedReply)
+                ++m_broken;
             return replyCount ? base::Result<bool>(false) : tl::unexpected(replyCount.error());
         }
         default:

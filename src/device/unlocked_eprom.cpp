@@ -67,20 +67,27 @@ LockState closeLock(const Context& context, Servo& servo)
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (lock == nullptr)
         return LockState::None;
-    // The bus does the retries; a second round covers a servo that did not receive for a moment.
+    // The bus does the retries; a second round covers a servo that did not receive for a moment,
+    // and further ones a contact that is loose for longer: nothing else would close the lock.
     constexpr int rounds = 2;
+    constexpr base::Duration patience = std::chrono::seconds(2);
+    const base::Duration giveUpAt = context.bus.clock().now() + patience;
+    bool silent = false;
     LockState state = LockState::Unknown;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds || (silent && context.bus.clock().now() < giveUpAt);
+         ++round) {
         const auto flag = readRegister(context, servo, *lock);
         if (!flag) {
             if (flag.error().code == ErrorCode::LinkLost)
                 break;
+            silent = flag.error().code == ErrorCode::NoReply;
             if (flag.error().code != ErrorCode::LineBusy)
                 continue;
             // The bus sends it as often as any write; a second round would prove no more.
             writeUnverified(context, servo, *lock, lockClosed, flag.error());
             break;
         }
+        silent = false;
         if (!isLockOpen(*flag))
             return LockState::Closed;
         const auto closed = writeVerified(context, servo, *lock, lockClosed);

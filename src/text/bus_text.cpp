@@ -18,6 +18,7 @@ QString simulatedBusText(const QString& port)
         std::pair{"sim:lx", QT_TRANSLATE_NOOP("BusText", "five Hiwonder LX servos")},
         std::pair{"sim:sweep",
                   QT_TRANSLATE_NOOP("BusText", "a good, a worn and a badly damped servo to test")},
+        std::pair{"sim:new-arm", QT_TRANSLATE_NOOP("BusText", "six new servos, all with ID 1")},
         std::pair{"sim:line", QT_TRANSLATE_NOOP("BusText", "six new servos to commission")},
         std::pair{"sim:line-trouble",
                   QT_TRANSLATE_NOOP("BusText", "six servos to commission, some with faults")}};

@@ -32,7 +32,7 @@ void describe(CLI::App& app, Raw& raw)
 {
     auto* preset =
         app.add_option("--preset", raw.preset,
-                       "A ready-made bus: demo, trouble, modbus, lx, sweep; line and "
+                       "A ready-made bus: demo, trouble, modbus, lx, sweep, new-arm; line and "
                        "line-trouble, a bag of six servos that are plugged in one after the other: "
                        "SIGUSR1 or the line \"next\" on standard input puts the next one on the "
                        "wire in place of the one before, \"unplug\" leaves the wire empty, "

@@ -14,6 +14,9 @@ constexpr base::Duration longTimeout = milliseconds(60);
 // How long after a PING its reply may still come in: for the final listening, and for the search
 // for the sender of garbled bytes.
 constexpr base::Duration lateWindow = milliseconds(40);
+// After the last PING of a search at one rate: a busy computer holds back replies for longer. At
+// many rates it would add up.
+constexpr base::Duration stallWindow = milliseconds(250);
 constexpr int confirmTries = 3;
 // The first transaction after opening a port or changing its rate may be lost.
 constexpr int broadcastTries = 2;
@@ -21,6 +24,13 @@ constexpr int broadcastTries = 2;
 constexpr base::Duration slowStep = milliseconds(10);
 // How long the bus listens after a broadcast without a reply.
 constexpr base::Duration quietTime = milliseconds(25);
+// Behind a still slower adapter two servos with one ID would not be found, because nothing but
+// damaged bytes ever shows how late it is. With more broken replies than this it would take long.
+constexpr base::Duration longLateWindow = milliseconds(100);
+constexpr std::size_t maxGarbledSearchedLong = 2;
+// Fewer bytes are a glitch.
+constexpr std::uint64_t minDamagedReply = 3;
+constexpr int noId = -1;
 // More broken replies than this at one rate mean a bad line, and asking each again would take long.
 constexpr std::size_t maxGarbledResolved = 16;
 
@@ -28,6 +38,11 @@ constexpr std::size_t maxGarbledResolved = 16;
 base::Duration atLeastBusPatience(const bus::Bus& bus, base::Duration defaultTimeout)
 {
     return std::max(defaultTimeout, bus.statistics().timeout);
+}
+
+base::Duration finalWindow(const ScanSpec& spec)
+{
+    return spec.bauds.size() <= 1 ? stallWindow : lateWindow;
 }
 
 bool isGarbled(base::ErrorCode code)
@@ -51,7 +66,7 @@ base::Duration idScanEstimate(const ScanSpec& spec, int baud, base::Protocol pro
     if (ids == 0)
         return {};
     base::Duration total =
-        (ids + 1) * pingTime(scanProfile, baud, scanProfile.timeout) + lateWindow;
+        (ids + 1) * pingTime(scanProfile, baud, scanProfile.timeout) + finalWindow(spec);
     if (spec.slowPass)
         total += ids * pingTime(scanProfile, baud, longTimeout);
     return total;
@@ -99,7 +114,7 @@ base::Result<void> RateScan::run()
         return {};
     m_context.bus.takeUnexpectedFrames();
     return pingEachId()
-        .and_then([this] { return listen(atLeastBusPatience(m_context.bus, lateWindow)); })
+        .and_then([this] { return listenForLateReplies(); })
         .and_then([this] { return confirmLateReplies(); })
         .and_then([this] { return resolveGarbled(); })
         .and_then([this] { return pingExpected(); })
@@ -128,6 +143,18 @@ base::Result<void> RateScan::pingEachId()
             return reported;
     }
     return {};
+}
+
+/// The replies to the last PINGs may still be on their way through a slow adapter, also broken
+/// ones.
+base::Result<void> RateScan::listenForLateReplies()
+{
+    const auto noise = [this] { return m_context.bus.statistics().unsolicitedNoise(); };
+    const auto noiseBefore = noise();
+    const auto listened = listen(atLeastBusPatience(m_context.bus, finalWindow(m_spec)));
+    if (listened && noise() >= noiseBefore + minDamagedReply)
+        m_garbledReplies.push_back({noId, m_responsesById[m_ids.last].askedAt});
+    return listened;
 }
 
 base::Result<void> RateScan::confirmLateReplies()
@@ -173,29 +200,33 @@ base::Result<void> RateScan::resolveGarbled()
 // the last moments are asked as well, the latest first.
 base::Result<bool> RateScan::findSource(const GarbledReply& garbledReply)
 {
+    const bool few = m_garbledReplies.size() <= maxGarbledSearchedLong;
+    const base::Duration window = few ? longLateWindow : lateWindow;
     std::vector<std::pair<base::Duration, int>> candidates;
     for (const auto& [id, response] : m_responsesById) {
         const base::Duration age = garbledReply.at - response.askedAt;
-        const bool shortlyBefore = age >= base::Duration{} && age <= lateWindow;
+        const bool shortlyBefore = age >= base::Duration{} && age <= window;
         if (id != garbledReply.id && shortlyBefore && response.replies == 0)
             candidates.emplace_back(age, id);
     }
     std::sort(candidates.begin(), candidates.end());
-    candidates.insert(candidates.begin(), {base::Duration{}, garbledReply.id});
+    if (garbledReply.id != noId)
+        candidates.insert(candidates.begin(), {base::Duration{}, garbledReply.id});
     for (const auto& [age, id] : candidates) {
-        const auto found = pingUntilKnown(id, id == garbledReply.id);
+        const auto found =
+            pingUntilKnown(id, id == garbledReply.id, few ? longLateWindow : longTimeout);
         if (!found || *found)
             return found;
     }
     return false;
 }
 
-base::Result<bool> RateScan::pingUntilKnown(int id, bool persistent)
+base::Result<bool> RateScan::pingUntilKnown(int id, bool persistent, base::Duration timeout)
 {
     IdResponse& response = m_responsesById[id];
     for (int i = 0; response.replies == 0 && i < confirmTries; ++i) {
         const int garbledBefore = response.garbled;
-        if (const auto pinged = ping(id, atLeastBusPatience(m_context.bus, longTimeout)); !pinged)
+        if (const auto pinged = ping(id, atLeastBusPatience(m_context.bus, timeout)); !pinged)
             return tl::unexpected(pinged.error());
         const bool silent = response.replies == 0 && response.garbled == garbledBefore;
         if (silent && !persistent)
@@ -212,7 +243,7 @@ base::Result<void> RateScan::pingExpected()
                           one.protocol.value_or(m_protocol) == m_protocol && m_ids.contains(one.id);
         if (!here || m_responsesById[one.id].isPresent())
             continue;
-        if (const auto pinged = pingUntilKnown(one.id, true); !pinged)
+        if (const auto pinged = pingUntilKnown(one.id, true, longTimeout); !pinged)
             return tl::unexpected(pinged.error());
     }
     return {};

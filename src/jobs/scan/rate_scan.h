@@ -57,15 +57,16 @@ public:
 
 private:
     struct GarbledReply {
-        int id = 0; ///< asked when the bytes came
+        int id = 0; ///< asked when the bytes came; -1: after the last
         base::Duration at{};
     };
 
     base::Result<void> pingEachId();
+    base::Result<void> listenForLateReplies();
     base::Result<void> confirmLateReplies();
     base::Result<void> resolveGarbled();
     base::Result<bool> findSource(const GarbledReply& garbledReply);
-    base::Result<bool> pingUntilKnown(int id, bool persistent);
+    base::Result<bool> pingUntilKnown(int id, bool persistent, base::Duration timeout);
     base::Result<void> pingExpected();
     base::Result<void> pingSilent();
     base::Result<void> ping(int id, base::Duration timeout);

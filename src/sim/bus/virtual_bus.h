@@ -33,6 +33,7 @@ struct WireConfig {
     base::Duration adapterLatency{}; ///< USB adapter: bytes reach the host this much later
     FaultPlan faults;
     std::uint64_t seed = 1;
+    bool exactTiming = false; ///< no clock error and no jitter of the servos, for tests of times
     base::Duration dt = std::chrono::milliseconds(1);
 };
 

@@ -231,11 +231,12 @@ std::optional<Nanos> VirtualBus::State::deliver(std::size_t nodeIndex, const Ser
     const auto lateness = faultInjector.applyFaults(frame, config.faults);
     if (!lateness)
         return std::nullopt;
+    ReplyTiming& timing = node.servo.timing();
     const Nanos ready = written + delay + toNanos(reply->wait);
-    const Nanos start =
-        std::max({ready, notBefore.value_or(0), node.sendsUntil}) + toNanos(*lateness);
-    const Burst& transmitted =
-        line.transmit(Burst(static_cast<int>(nodeIndex), start, baud, std::move(frame)));
+    const Nanos start = std::max({ready, notBefore.value_or(0), node.sendsUntil}) +
+                        timing.nextTurnAround().count() + toNanos(*lateness);
+    const Burst& transmitted = line.transmit(
+        Burst(static_cast<int>(nodeIndex), start, baud, std::move(frame), timing.clockError()));
     node.sendsUntil = transmitted.end();
     return *lateness > base::Duration{} ? std::nullopt : std::optional(transmitted.end());
 }

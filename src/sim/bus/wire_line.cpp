@@ -5,11 +5,11 @@
 #include <cmath>
 
 namespace sim {
-Burst::Burst(int identity, Nanos at, int rate, base::Bytes what)
+Burst::Burst(int identity, Nanos at, int rate, base::Bytes what, double clockError)
     : sender(identity)
     , start(at)
     , baud(rate)
-    , bitNanos(1e9 / rate)
+    , bitNanos(1e9 / rate / (1 + clockError))
     , bytes(std::move(what))
 {
     m_end = byteStart(bytes.size());

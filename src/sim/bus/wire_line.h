@@ -31,7 +31,8 @@ struct Burst {
     Nanos nextBoundary(Nanos at) const;
     void truncate(std::size_t count);
 
-    Burst(int identity, Nanos at, int rate, base::Bytes what);
+    /// `clockError`: how much faster than `rate` it is sent, as a fraction.
+    Burst(int identity, Nanos at, int rate, base::Bytes what, double clockError = 0);
 
 private:
     Nanos m_end = 0;

@@ -177,18 +177,24 @@ ServoList lineTrouble()
     };
 }
 
+// The first day of a robot arm: nobody has given the servos their IDs yet.
+ServoList newArm()
+{
+    ServoList servos;
+    for (const double degrees : {180.0, 135.0, 205.0, 90.0, 240.0, 175.0})
+        servos.push_back({QStringLiteral("STS3215"), 1, {}, 7.4, degrees, {}, nullptr});
+    return servos;
+}
+
 struct Preset {
     const char* name;
     ServoList (*servos)();
     bool hotplug = false; ///< no servo is plugged in yet
 };
-constexpr Preset presets[] = {{"demo", demo},
-                              {"trouble", trouble},
-                              {"modbus", modbus},
-                              {"lx", lx},
-                              {"sweep", sweep},
-                              {"line", line, true},
-                              {"line-trouble", lineTrouble, true}};
+constexpr Preset presets[] = {{"demo", demo},       {"trouble", trouble},
+                              {"modbus", modbus},   {"lx", lx},
+                              {"sweep", sweep},     {"new-arm", newArm},
+                              {"line", line, true}, {"line-trouble", lineTrouble, true}};
 base::Result<void> addToAll(ServoList& servos, const QStringList& words)
 {
     for (ServoSpec& servoSpec : servos) {

@@ -2,8 +2,9 @@
 // Simulated buses by name and by list, for "sim:NAME" and servodesk-sim. demo: six servos, mixed
 // models, one rate, one alarmed. trouble: mixed rates, twin IDs, an open lock, an overload. modbus:
 // one servo, station 1. lx: five servos, one with an offset, one too warm. sweep: a healthy, a worn
-// and a badly damped servo, for testing servo tests. line, line-trouble: six servos fresh from
-// their boxes, not plugged in yet (VirtualBus::connectNext).
+// and a badly damped servo, for testing servo tests. new-arm: six factory-new servos, all on ID 1.
+// line, line-trouble: six servos fresh from their boxes, not plugged in yet
+// (VirtualBus::connectNext).
 #pragma once
 
 #include "base/error.h"

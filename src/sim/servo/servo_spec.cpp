@@ -72,7 +72,8 @@ bool supportsId(const catalog::Profile& profile, int id)
 }
 
 base::Result<VirtualServo> makeServo(const ServoSpec& servoSpec, const catalog::Catalog& catalog,
-                                     std::optional<base::Duration> epromTime, std::uint64_t seed)
+                                     std::optional<base::Duration> epromTime, std::uint64_t seed,
+                                     bool exactTiming)
 {
     const QString item = QStringLiteral("%1@%2").arg(servoSpec.model).arg(servoSpec.id);
     const catalog::ModelEntry* model = findModel(catalog, servoSpec.model);
@@ -98,6 +99,7 @@ base::Result<VirtualServo> makeServo(const ServoSpec& servoSpec, const catalog::
     config.initialDegrees = servoSpec.initialDegrees;
     config.epromTime = servoSpec.epromTime.value_or(epromTime.value_or(config.epromTime));
     config.behavior = servoSpec.behavior;
+    config.timing = exactTiming ? ReplyTiming() : ReplyTiming(seed);
     config.seed = seed;
     VirtualServo servo(profile, config);
     if (servoSpec.prepare)
@@ -140,7 +142,7 @@ base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoSpec>& 
     auto bus = std::make_unique<VirtualBus>(wire);
     std::uint64_t seed = wire.seed;
     for (const ServoSpec& servoSpec : servoSpecs) {
-        auto servo = makeServo(servoSpec, catalog, epromTime, seed++);
+        auto servo = makeServo(servoSpec, catalog, epromTime, seed++, wire.exactTiming);
         if (!servo)
             return tl::unexpected(servo.error());
         bus->add(std::move(*servo));

@@ -66,6 +66,11 @@ base::Duration VirtualServo::replyDelay() const
     return m_state->firmware.replyDelay();
 }
 
+ReplyTiming& VirtualServo::timing()
+{
+    return m_state->firmware.config().timing;
+}
+
 std::optional<ServoReply> VirtualServo::handle(const ServoRequest& request)
 {
     ServoFirmware& firmware = m_state->firmware;

@@ -9,6 +9,7 @@
 #include "base/clock.h"
 #include "catalog/profile.h"
 #include "sim/faults/defects.h"
+#include "sim/servo/reply_timing.h"
 
 #include <cstdint>
 #include <memory>
@@ -69,6 +70,7 @@ struct ServoConfig {
     double gearPlayDegrees = 0.3;
     double initialDegrees = 180.0; ///< shaft angle at the start, from the encoder's zero
     FirmwareBehavior behavior;
+    ReplyTiming timing; ///< exact
     std::uint64_t seed = 1;
 };
 
@@ -112,6 +114,7 @@ public:
     /// How long the latest request delays the next one, because the servo writes its EPROM.
     base::Duration writeTime() const;
     base::Duration replyDelay() const;
+    ReplyTiming& timing();
 
     /// Carries the request out at the servo's present time; nullopt: it stays silent. The reply
     /// leaves after replyDelay() at the rate the request came at, even if the request changed it.

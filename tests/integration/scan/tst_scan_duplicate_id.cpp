@@ -33,6 +33,7 @@ private Q_SLOTS:
     void suspectsDuplicateIds_data();
     void suspectsDuplicateIds();
     void suspectsDuplicateIdsThatReplyInTurn();
+    void suspectsSixNewServos();
     void listsAServoWithOnlyGarbledReplies_data();
     void listsAServoWithOnlyGarbledReplies();
     void garbledBytesProveNoServo();
@@ -87,6 +88,19 @@ void TestScanDuplicateId::suspectsDuplicateIdsThatReplyInTurn()
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({5}));
     QVERIFY(report->found.front().duplicateSuspected);
+}
+
+void TestScanDuplicateId::suspectsSixNewServos()
+{
+    for (const int latencyMs : {0, 16, 60}) {
+        SimFixtureOptions options;
+        options.wire.adapterLatency = milliseconds(latencyMs);
+        SimFixture fixture(QStringLiteral("new-arm"), options);
+        const auto report = jobs::scan(fixture.context(), {});
+        QVERIFY(report);
+        QCOMPARE(idsOf(*report), QList<int>({1}));
+        QVERIFY(report->found.front().duplicateSuspected);
+    }
 }
 
 void TestScanDuplicateId::listsAServoWithOnlyGarbledReplies_data()

@@ -192,7 +192,9 @@ void TestStepResponse::metricsMatchTheReferenceServo()
     QFETCH(int, i);
     const std::vector<results::StepGain> gains{
         {text("position_p"), p}, {text("position_d"), d}, {text("position_i"), i}};
-    SimFixture fixture(text("sts3215@1"));
+    support::SimFixtureOptions options;
+    options.wire.exactTiming = true; // as in groundTruth()
+    SimFixture fixture(text("sts3215@1"), options);
     jobs::StepRequest asked = order("400", gains);
     asked.spec.from = text("1800");
     asked.spec.hold = 1500ms;

@@ -822,7 +822,7 @@ void TestSweep::torqueLostAtTheStartOfASineStaysOff()
     jobs::SweepCallbacks watch;
     watch.onProgress = [&](const jobs::SweepProgress& progress) {
         const auto away = std::abs(fixture.raw(1, text("present_position")) - 1000);
-        if (off || !progress.warmingUp || away > 3)
+        if (off || !progress.warmingUp || away > 10)
             return;
         off = true;
         fixture.poke(1, text("torque_switch"), 0);

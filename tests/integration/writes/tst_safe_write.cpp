@@ -73,6 +73,7 @@ private Q_SLOTS:
     void torqueIsSwitchedOffOnRequest();
     void stopBetweenRegistersClosesTheLock();
     void silentServoIsNoAnswer();
+    void aLooseContactLeavesNoLockOpen();
     void journalKeepsTheOldValue();
     void brownOutIsNotReportedSaved();
     void aReplacedServoIsNotVerified();
@@ -406,6 +407,26 @@ void TestSafeWrite::silentServoIsNoAnswer()
     QVERIFY(!report->isSuccessful());
     QVERIFY(hasNotice(fixture, device::NoticeCode::LockLeftOpen));
     QCOMPARE(openIntents(fixture), std::size_t(1));
+}
+
+void TestSafeWrite::aLooseContactLeavesNoLockOpen()
+{
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    std::optional<base::Duration> lostAt;
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
+        const base::Duration now = fixture.clock().now();
+        if (frame[4] == support::Write && frame[5] == 13 && !lostAt)
+            lostAt = now;
+        const bool loose = lostAt && now - *lostAt < std::chrono::seconds(2);
+        fixture.wireConfig().faults.dropRequest = loose ? 1 : 0;
+    };
+    const auto report =
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+    QVERIFY(report && lostAt);
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::NoReply);
+    QCOMPARE(report->lock, LockState::Closed);
+    QCOMPARE(fixture.raw(1, QStringLiteral("lock")), 1);
 }
 
 void TestSafeWrite::journalKeepsTheOldValue()

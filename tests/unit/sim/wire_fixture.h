@@ -14,9 +14,11 @@ inline const catalog::Catalog& models()
     return loaded.catalog;
 }
 
+/// Its servos reply exactly in time.
 inline std::unique_ptr<sim::VirtualBus> bus(const char* list, std::optional<int> baud = {},
-                                            const sim::WireConfig& config = {})
+                                            sim::WireConfig config = {})
 {
+    config.exactTiming = true;
     auto made = sim::makeServos(QString::fromLatin1(list), models(), baud, config);
     if (!made)
         qFatal("%s", qPrintable(made.error().detail));
