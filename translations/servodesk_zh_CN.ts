@@ -722,10 +722,6 @@
         <translation>请在左侧选择舵机。选择舵机不会使其运动。</translation>
     </message>
     <message>
-        <source>This servo replies but does not report its model, so ServoDesk cannot move it. Search again, or check whether two servos share this ID.</source>
-        <translation>此舵机有应答，但读不到型号信息，因此无法驱动。请重新搜索，或检查是否有两个舵机 ID 相同。</translation>
-    </message>
-    <message>
         <source>The firmware of this servo is unknown. Measurements are shown, but moving the servo could cause damage. To allow movement, add a model file.</source>
         <translation>此舵机的固件未知。只显示其测量值；驱动此舵机可能造成损坏。添加型号文件后即可驱动。</translation>
     </message>
@@ -1740,6 +1736,21 @@
     <message>
         <source>Not written or not confirmed: %1.</source>
         <translation>未写入或未确认：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>ServoObstacle</name>
+    <message>
+        <source>Set up servos one at a time</source>
+        <translation>逐个接上并设置舵机</translation>
+    </message>
+    <message>
+        <source>Several servos seem to reply with ID %1, so none of them can be read. New servos all have the same ID: connect them one at a time and give each its own.</source>
+        <translation>似乎有多个舵机以 ID %1 应答，因此都无法读取。新舵机的 ID 都相同：请逐个连接，并为每个舵机设置各自的 ID。</translation>
+    </message>
+    <message>
+        <source>This servo replies but does not report its model, so it can be neither moved nor configured. Search again.</source>
+        <translation>该舵机有应答，但未报告型号，因此无法控制或设置。请重新搜索。</translation>
     </message>
 </context>
 <context>
@@ -6046,6 +6057,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>Examples:</source>
         <translation>示例：</translation>
+    </message>
+    <message>
+        <source>New servos all have the same ID. Give each its own, connected one at a time: servodesk-cli commission --help</source>
+        <translation>新舵机的 ID 都相同。请逐个连接，并为每个舵机设置各自的 ID：servodesk-cli commission --help</translation>
     </message>
 </context>
 <context>
@@ -10619,10 +10634,6 @@ Retries: %9</source>
     <message>
         <source>Select a servo on the left to see its memory table. Selecting a servo only reads it and writes nothing.</source>
         <translation>请在左侧选择舵机以查看内存表。选择时只读取，不写入。</translation>
-    </message>
-    <message>
-        <source>This servo replies but does not report its model, so no memory table is available. Search again, or check whether two servos share this ID.</source>
-        <translation>该舵机有应答，但读不到型号信息，因此没有内存表。请重新搜索，或检查是否有两个舵机 ID 相同。</translation>
     </message>
     <message>
         <source>No register matches the filter.</source>

@@ -14,9 +14,9 @@
 #include "ui/memory/register_panel.h"
 #include "ui/memory/servo_history_panel.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/servo_obstacle.h"
 
 #include <QEvent>
-#include <QLabel>
 #include <QSplitter>
 #include <QStackedWidget>
 
@@ -99,13 +99,11 @@ void MemoryPage::updateVisibility()
         why = tr("Select a servo on the left to see its memory table. Selecting a servo only "
                  "reads it and writes nothing.");
     else if (!known->servo.profile)
-        why = tr("This servo replies but does not report its model, so no memory table is "
-                 "available. Search again, or check whether two servos share this ID.");
+        why = unidentifiedText(*known);
     else if (m_filter.rowCount() == 0)
         why = tr("No register matches the filter.");
-    if (m_emptyLabel->text() != why)
-        m_emptyLabel->setText(why);
-    m_stack->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_view) : m_emptyLabel);
+    m_empty->showObstacle(why, known);
+    m_stack->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_view) : m_empty);
 }
 
 /// Problems of the whole servo; they do not replace a message about an input.

@@ -14,7 +14,6 @@
 #include <QTimer>
 #include <QWidget>
 
-class QLabel;
 class QSplitter;
 class QStackedWidget;
 
@@ -26,6 +25,7 @@ class MemoryToolbar;
 class MemoryView;
 class RegisterDelegate;
 class RegisterPanel;
+class ServoObstacle;
 
 class MemoryPage final : public QWidget {
     Q_OBJECT
@@ -79,7 +79,7 @@ private:
     MemoryToolbar* m_toolbar = nullptr;
     Banner* m_banner = nullptr;
     QStackedWidget* m_stack = nullptr;
-    QLabel* m_emptyLabel = nullptr;
+    ServoObstacle* m_empty = nullptr;
     QSplitter* m_splitter = nullptr;
     MemoryView* m_view = nullptr;
     RegisterDelegate* m_delegate = nullptr;

@@ -10,8 +10,8 @@
 #include "ui/memory/servo_history_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/floating_overlay.h"
+#include "ui/widgets/servo_obstacle.h"
 
-#include <QLabel>
 #include <QMenu>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -57,12 +57,10 @@ void MemoryPage::build(session::Settings& settings)
     m_delegate = new RegisterDelegate(m_view);
     m_view->setItemDelegate(m_delegate);
     m_view->setModel(&m_filter);
-    m_emptyLabel = new QLabel(this);
-    m_emptyLabel->setObjectName(QStringLiteral("memoryNothing"));
-    makeEmptyState(m_emptyLabel);
+    m_empty = new ServoObstacle(m_commands, QStringLiteral("memoryNothing"), this);
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(m_view);
-    m_stack->addWidget(m_emptyLabel);
+    m_stack->addWidget(m_empty);
     makeCard(m_stack);
     m_stack->layout()->setContentsMargins(1, 1, 1, 1); // the table needs every letter of the width
     m_view->setFrameShape(QFrame::NoFrame);

@@ -17,9 +17,9 @@
 #include "ui/operate/torque_hint.h"
 #include "ui/widgets/press_guard.h"
 #include "ui/widgets/question_dialog.h"
+#include "ui/widgets/servo_obstacle.h"
 
 #include <QEvent>
-#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShowEvent>
@@ -101,9 +101,7 @@ void ControlPanel::build(session::Settings& settings)
     m_scroll->setWidget(body);
     makeTransparent(m_scroll);
     m_scroll->viewport()->installEventFilter(this);
-    m_empty = new QLabel(body);
-    m_empty->setObjectName(QStringLiteral("controlEmpty"));
-    m_empty->setWordWrap(true);
+    m_empty = new ServoObstacle(m_commands, QStringLiteral("controlEmpty"), body);
     m_content = new QWidget(body);
     buildContent(settings);
     auto* column = new QVBoxLayout(body);
@@ -241,8 +239,7 @@ void ControlPanel::refresh()
 {
     const session::ServoEntry* known = entry();
     const QString obstacle = controlObstacle(known);
-    if (m_empty->text() != obstacle)
-        m_empty->setText(obstacle);
+    m_empty->showObstacle(obstacle, known);
     m_empty->setVisible(!obstacle.isEmpty());
     m_content->setVisible(obstacle.isEmpty());
     m_header->showServo(known, otherCount());

@@ -14,7 +14,6 @@
 
 #include <memory>
 
-class QLabel;
 class QScrollArea;
 class QVBoxLayout;
 
@@ -27,6 +26,7 @@ class ControlMessages;
 class ControlSend;
 class GoalSender;
 class MoveResult;
+class ServoObstacle;
 class TorqueConfirmation;
 
 class ControlPanel final : public QWidget {
@@ -93,7 +93,7 @@ private:
 
     ControlHeader* m_header = nullptr;
     ControlMessages* m_messages = nullptr;
-    QLabel* m_empty = nullptr;
+    ServoObstacle* m_empty = nullptr;
     QScrollArea* m_scroll = nullptr;
     QWidget* m_content = nullptr;
     QVBoxLayout* m_dialLayout = nullptr;

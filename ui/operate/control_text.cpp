@@ -7,6 +7,7 @@
 #include "text/notice_text.h"
 #include "text/translate.h"
 #include "ui/editors/register_text.h"
+#include "ui/widgets/servo_obstacle.h"
 
 #include <QStringList>
 
@@ -198,9 +199,7 @@ QString controlObstacle(const session::ServoEntry* entry)
         return translate("ControlText",
                          "Select a servo on the left. Selecting a servo does not move it.");
     if (!entry->servo.profile)
-        return translate("ControlText",
-                         "This servo replies but does not report its model, so ServoDesk cannot "
-                         "move it. Search again, or check whether two servos share this ID.");
+        return unidentifiedText(*entry);
     if (entry->servo.profile->conflict) {
         const auto obstacle = device::writeObstacle(entry->servo);
         const text::Description words = text::describe(*obstacle);

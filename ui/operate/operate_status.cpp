@@ -105,6 +105,14 @@ void OperateStatus::show(const session::ServoEntry* entry, const session::Workbe
     showAge(*entry, workbench);
 }
 
+namespace {
+/// Only colliding replies have ever come.
+bool isNeverReadable(const session::ServoEntry& entry)
+{
+    return entry.duplicateSuspected && !entry.servo.profile;
+}
+} // namespace
+
 /// The words are those of the FD software, which technicians know.
 void OperateStatus::showLink(const session::ServoEntry& entry, const session::Workbench& workbench)
 {
@@ -122,13 +130,14 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::Wo
                    .arg(own->second.timeouts)
                    .arg(own->second.badChecksums);
     const bool fresh = isFresh(entry, workbench);
-    m_link->setState(silent  ? Tone::Bad
-                     : fresh ? Tone::Good
-                             : Tone::Quiet,
-                     silent && entry.garbled ? tr("Unreadable replies")
-                     : silent                ? tr("Timeout")
-                     : fresh                 ? tr("Communication OK")
-                                             : text::translate("ServoRow", "Last seen: %1")
+    const bool unreadable = silent ? entry.garbled : isNeverReadable(entry);
+    m_link->setState(silent || unreadable ? Tone::Bad
+                     : fresh              ? Tone::Good
+                                          : Tone::Quiet,
+                     unreadable ? tr("Unreadable replies")
+                     : silent   ? tr("Timeout")
+                     : fresh    ? tr("Communication OK")
+                                : text::translate("ServoRow", "Last seen: %1")
                                    .arg(timeAgoText(workbench.now() - entry.lastSeen)),
                      {}, more);
 }

@@ -99,6 +99,11 @@ QString remarks(const jobs::ScanReport& report)
         lines << translate(
             "cli", "Unreadable data was received, but no servo could be confirmed. Possible "
                    "causes: another baud rate, two servos with the same ID, or noise.");
+    if (std::any_of(report.found.begin(), report.found.end(),
+                    [](const jobs::FoundServo& found) { return found.duplicateSuspected; }))
+        lines << translate(
+            "cli", "New servos all have the same ID. Give each its own, connected one at a time: "
+                   "servodesk-cli commission --help");
     if (report.slowPassAdvised)
         lines << translate(
             "cli",

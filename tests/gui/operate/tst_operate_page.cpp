@@ -120,6 +120,26 @@ private Q_SLOTS:
         QCOMPARE(goals(), before);
     }
 
+    /// The first day with a bag of servos.
+    void newServosWithOneIdLeadToCommissioning()
+    {
+        OperatePageFixture fixture;
+        QVERIFY(fixture.connectTo(QStringLiteral("sim:new-arm")));
+        const auto found = fixture.workbench().registry().order();
+        QCOMPARE(found.size(), std::size_t(1));
+        fixture.selection().select(found.front());
+        const auto* why = fixture.find<QLabel>("controlEmpty");
+        QTRY_VERIFY(why->isVisible());
+        QVERIFY2(why->text().contains(QStringLiteral("one at a time")), qPrintable(why->text()));
+        QTRY_COMPARE(fixture.find<ui::Pill>("statusLink")->accessibleName(),
+                     QStringLiteral("Unreadable replies"));
+        fixture.action(ui::Command::PageMemory)->trigger();
+        QTRY_VERIFY(fixture.find<QPushButton>("memoryNothingSetUp")->isVisible());
+        fixture.action(ui::Command::PageOperate)->trigger();
+        fixture.click("controlEmptySetUp");
+        QTRY_VERIFY(fixture.find<QWidget>("commissionPage")->isVisible());
+    }
+
     void readValuesAreShown()
     {
         OperatePageFixture fixture;
