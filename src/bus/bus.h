@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bus {
@@ -182,6 +183,8 @@ public:
     virtual void setReconnectTimeout(base::Duration span) = 0;
 
     virtual Statistics statistics() const = 0;
+    /// Bytes of no valid frame that have come while no reply was awaited; see DamagedReplyWatch.
+    virtual std::uint64_t unsolicitedNoise() const = 0;
     virtual std::vector<TraceEntry> takeTrace() = 0;
     virtual base::Clock& clock() const = 0;
 
@@ -211,5 +214,26 @@ public:
 
 private:
     Bus& m_bus;
+};
+
+/// Notices that a damaged reply came too late to be counted for the request that asked for it.
+class DamagedReplyWatch {
+public:
+    explicit DamagedReplyWatch(const Bus& bus)
+        : m_bus(bus)
+        , m_noiseBefore(bus.unsolicitedNoise())
+    {}
+    /// Since the last call.
+    bool hasReplyCome()
+    {
+        const std::uint64_t noise = m_bus.unsolicitedNoise();
+        return noise - std::exchange(m_noiseBefore, noise) >= minReplyBytes;
+    }
+
+private:
+    static constexpr std::uint64_t minReplyBytes = 3; ///< fewer are a glitch
+
+    const Bus& m_bus;
+    std::uint64_t m_noiseBefore;
 };
 } // namespace bus

@@ -46,6 +46,12 @@ bool isSilence(const std::vector<Fault>& faults)
                        [](const Fault& fault) { return fault.kind == FaultKind::Timeout; });
 }
 
+/// A lost write is followed by the question what the servo holds now, to be asked as patiently.
+bool provesSilence(const protocol::Request& request)
+{
+    return request.op == Op::Ping || request.op == Op::Read;
+}
+
 /// A servo that refuses explicitly (Modbus exceptions) is not asked again.
 std::optional<Error> exceptionIn(const Attempt& attempt)
 {
@@ -169,7 +175,7 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
             if (!late)
                 return tl::unexpected(withContext(late.error(), request, outcome.attempts));
             attempts += last && *late ? 1 : 0;
-            if (last && !*late && !m_line.isReconnecting())
+            if (last && !*late && !m_line.isReconnecting() && provesSilence(request))
                 m_lateReplyGuard.silenceProven(request.id, m_clock.now(), request.protocol);
         }
     }
@@ -185,12 +191,14 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
 
 /// An adapter may be slower than the timeout a link has at first, and a busy computer may hold back
 /// every reply for longer than a few prompt attempts take: silence is only believed when it has
-/// lasted until `limit`. Ends with the late reply, which is learned from; true then. Polls of
-/// others run meanwhile.
+/// lasted until `limit`. Ends with the late reply, which is learned from; true then. Also true if
+/// it is damaged: requests that were held back and sent in one go collide with the replies. Polls
+/// of others run meanwhile.
 Result<bool> BusCore::awaitLateReply(Duration limit, const Interrupt& interrupt)
 {
     const std::uint64_t before = m_lateReplyGuard.lateReplies();
-    while (m_lateReplyGuard.lateReplies() == before) {
+    DamagedReplyWatch damaged(*this);
+    while (m_lateReplyGuard.lateReplies() == before && !damaged.hasReplyCome()) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
         const Duration now = m_clock.now();

@@ -64,6 +64,7 @@ public:
     void setSilence(base::Duration silence) override { m_exchange.setSilence(silence); }
 
     Statistics statistics() const override;
+    std::uint64_t unsolicitedNoise() const override { return m_statistics.unsolicitedNoise(); }
     std::vector<TraceEntry> takeTrace() override { return m_trace.take(); }
     base::Clock& clock() const override { return m_clock; }
 

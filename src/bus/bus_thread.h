@@ -63,6 +63,7 @@ public:
     void setSilence(base::Duration silence) override { m_core->setSilence(silence); }
 
     Statistics statistics() const override { return m_core->statistics(); }
+    std::uint64_t unsolicitedNoise() const override { return m_core->unsolicitedNoise(); }
     std::vector<TraceEntry> takeTrace() override { return m_core->takeTrace(); }
     base::Clock& clock() const override { return m_clock; }
 

@@ -27,7 +27,8 @@ public:
     static constexpr base::Duration maxStall = std::chrono::milliseconds(500);
     /// A servo that was silent for maxStall is not waited for so long again for the next seconds,
     /// unless it replies: one that is unplugged during a long write must not take half a second per
-    /// register.
+    /// register. Not proven by a lost write, because the question what the servo holds after it
+    /// must be asked patiently.
     void silenceProven(int id, base::Duration now, base::Protocol protocol);
     bool isKnownSilent(int id, base::Duration now, base::Protocol protocol) const;
     void forgetSilence(); ///< at another rate

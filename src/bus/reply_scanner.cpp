@@ -132,6 +132,13 @@ void ReplyScanner::countUnsolicited(std::size_t bytes, bool isFrame)
     m_lineNoise.addBytes(m_line.wireTime(bytes), isFrame, m_line.lastByteAt(), maxLevel);
 }
 
+void ReplyScanner::countNoise(const PendingRequest& request, std::size_t bytes)
+{
+    countUnsolicited(bytes, false);
+    if (request.expected.ids.empty())
+        m_statistics.addUnsolicitedNoise(bytes);
+}
+
 void ReplyScanner::giveUp(PendingRequest& request, bool interrupted)
 {
     const Duration now = m_clock.now();
@@ -170,13 +177,13 @@ void ReplyScanner::scan(PendingRequest& request, bool atDeadline)
             handleForeign(request, std::move(result.part), bytes);
             break;
         case ScanKind::BadChecksum:
-            countUnsolicited(bytes.size(), false);
+            countNoise(request, bytes.size());
             m_trace.add(m_line.lastByteAt(), TraceKind::BadChecksum, bytes);
             handleBadChecksum(request, result.part.id);
             break;
         case ScanKind::Noise:
         case ScanKind::Incomplete:
-            countUnsolicited(bytes.size(), false);
+            countNoise(request, bytes.size());
             m_trace.add(m_line.lastByteAt(), TraceKind::Noise, bytes);
             m_statistics.addNoise(request.soleTarget(), bytes.size());
             request.addFault(FaultKind::Noise);

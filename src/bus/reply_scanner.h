@@ -81,6 +81,7 @@ public:
     base::Duration noiseTolerance() const;
 
 private:
+    void countNoise(const PendingRequest& request, std::size_t bytes);
     void handleReply(PendingRequest& request, protocol::Reply part);
     void handleForeign(PendingRequest& request, protocol::Reply part, base::ByteView frame);
     void handleBadChecksum(PendingRequest& request, int id);

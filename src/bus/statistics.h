@@ -31,14 +31,6 @@ struct Statistics {
     base::Duration since{};        ///< span the figures cover
     base::Duration timeout{};      ///< what ordinary transactions grant now beyond the wire time
     std::uint64_t samplesLost = 0; ///< polled, but not fetched in time
-    /// Bytes of no frame that came while no servo was expected to reply.
-    std::uint64_t unsolicitedNoise() const
-    {
-        std::uint64_t noise = total.noiseBytes;
-        for (const auto& [id, counters] : byId)
-            noise -= counters.noiseBytes;
-        return noise;
-    }
     double busLoad() const
     {
         return since.count() > 0 ? double(wireTime.count()) / double(since.count()) : 0.0;

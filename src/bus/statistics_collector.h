@@ -7,6 +7,7 @@
 #include "bus/round_trip_histogram.h"
 #include "bus/statistics.h"
 
+#include <atomic>
 #include <map>
 #include <mutex>
 
@@ -20,6 +21,9 @@ public:
     void count(Event event, int id);
     void replyReceived(int id, base::Duration roundTrip);
     void addNoise(int id, std::size_t bytes);
+    /// Bytes of no valid frame that came while no reply was awaited.
+    void addUnsolicitedNoise(std::size_t bytes) { m_unsolicitedNoise += bytes; }
+    std::uint64_t unsolicitedNoise() const { return m_unsolicitedNoise; }
     void bytesSent(std::size_t bytes, base::Duration wireTime);
     void bytesReceived(std::size_t bytes, base::Duration wireTime);
 
@@ -41,5 +45,6 @@ private:
     std::uint64_t m_bytesOut = 0;
     std::uint64_t m_bytesIn = 0;
     base::Duration m_wireTime{};
+    std::atomic<std::uint64_t> m_unsolicitedNoise = 0;
 };
 } // namespace bus

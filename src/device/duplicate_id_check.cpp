@@ -20,8 +20,6 @@ constexpr int maxPasses = 4;
 /// With this many unreadable replies, and more than readable ones, no retry would make a write
 /// safe.
 constexpr int maxBroken = 6;
-/// Fewer bytes outside of a reply are a glitch.
-constexpr std::uint64_t minDamagedReply = 3;
 /// After this many rounds in a row without a byte the servo does not answer any more.
 constexpr int maxSilentRounds = 3;
 
@@ -214,10 +212,10 @@ private:
             return true;
         case ErrorCode::NoReply: {
             // Its reply may still come, damaged or not, and must not be taken for a second one.
-            const auto noiseBefore = m_context.bus.statistics().unsolicitedNoise();
+            bus::DamagedReplyWatch watch(m_context.bus);
             const auto replyCount = m_context.bus.listen(m_context.bus.maxReplyLateness());
             m_context.bus.takeUnexpectedFrames();
-            if (m_context.bus.statistics().unsolicitedNoise() >= noiseBefore + minDamagedReply)
+            if (watch.hasReplyCome())
                 ++m_broken;
             return replyCount ? base::Result<bool>(false) : tl::unexpected(replyCount.error());
         }

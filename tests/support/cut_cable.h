@@ -7,6 +7,7 @@
 #pragma once
 
 #include "support/port_endpoints.h"
+#include "support/sim_fixture.h"
 #include "support/simulator_priority.h"
 #include "transport/tty_speed.h"
 
@@ -136,9 +137,7 @@ private:
             return;
         if (m_dropAll)
             return;
-        countWrites(reinterpret_cast<const unsigned char*>(chunk), std::size_t(got));
-        if (got > 4 && m_lost != 0 && chunk[4] == m_lost)
-            return;
+        const QByteArray passed = passFrames(QByteArray(chunk, qsizetype(got)));
         if (m_cutAt > 0 && m_writes >= m_cutAt) {
             m_cutAt = 0;
             dropConnection();
@@ -147,20 +146,28 @@ private:
         const auto rate = m_slave >= 0 ? transport::ttySpeed(m_slave) : std::nullopt;
         if (rate && transport::ttySpeed(m_terminal) != rate)
             transport::setTtySpeed(m_terminal, *rate);
-        (void)!write(m_terminal, chunk, std::size_t(got));
+        if (!passed.isEmpty())
+            (void)!write(m_terminal, passed.data(), std::size_t(passed.size()));
     }
 
-    /// A program hands over whole frames.
-    void countWrites(const unsigned char* bytes, std::size_t count)
+    /// Without those that are to be lost. A program hands over whole frames, several at once if
+    /// this thread was busy.
+    QByteArray passFrames(const QByteArray& bytes)
     {
-        constexpr std::size_t head = 6;
-        std::size_t at = 0;
-        while (at + head <= count && bytes[at] == 0xFF && bytes[at + 1] == 0xFF) {
-            const int instruction = bytes[at + 4];
-            if (instruction != 0x01 && instruction != 0x02 && instruction != 0x82)
+        constexpr qsizetype head = 6;
+        const auto byteAt = [&](qsizetype index) { return int(std::uint8_t(bytes[index])); };
+        QByteArray passed;
+        qsizetype at = 0;
+        while (at + head <= bytes.size() && byteAt(at) == 0xFF && byteAt(at + 1) == 0xFF) {
+            const int instruction = byteAt(at + 4);
+            const qsizetype size = byteAt(at + 3) + 4;
+            if (instruction != Ping && instruction != Read && instruction != SyncRead)
                 ++m_writes;
-            at += std::size_t(bytes[at + 3]) + 4;
+            if (instruction != m_lost)
+                passed += bytes.mid(at, size);
+            at += size;
         }
+        return passed + bytes.mid(at);
     }
 
     void fromServos()

@@ -28,9 +28,6 @@ constexpr base::Duration quietTime = milliseconds(25);
 // damaged bytes ever shows how late it is. With more broken replies than this it would take long.
 constexpr base::Duration longLateWindow = milliseconds(100);
 constexpr std::size_t maxGarbledSearchedLong = 2;
-// Fewer bytes are a glitch.
-constexpr std::uint64_t minDamagedReply = 3;
-constexpr int noId = -1;
 // More broken replies than this at one rate mean a bad line, and asking each again would take long.
 constexpr std::size_t maxGarbledResolved = 16;
 
@@ -125,6 +122,8 @@ base::Result<void> RateScan::pingEachId()
 {
     const auto step = pingTime(m_scanProfile, m_context.bus.baud(), m_scanProfile.timeout);
     const bool reportsAtOnce = m_onReply && step >= slowStep;
+    bus::DamagedReplyWatch watch(m_context.bus);
+    std::optional<int> previousId;
     // The first transaction after opening a port or changing its rate may be lost, so it goes to an
     // ID that is asked again later.
     for (int i = m_ids.first - 1; i <= m_ids.last; ++i) {
@@ -132,8 +131,13 @@ base::Result<void> RateScan::pingEachId()
         const IdResponse before = m_responsesById[id];
         if (const auto pinged = ping(id, m_scanProfile.timeout); !pinged)
             return pinged;
+        const bool cameBetween = watch.hasReplyCome();
+        const bool isRest = !m_garbledReplies.empty() && m_garbledReplies.back().id == previousId;
         if (m_responsesById[id].garbled > before.garbled)
             m_garbledReplies.push_back({id, m_responsesById[id].askedAt});
+        else if (cameBetween && !isRest)
+            m_garbledReplies.push_back({std::nullopt, m_responsesById[id].askedAt});
+        previousId = id;
         notify(step);
         const bool answered =
             m_responsesById[id].replies > before.replies && !m_responsesById[id].late;
@@ -149,11 +153,10 @@ base::Result<void> RateScan::pingEachId()
 /// ones.
 base::Result<void> RateScan::listenForLateReplies()
 {
-    const auto noise = [this] { return m_context.bus.statistics().unsolicitedNoise(); };
-    const auto noiseBefore = noise();
+    bus::DamagedReplyWatch watch(m_context.bus);
     const auto listened = listen(atLeastBusPatience(m_context.bus, finalWindow(m_spec)));
-    if (listened && noise() >= noiseBefore + minDamagedReply)
-        m_garbledReplies.push_back({noId, m_responsesById[m_ids.last].askedAt});
+    if (listened && watch.hasReplyCome())
+        m_garbledReplies.push_back({std::nullopt, m_responsesById[m_ids.last].askedAt});
     return listened;
 }
 
@@ -202,6 +205,26 @@ base::Result<bool> RateScan::findSource(const GarbledReply& garbledReply)
 {
     const bool few = m_garbledReplies.size() <= maxGarbledSearchedLong;
     const base::Duration window = few ? longLateWindow : lateWindow;
+    const base::Duration timeout = few ? longLateWindow : longTimeout;
+    bool isFound = false;
+    for (const auto& [age, id] : candidates(garbledReply, window)) {
+        // Requests that a busy computer sent in one go collide with the replies: their servos have
+        // not heard them, and it takes no long wait to hear from these.
+        if (isFound && age > lateWindow)
+            break;
+        const auto found =
+            pingUntilKnown(id, id == garbledReply.id, isFound ? base::Duration{} : timeout);
+        if (!found)
+            return found;
+        isFound = isFound || *found;
+    }
+    return isFound;
+}
+
+/// The IDs without a reply that were asked in the `window` before, with their age.
+std::vector<std::pair<base::Duration, int>> RateScan::candidates(const GarbledReply& garbledReply,
+                                                                 base::Duration window) const
+{
     std::vector<std::pair<base::Duration, int>> candidates;
     for (const auto& [id, response] : m_responsesById) {
         const base::Duration age = garbledReply.at - response.askedAt;
@@ -210,15 +233,9 @@ base::Result<bool> RateScan::findSource(const GarbledReply& garbledReply)
             candidates.emplace_back(age, id);
     }
     std::sort(candidates.begin(), candidates.end());
-    if (garbledReply.id != noId)
-        candidates.insert(candidates.begin(), {base::Duration{}, garbledReply.id});
-    for (const auto& [age, id] : candidates) {
-        const auto found =
-            pingUntilKnown(id, id == garbledReply.id, few ? longLateWindow : longTimeout);
-        if (!found || *found)
-            return found;
-    }
-    return false;
+    if (garbledReply.id)
+        candidates.insert(candidates.begin(), {base::Duration{}, *garbledReply.id});
+    return candidates;
 }
 
 base::Result<bool> RateScan::pingUntilKnown(int id, bool persistent, base::Duration timeout)

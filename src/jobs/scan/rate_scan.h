@@ -57,7 +57,7 @@ public:
 
 private:
     struct GarbledReply {
-        int id = 0; ///< asked when the bytes came; -1: after the last
+        std::optional<int> id; ///< asked when the bytes came; none: they came after a request
         base::Duration at{};
     };
 
@@ -66,6 +66,8 @@ private:
     base::Result<void> confirmLateReplies();
     base::Result<void> resolveGarbled();
     base::Result<bool> findSource(const GarbledReply& garbledReply);
+    std::vector<std::pair<base::Duration, int>> candidates(const GarbledReply& garbledReply,
+                                                           base::Duration window) const;
     base::Result<bool> pingUntilKnown(int id, bool persistent, base::Duration timeout);
     base::Result<void> pingExpected();
     base::Result<void> pingSilent();

@@ -24,6 +24,18 @@ using scan_support::slowAdapterOptions;
 namespace {
 const QString six =
     QStringLiteral("sts3215@0,sts3250@7,scs15@100,sts3215@101,scs0009@200,sts3215@253");
+
+/// The search reports its progress for the first time after the PING of this ID.
+int idAtFirstProgress()
+{
+    SimFixture fixture(QStringLiteral("sts3215@200"));
+    std::optional<int> id;
+    const auto report = jobs::scan(fixture.context(), {}, [&](const jobs::Progress&) {
+        if (fixture.framesSentTo(2) > 0 && !id)
+            id = fixture.tap().written.back()[2];
+    });
+    return report ? id.value() : -1;
+}
 } // namespace
 
 class TestScan : public QObject {
@@ -40,6 +52,7 @@ private Q_SLOTS:
     void lateEchoesAreNoServos();
     void slowPassFindsSilentServos();
     void anExpectedServoIsRetried();
+    void findsServosWhoseRequestsWereSentInOneGo();
     void aBundleIncludesServosSilentOnce();
     void inconsistentScansAreRefused();
     void searchesAllRatesAndReturnsToItsOwn();
@@ -194,6 +207,43 @@ void TestScan::anExpectedServoIsRetried()
         QCOMPARE(idsOf(*report), expected ? QList<int>({0, 7, 100, 101, 200, 253})
                                           : QList<int>({0, 7, 101, 200, 253}));
         QVERIFY(fixture.onlyReadsSent());
+    }
+}
+
+/// A busy computer holds back the PING of one servo and sends it right before the next one, so that
+/// reply and PING collide, and is busy again when what is left of them arrives.
+void TestScan::findsServosWhoseRequestsWereSentInOneGo()
+{
+    const int second = idAtFirstProgress();
+    const int first = second - 1;
+    constexpr std::chrono::microseconds step(125);
+    for (base::Duration delay{}; delay < milliseconds(10); delay += step) {
+        SimFixture fixture(QStringLiteral("sts3215@%1,sts3215@%2,sts3215@%3")
+                               .arg(first)
+                               .arg(second)
+                               .arg(second + 1));
+        base::Bytes heldBack;
+        fixture.tap().replyOverride = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
+            const int id = frame[2];
+            if ((id != first && id != second) || fixture.framesSentTo(id) != 1)
+                return std::nullopt;
+            heldBack.insert(heldBack.end(), frame.begin(), frame.end());
+            if (id == second) {
+                fixture.withBus([&](sim::VirtualBus& wire) {
+                    wire.hostWrites(heldBack, fast, fixture.clock().now() + delay);
+                });
+            }
+            return base::Bytes();
+        };
+        const auto report = jobs::scan(fixture.context(), {}, [&](const jobs::Progress&) {
+            if (fixture.framesSentTo(second) == 1 && fixture.framesSentTo(second + 1) == 0)
+                fixture.clock().advance(milliseconds(3));
+        });
+        QVERIFY(report);
+        QCOMPARE(idsOf(*report), QList<int>({first, second, second + 1}));
+        QVERIFY(!report->hasGarbledReplies);
+        for (const jobs::FoundServo& found : report->found)
+            QVERIFY(!found.duplicateSuspected);
     }
 }
 

@@ -154,6 +154,22 @@ private Q_SLOTS:
         }
     }
 
+    /// Requests that were held back and sent in one go collide with the replies.
+    void aDamagedLateReplyIsNoSilence()
+    {
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(fixture.transact(Request::ping(1), 2));
+        int sent = 0;
+        fixture.script.intercept = [&](const Bytes&) {
+            if (++sent == 3)
+                fixture.script.deliver(fixture.script.clock.now() + 300ms, {4, 5, 1, 0, 0, 4});
+            return sent <= 3;
+        };
+        QVERIFY(fixture.transact(Request::read(1, 56, 2), 2));
+        QCOMPARE(sent, 4);
+    }
+
     /// A search, the check after an emergency stop and a reconnect ask many that are not there.
     void onlyTheLastAttemptIsPatient()
     {
@@ -203,6 +219,18 @@ private Q_SLOTS:
         QVERIFY(span(1) < 50ms);
         fixture.script.tables.erase(1);
         QVERIFY2(span(1) > 500ms, "it has replied since");
+    }
+
+    /// Whether it was carried out must be read as patiently as if nothing had been lost.
+    void aLostWriteProvesNoSilence()
+    {
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(fixture.transact(Request::ping(1), 2));
+        fixture.script.tables.erase(1);
+        QVERIFY(fixture.timed(Request::write(1, 42, {0, 8}, protocol::Repeat::Safe), 2) > 500ms);
+        static_cast<void>(fixture.core->listen(300ms));
+        QVERIFY(fixture.timed(Request::read(1, 64, 1), 2) > 500ms);
     }
 
     void repliesInTimeAreMeasuredToo()

@@ -97,6 +97,7 @@ public:
     void setReplyDelay(base::Duration) override {}
     void setSilence(base::Duration) override {}
     bus::Statistics statistics() const override { return {}; }
+    std::uint64_t unsolicitedNoise() const override { return 0; }
     std::vector<bus::TraceEntry> takeTrace() override { return {}; }
     base::Clock& clock() const override { return const_cast<base::ManualClock&>(time); }
 
