@@ -170,6 +170,37 @@
     </message>
 </context>
 <context>
+    <name>text</name>
+    <message numerus="yes">
+        <source>Nothing was received at any of %n baud rate(s).</source>
+        <translation>
+            <numerusform>Nothing was received at %n baud rate.</numerusform>
+            <numerusform>Nothing was received at any of %n baud rates.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) came after a query to all servos at %1 baud: %2</source>
+        <translation>
+            <numerusform>%n byte came after a query to all servos at %1 baud: %2</numerusform>
+            <numerusform>%n bytes came after a query to all servos at %1 baud: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n servo(s) found at %1 baud (%2): ID %3</source>
+        <translation>
+            <numerusform>%n servo found at %1 baud (%2): ID %3</numerusform>
+            <numerusform>%n servos found at %1 baud (%2): ID %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No reply to %n test query(s) was lost or damaged.</source>
+        <translation>
+            <numerusform>The reply to %n test query was neither lost nor damaged.</numerusform>
+            <numerusform>No reply to %n test queries was lost or damaged.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::ApplyDialog</name>
     <message numerus="yes">
         <source>%n row(s) skipped</source>

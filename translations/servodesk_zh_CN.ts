@@ -6062,6 +6062,30 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <source>New servos all have the same ID. Give each its own, connected one at a time: servodesk-cli commission --help</source>
         <translation>新舵机的 ID 都相同。请逐个连接，并为每个舵机设置各自的 ID：servodesk-cli commission --help</translation>
     </message>
+    <message>
+        <source>Cause: %1</source>
+        <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>Also possible: %1</source>
+        <translation>也可能是：%1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>处理方法：%1</translation>
+    </message>
+    <message>
+        <source>The diagnosis was stopped early.</source>
+        <translation>诊断已提前停止。</translation>
+    </message>
+    <message>
+        <source>find out why a servo does not reply; writes nothing</source>
+        <translation>查找舵机不应答的原因；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>other baud rates to try</source>
+        <translation>另外尝试的波特率</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -8204,6 +8228,162 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>Choose another label, or specify that the servo now replying is the one with this label.</source>
         <translation>请换一个标签；如果当前应答的舵机就是原来使用此标签的舵机，请予以确认。</translation>
+    </message>
+    <message>
+        <source>The servos found reply reliably.</source>
+        <translation>找到的舵机均可靠应答。</translation>
+    </message>
+    <message>
+        <source>No servo is connected, or the servos have no power.</source>
+        <translation>没有连接舵机，或舵机没有供电。</translation>
+    </message>
+    <message>
+        <source>Measure the supply voltage at a servo&apos;s connector. On an adapter board, connect the supply to the terminal next to the servo connectors; USB does not power servos. Then try one servo alone, with another lead, and check that RS-485 servos are on the RS-485 connector and the others on the TTL connector.</source>
+        <translation>在舵机插头处测量供电电压。使用调试板时，电源应接在舵机接口旁的端子上；USB 不给舵机供电。然后换一根线，只接一个舵机再试，并检查：RS-485 舵机应接 RS-485 接口，其他舵机应接 TTL 接口。</translation>
+    </message>
+    <message>
+        <source>Only the adapter&apos;s echo comes back; no servo replies.</source>
+        <translation>只收到适配器的回显，没有舵机应答。</translation>
+    </message>
+    <message>
+        <source>The adapter works. Measure the supply voltage at a servo&apos;s connector, check that the data wire and the ground reach the servo, and try one servo alone.</source>
+        <translation>适配器工作正常。请在舵机插头处测量供电电压，检查数据线和地线是否接到舵机，并只接一个舵机再试。</translation>
+    </message>
+    <message>
+        <source>Servos use another baud rate.</source>
+        <translation>舵机使用的是另一个波特率。</translation>
+    </message>
+    <message>
+        <source>Connect at the baud rate at which they were found. To use one rate for all servos, change it in each of them.</source>
+        <translation>请用找到这些舵机时的波特率连接。如需统一波特率，请逐个修改舵机的设置。</translation>
+    </message>
+    <message>
+        <source>Servos use another protocol than the one selected.</source>
+        <translation>舵机使用的协议与所选协议不同。</translation>
+    </message>
+    <message>
+        <source>Select the protocol in which they were found, or automatic selection.</source>
+        <translation>请选择找到这些舵机时的协议，或选择自动识别。</translation>
+    </message>
+    <message>
+        <source>Several servos have the same ID.</source>
+        <translation>多个舵机的 ID 相同。</translation>
+    </message>
+    <message>
+        <source>Disconnect all of them but one, give this one an unused ID, then connect the next one. Commissioning guides you through it.</source>
+        <translation>只保留其中一个，为它设置一个未使用的 ID，再接下一个。“批量设置”页会引导您完成。</translation>
+    </message>
+    <message>
+        <source>The adapter passes replies on late.</source>
+        <translation>适配器转发应答较慢。</translation>
+    </message>
+    <message>
+        <source>ServoDesk waits for them, but other programs may find no servo: set their timeout above this time. For an FTDI adapter, set the latency timer to 1 ms: in /sys/bus/usb-serial/devices/ttyUSB0/latency_timer on Linux, in the device manager on Windows. Use a wired connection to a network bridge.</source>
+        <translation>ServoDesk 会等待这些应答，但其他程序可能找不到舵机：请把它们的超时设得比此时间长。FTDI 适配器请把延迟定时器设为 1 ms：Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置。网络转接器请使用有线连接。</translation>
+    </message>
+    <message>
+        <source>Servos do not acknowledge writes (response level 0).</source>
+        <translation>舵机不应答写指令（应答级别为 0）。</translation>
+    </message>
+    <message>
+        <source>ServoDesk reads every write back. Other programs may report that the servo does not reply: set the response level to 1.</source>
+        <translation>ServoDesk 每次写入后都会回读。其他程序可能报告舵机不应答：请把应答级别设为 1。</translation>
+    </message>
+    <message>
+        <source>Replies are damaged or get lost on the line.</source>
+        <translation>应答在线路上损坏或丢失。</translation>
+    </message>
+    <message>
+        <source>Check plugs and leads, connect the grounds of adapter and supply, and use short leads. Then disconnect the servos one after another: a faulty one can disturb the whole line. If it only happens while servos move, the supply is too weak.</source>
+        <translation>请检查插头和导线，将适配器与电源共地，并使用较短的导线。然后逐个拔下舵机：一个有故障的舵机就可能干扰整条总线。如果只在舵机转动时出现，说明电源功率不足。</translation>
+    </message>
+    <message>
+        <source>A program&apos;s text comes from the port, not servo data.</source>
+        <translation>从该串口收到的是某个程序的文本，而不是舵机数据。</translation>
+    </message>
+    <message>
+        <source>The port belongs to a board that runs a program of its own. Load a program onto it that passes the bytes on to the servos, or use a servo adapter.</source>
+        <translation>该串口属于一块运行自身程序的开发板。请在板上烧录透传程序，或使用舵机适配器。</translation>
+    </message>
+    <message>
+        <source>%1 opens at %2 baud.</source>
+        <translation>%1 能以 %2 波特打开。</translation>
+    </message>
+    <message>
+        <source>The adapter returns what is sent (echo). This is filtered out.</source>
+        <translation>适配器会返回发送的内容（回显），已被滤除。</translation>
+    </message>
+    <message>
+        <source>The adapter does not return what is sent (no echo).</source>
+        <translation>适配器不返回发送的内容（无回显）。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Nothing was received at any of %n baud rate(s).</source>
+        <translation>
+            <numerusform>已尝试 %n 个波特率，均未收到任何数据。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n byte(s) came after a query to all servos at %1 baud: %2</source>
+        <translation>
+            <numerusform>以 %1 波特查询所有舵机后收到 %n 个字节：%2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Text received at %1 baud: %2</source>
+        <translation>以 %1 波特收到文本：%2</translation>
+    </message>
+    <message>
+        <source>At %1 baud the line is never idle: a device is sending continuously.</source>
+        <translation>以 %1 波特监听时总线从不空闲：有设备在不停发送。</translation>
+    </message>
+    <message>
+        <source>The adapter does not support these baud rates: %1</source>
+        <translation>适配器不支持以下波特率：%1</translation>
+    </message>
+    <message>
+        <source>The baud rate of this port is set elsewhere, so no other rate could be tried.</source>
+        <translation>该端口的波特率由其他设备设定，因此无法尝试其他波特率。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n servo(s) found at %1 baud (%2): ID %3</source>
+        <translation>
+            <numerusform>以 %1 波特（%2）找到 %n 个舵机：ID %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The slowest servo (ID %1) replies after %2 ms.</source>
+        <translation>应答最慢的舵机（ID %1）用时 %2 ms。</translation>
+    </message>
+    <message>
+        <source>ID %1: %2 of %3 replies were lost.</source>
+        <translation>ID %1：%3 次应答中丢失 %2 次。</translation>
+    </message>
+    <message>
+        <source>ID %1: %2 of %3 replies were damaged.</source>
+        <translation>ID %1：%3 次应答中损坏 %2 次。</translation>
+    </message>
+    <message>
+        <source>ID %1: %2 of %3 readings were damaged.</source>
+        <translation>ID %1：%3 次读取中损坏 %2 次。</translation>
+    </message>
+    <message>
+        <source>ID %1: several replies came to one request.</source>
+        <translation>ID %1：一次请求收到多个应答。</translation>
+    </message>
+    <message>
+        <source>ID %1: the readings cannot come from one servo.</source>
+        <translation>ID %1：这些读数不可能来自同一个舵机。</translation>
+    </message>
+    <message>
+        <source>ID %1 does not acknowledge writes.</source>
+        <translation>ID %1 不应答写指令。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No reply to %n test query(s) was lost or damaged.</source>
+        <translation>
+            <numerusform>%n 次测试查询全部得到完好的应答。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

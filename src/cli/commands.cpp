@@ -6,7 +6,8 @@ const std::vector<CommandGroup>& commandGroups()
 {
     static const std::vector<CommandGroup> groups{
         {QT_TRANSLATE_NOOP("cli", "Find and read:"),
-         {portsCommand(), scanCommand(), infoCommand(), dumpCommand(), readCommand()}},
+         {portsCommand(), scanCommand(), diagnoseCommand(), infoCommand(), dumpCommand(),
+          readCommand()}},
         {QT_TRANSLATE_NOOP("cli", "Write:"),
          {writeCommand(), setIdCommand(), setBaudCommand(), centerCommand(),
           restoreDefaultsCommand(), rebootCommand(), clearAlarmCommand(), commissionCommand(),

@@ -7,6 +7,7 @@ const std::vector<Examples>& allExamples()
     static const std::vector<Examples> examples{
         {"ports", "ports", "ports --json"},
         {"scan", "scan", "scan --ids 1-6 --bauds all"},
+        {"diagnose", "diagnose", "diagnose --json"},
         {"info", "info 1", "info 1 --json"},
         {"dump", "dump 1", "dump 1 --json"},
         {"read", "read 1 present_position present_voltage", "read 1 position_p --json"},

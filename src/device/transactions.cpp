@@ -59,6 +59,25 @@ base::Result<bus::Outcome> pingOnce(const Context& context, base::Protocol proto
     return context.bus.transact(ping);
 }
 
+base::Result<base::Bytes> listenAfterPing(const Context& context, base::Duration span)
+{
+    const auto ping = protocol::codecFor(base::Protocol::Feetech)
+                          .encode(protocol::Request::ping(protocol::broadcastId));
+    if (!ping)
+        return tl::unexpected(ping.error());
+    bus::Transaction transaction;
+    transaction.request = protocol::Request::raw(*ping);
+    transaction.priority = context.priority;
+    transaction.timeout = span;
+    transaction.hold = context.hold;
+    transaction.epoch = context.epoch;
+    transaction.stop = &context.stop;
+    const auto outcome = context.bus.transact(transaction);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    return outcome->replies.empty() ? base::Bytes() : outcome->data();
+}
+
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
                              int retries)
 {

@@ -26,6 +26,10 @@ base::Result<void> readBlock(const Context& context, Servo& servo, int offset, i
 base::Result<std::int64_t> readRegister(const Context& context, Servo& servo,
                                         const catalog::Register& reg);
 
+/// Every byte that comes within `span` after a PING to all servos: their replies, often on top of
+/// each other, or what comes unasked.
+base::Result<base::Bytes> listenAfterPing(const Context& context, base::Duration span);
+
 struct RegisterValue {
     const catalog::Register* reg = nullptr;
     std::int64_t raw = 0;

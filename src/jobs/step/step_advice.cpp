@@ -19,7 +19,7 @@ constexpr std::int64_t gainDivisor = 8; ///< of the value: a small step
 constexpr double positionNoise = 3;     ///< steps
 constexpr std::size_t minSamples = 20;
 constexpr double restBand = 4; ///< steps
-constexpr double toleranceFraction = 64;
+constexpr double arrivalFraction = 64;
 constexpr double noiseFraction = 0.02;
 
 /// Nothing is known of a response without readings, nor of one that began at its target.
@@ -61,7 +61,7 @@ bool isBlocked(const results::StepResponse& response, const results::SweepAxis& 
         });
     const double remaining = std::abs(samples.back().position - response.target);
     return high->position - low->position <= restBand &&
-           remaining > std::max(axis.tolerance, axis.stepsPerTurn / toleranceFraction);
+           remaining > std::max(axis.tolerance, axis.stepsPerTurn / arrivalFraction);
 }
 
 class StepAdvisor {

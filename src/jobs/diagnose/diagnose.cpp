@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/diagnose/diagnose.h"
+
+#include "device/transactions.h"
+#include "jobs/diagnose/conclusion.h"
+#include "jobs/diagnose/line_content.h"
+#include "jobs/diagnose/servo_probe.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+using base::Cause;
+using base::ErrorCode;
+using base::Evidence;
+using base::EvidenceKind;
+using base::Protocol;
+using base::Result;
+using std::chrono::milliseconds;
+
+/// A board that reports something once a second is heard.
+constexpr base::Duration listenTime = milliseconds(1100);
+constexpr base::Duration shortListenTime = milliseconds(100);
+/// Rates below are no setting of a Feetech servo, so it is enough that nothing comes there.
+constexpr int lowestSearchedRate = 38'400;
+/// Of SMS Modbus and LX servos, and of most boards.
+constexpr int otherProtocolRate = 115'200;
+
+class Diagnoser {
+public:
+    Diagnoser(const device::Context& context, const DiagnosisSpec& spec, const ProgressFn& progress,
+              const std::function<void(const Evidence&)>& onEvidence)
+        : m_context(context)
+        , m_bus(context.bus)
+        , m_spec(spec)
+        , m_progress(progress)
+        , m_onEvidence(onEvidence)
+        , m_homeRate(context.bus.baud())
+    {}
+
+    Result<DiagnosisReport> run()
+    {
+        const auto done = walk();
+        const auto restored =
+            m_bus.baud() == m_homeRate ? Result<void>{} : m_bus.setBaud(m_homeRate);
+        if (!done && done.error().code != ErrorCode::Stopped)
+            return tl::unexpected(done.error());
+        if (!restored)
+            return tl::unexpected(restored.error());
+        m_seen.homeRate = m_homeRate;
+        m_seen.protocols = m_spec.protocols;
+        m_report.diagnosis = conclude(m_seen);
+        m_report.diagnosis.evidence = std::move(m_evidence);
+        m_report.diagnosis.stopped = !done;
+        m_report.found = std::move(m_seen.found);
+        return std::move(m_report);
+    }
+
+private:
+    Result<void> walk()
+    {
+        add({.kind = EvidenceKind::PortOpened, .baud = m_homeRate, .text = m_bus.portName()});
+        m_seen.hasEcho = m_bus.hasEcho();
+        add({.kind = m_seen.hasEcho ? EvidenceKind::Echo : EvidenceKind::NoEcho});
+        return listenAt(m_homeRate, listenTime)
+            .and_then([this] { return search({m_homeRate}, m_spec.protocols); })
+            .and_then([this] { return lookAtOtherRates(); })
+            .and_then([this] { return probeServos(); });
+    }
+
+    /// Every rate is listened to, which takes a moment. What is searched in full depends on it.
+    Result<void> lookAtOtherRates()
+    {
+        if (!m_bus.canSetBaud()) {
+            add({.kind = EvidenceKind::RateFixed, .baud = m_homeRate});
+            return {};
+        }
+        std::vector<int> promising;
+        std::vector<int> silent;
+        for (const int baud : m_spec.bauds) {
+            if (baud == m_homeRate)
+                continue;
+            const int before = m_seen.bytesAt[baud];
+            if (const auto listened = listenAt(baud, shortListenTime); !listened)
+                return listened;
+            if (m_seen.bytesAt[baud] > before)
+                promising.push_back(baud);
+            else if (baud >= lowestSearchedRate)
+                silent.push_back(baud);
+        }
+        if (!m_refusedRates.isEmpty())
+            add({.kind = EvidenceKind::RatesRefused,
+                 .text = m_refusedRates.join(QStringLiteral(", "))});
+        return search(promising, {Protocol::Feetech}).and_then([&] {
+            const bool isComplete = !m_seen.found.empty() || !m_seen.text.isEmpty();
+            return isComplete ? Result<void>{} : searchEverything(silent);
+        });
+    }
+
+    Result<void> searchEverything(const std::vector<int>& silent)
+    {
+        return search(silent, {Protocol::Feetech})
+            .and_then([this]() -> Result<void> {
+                const bool isDone = m_homeRate == otherProtocolRate && m_spec.protocols.empty();
+                const bool isNeeded = m_seen.found.empty() && !isDone;
+                return isNeeded ? search({otherProtocolRate}, {Protocol::Lx, Protocol::Modbus})
+                                : Result<void>{};
+            })
+            .and_then([this]() -> Result<void> {
+                // On a bad line a single servo may have missed the few requests to it.
+                return m_seen.found.empty() ? search({m_homeRate}, m_spec.protocols)
+                                            : Result<void>{};
+            })
+            .and_then([&]() -> Result<void> {
+                if (m_seen.found.empty() && m_seen.totalBytes() == 0)
+                    add({.kind = EvidenceKind::NothingReceived,
+                         .count = int(m_seen.bytesAt.size())});
+                return {};
+            });
+    }
+
+    /// Whatever comes after a PING to all: the servos' replies, maybe on top of each other, or what
+    /// comes without being asked for.
+    Result<void> listenAt(int baud, base::Duration span)
+    {
+        if (m_context.stop.isRequested())
+            return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
+        if (const auto set = setBaud(baud); !set)
+            return set.error().code == ErrorCode::RateUnsupported ? Result<void>{} : set;
+        const auto received = device::listenAfterPing(m_context, span);
+        if (!received)
+            return tl::unexpected(received.error());
+        note(baud, *received);
+        return {};
+    }
+
+    void note(int baud, const base::Bytes& bytes)
+    {
+        m_seen.bytesAt[baud] += int(bytes.size());
+        if (bytes.empty())
+            return;
+        const QString text = textIn(bytes);
+        if (m_seen.text.isEmpty())
+            m_seen.text = text;
+        if (!text.isEmpty())
+            add({.kind = EvidenceKind::TextReceived, .baud = baud, .text = text});
+        else
+            add({.kind = EvidenceKind::BytesReceived,
+                 .baud = baud,
+                 .count = int(bytes.size()),
+                 .text = sampleOf(bytes)});
+    }
+
+    Result<void> setBaud(int baud)
+    {
+        if (baud == m_bus.baud())
+            return {};
+        const auto set = m_bus.setBaud(baud);
+        if (!set && set.error().code == ErrorCode::RateUnsupported)
+            m_refusedRates << QString::number(baud);
+        return set;
+    }
+
+    Result<void> search(const std::vector<int>& bauds, const std::vector<Protocol>& protocols)
+    {
+        if (bauds.empty())
+            return {};
+        ScanSpec spec;
+        spec.bauds = bauds;
+        spec.protocols = protocols;
+        const auto report = scan(m_context, spec, m_progress);
+        if (!report && report.error().code == ErrorCode::LineBusy) {
+            m_seen.busyRates.insert(m_seen.busyRates.end(), bauds.begin(), bauds.end());
+            add({.kind = EvidenceKind::LineNeverIdle, .baud = bauds.front()});
+            return {};
+        }
+        if (!report)
+            return tl::unexpected(report.error());
+        m_seen.hasGarbledReplies = m_seen.hasGarbledReplies || report->hasGarbledReplies;
+        m_seen.busyRates.insert(m_seen.busyRates.end(), report->busyRates.begin(),
+                                report->busyRates.end());
+        for (const int baud : report->busyRates)
+            add({.kind = EvidenceKind::LineNeverIdle, .baud = baud});
+        addFound(*report);
+        return report->stopped ? base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"))
+                               : Result<void>{};
+    }
+
+    /// One line of evidence for each rate and protocol.
+    void addFound(const ScanReport& report)
+    {
+        std::vector<Evidence> lines;
+        for (const FoundServo& found : report.found) {
+            const device::Servo& servo = found.servo;
+            auto line = std::find_if(lines.begin(), lines.end(), [&](const Evidence& one) {
+                return one.baud == servo.baud && one.protocol == servo.protocol;
+            });
+            if (line == lines.end())
+                line = lines.insert(line, {.kind = EvidenceKind::ServosFound,
+                                           .baud = servo.baud,
+                                           .protocol = servo.protocol});
+            line->ids.push_back(servo.id);
+            m_seen.found.push_back(found);
+        }
+        for (Evidence& line : lines)
+            add(std::move(line));
+    }
+
+    Result<void> probeServos()
+    {
+        for (const FoundServo& found : m_seen.found) {
+            if (m_context.stop.isRequested())
+                return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
+            if (const auto set = setBaud(found.servo.baud); !set)
+                return set;
+            const auto probe = probeServo(m_context, found, int(m_seen.found.size()));
+            if (!probe)
+                return tl::unexpected(probe.error());
+            for (const Evidence& one : evidenceOf(*probe))
+                add(one);
+            m_seen.probes.push_back(*probe);
+        }
+        addSummary();
+        return {};
+    }
+
+    void addSummary()
+    {
+        const auto& probes = m_seen.probes;
+        const auto slowest =
+            std::max_element(probes.begin(), probes.end(), [](const auto& a, const auto& b) {
+                return a.replyTime < b.replyTime;
+            });
+        if (slowest == probes.end())
+            return;
+        if (slowest->asked > slowest->lost + slowest->damaged)
+            add({.kind = EvidenceKind::ReplyTime, .id = slowest->id, .time = slowest->replyTime});
+        Evidence all{.kind = EvidenceKind::AllReplied};
+        bool isFlawless = true;
+        for (const ServoProbe& probe : probes) {
+            all.count += probe.asked;
+            isFlawless = isFlawless && probe.lost + probe.damaged == 0;
+        }
+        if (isFlawless)
+            add(all);
+    }
+
+    void add(Evidence evidence)
+    {
+        if (m_onEvidence)
+            m_onEvidence(evidence);
+        m_evidence.push_back(std::move(evidence));
+    }
+
+    const device::Context& m_context;
+    bus::Bus& m_bus;
+    const DiagnosisSpec& m_spec;
+    const ProgressFn& m_progress;
+    const std::function<void(const Evidence&)>& m_onEvidence;
+    int m_homeRate;
+    Observations m_seen;
+    QStringList m_refusedRates;
+    std::vector<Evidence> m_evidence;
+    DiagnosisReport m_report;
+};
+} // namespace
+
+Result<DiagnosisReport> diagnose(const device::Context& context, const DiagnosisSpec& spec,
+                                 const ProgressFn& progress,
+                                 const std::function<void(const Evidence&)>& onEvidence)
+{
+    const device::Owned owned = device::own(context, {});
+    return Diagnoser(owned.context, spec, progress, onEvidence).run();
+}
+} // namespace jobs

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/diagnosis_text.h"
+
+#include "text/text_table.h"
+
+#include <array>
+#include <chrono>
+
+namespace text {
+namespace {
+using base::Cause;
+using base::Evidence;
+using base::EvidenceKind;
+
+struct CauseEntry {
+    Cause key;
+    const char* text;
+    const char* remedy;
+};
+
+/// A port that could not be opened has the texts of its error.
+constexpr std::array causes{
+    CauseEntry{Cause::Found, QT_TRANSLATE_NOOP("text", "The servos found reply reliably."), ""},
+    CauseEntry{
+        Cause::NoServoOrNoPower,
+        QT_TRANSLATE_NOOP("text", "No servo is connected, or the servos have no power."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Measure the supply voltage at a servo's connector. On an adapter board, connect the "
+            "supply to the terminal next to the servo connectors; USB does not power servos. Then "
+            "try one servo alone, with another lead, and check that RS-485 servos are on the "
+            "RS-485 connector and the others on the TTL connector.")},
+    CauseEntry{
+        Cause::EchoOnly,
+        QT_TRANSLATE_NOOP("text", "Only the adapter's echo comes back; no servo replies."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The adapter works. Measure the supply voltage at a servo's connector, check that the "
+            "data wire and the ground reach the servo, and try one servo alone.")},
+    CauseEntry{Cause::WrongBaudRate, QT_TRANSLATE_NOOP("text", "Servos use another baud rate."),
+               QT_TRANSLATE_NOOP("text", "Connect at the baud rate at which they were found. To "
+                                         "use one rate for all servos, change it in each of "
+                                         "them.")},
+    CauseEntry{Cause::OtherProtocol,
+               QT_TRANSLATE_NOOP("text", "Servos use another protocol than the one selected."),
+               QT_TRANSLATE_NOOP("text",
+                                 "Select the protocol in which they were found, or automatic "
+                                 "selection.")},
+    CauseEntry{Cause::TwoServosOneId, QT_TRANSLATE_NOOP("text", "Several servos have the same ID."),
+               QT_TRANSLATE_NOOP("text",
+                                 "Disconnect all of them but one, give this one an unused ID, "
+                                 "then connect the next one. Commissioning guides you through "
+                                 "it.")},
+    CauseEntry{
+        Cause::LateAdapter, QT_TRANSLATE_NOOP("text", "The adapter passes replies on late."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "ServoDesk waits for them, but other programs may find no servo: set their timeout "
+            "above this time. For an FTDI adapter, set the latency timer to 1 ms: in "
+            "/sys/bus/usb-serial/devices/ttyUSB0/latency_timer on Linux, in the device manager on "
+            "Windows. Use a wired connection to a network bridge.")},
+    CauseEntry{Cause::ResponseLevel0,
+               QT_TRANSLATE_NOOP("text", "Servos do not acknowledge writes (response level 0)."),
+               QT_TRANSLATE_NOOP("text",
+                                 "ServoDesk reads every write back. Other programs may report "
+                                 "that the servo does not reply: set the response level to 1.")},
+    CauseEntry{
+        Cause::Noise, QT_TRANSLATE_NOOP("text", "Replies are damaged or get lost on the line."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Check plugs and leads, connect the grounds of adapter and supply, and use short "
+            "leads. Then disconnect the servos one after another: a faulty one can disturb the "
+            "whole line. If it only happens while servos move, the supply is too weak.")},
+    CauseEntry{Cause::BoardNotAdapter,
+               QT_TRANSLATE_NOOP("text", "A program's text comes from the port, not servo data."),
+               QT_TRANSLATE_NOOP(
+                   "text",
+                   "The port belongs to a board that runs a program of its own. Load a program "
+                   "onto it that passes the bytes on to the servos, or use a servo adapter.")},
+};
+
+QString counted(const char* words, const Evidence& evidence)
+{
+    return translate("text", words).arg(evidence.id).arg(evidence.count).arg(evidence.total);
+}
+
+QString idList(const Evidence& evidence)
+{
+    QStringList ids;
+    for (const int id : evidence.ids)
+        ids << QString::number(id);
+    return ids.join(QStringLiteral(", "));
+}
+
+/// Of the line as a whole.
+QString lineText(const Evidence& evidence)
+{
+    switch (evidence.kind) {
+    case EvidenceKind::PortOpened:
+        return translate("text", "%1 opens at %2 baud.").arg(evidence.text).arg(evidence.baud);
+    case EvidenceKind::Echo:
+        return translate("text", "The adapter returns what is sent (echo). This is filtered out.");
+    case EvidenceKind::NoEcho:
+        return translate("text", "The adapter does not return what is sent (no echo).");
+    case EvidenceKind::NothingReceived:
+        return translate("text", "Nothing was received at any of %n baud rate(s).", nullptr,
+                         evidence.count);
+    case EvidenceKind::BytesReceived:
+        return translate("text", "%n byte(s) came after a query to all servos at %1 baud: %2",
+                         nullptr, evidence.count)
+            .arg(evidence.baud)
+            .arg(evidence.text);
+    case EvidenceKind::TextReceived:
+        return translate("text", "Text received at %1 baud: %2")
+            .arg(evidence.baud)
+            .arg(evidence.text);
+    case EvidenceKind::LineNeverIdle:
+        return translate("text", "At %1 baud the line is never idle: a device is sending "
+                                 "continuously.")
+            .arg(evidence.baud);
+    case EvidenceKind::RatesRefused:
+        return translate("text", "The adapter does not support these baud rates: %1")
+            .arg(evidence.text);
+    case EvidenceKind::RateFixed:
+        return translate("text", "The baud rate of this port is set elsewhere, so no other rate "
+                                 "could be tried.");
+    case EvidenceKind::ServosFound:
+        return translate("text", "%n servo(s) found at %1 baud (%2): ID %3", nullptr,
+                         int(evidence.ids.size()))
+            .arg(evidence.baud)
+            .arg(base::protocolName(evidence.protocol), idList(evidence));
+    default:
+        return {};
+    }
+}
+} // namespace
+
+QString causeText(Cause cause)
+{
+    const CauseEntry* entry = entryFor(causes, cause);
+    return entry != nullptr ? translate("text", entry->text) : base::causeName(cause);
+}
+
+QString causeRemedy(Cause cause)
+{
+    const CauseEntry* entry = entryFor(causes, cause);
+    return entry != nullptr && *entry->remedy != '\0' ? translate("text", entry->remedy)
+                                                      : QString();
+}
+
+QString evidenceText(const Evidence& evidence)
+{
+    switch (evidence.kind) {
+    case EvidenceKind::ReplyTime:
+        return translate("text", "The slowest servo (ID %1) replies after %2 ms.")
+            .arg(evidence.id)
+            .arg(std::chrono::duration<double, std::milli>(evidence.time).count(), 0, 'f', 1);
+    case EvidenceKind::AllReplied:
+        return translate("text", "No reply to %n test query(s) was lost or damaged.", nullptr,
+                         evidence.count);
+    case EvidenceKind::LostReplies:
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1: %2 of %3 replies were lost."), evidence);
+    case EvidenceKind::DamagedReplies:
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1: %2 of %3 replies were damaged."),
+                       evidence);
+    case EvidenceKind::UnreadableReplies:
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1: %2 of %3 readings were damaged."),
+                       evidence);
+    case EvidenceKind::SecondReply:
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1: several replies came to one request."),
+                       evidence);
+    case EvidenceKind::DifferentValues:
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1: the readings cannot come from one servo."),
+                       evidence);
+    case EvidenceKind::NoAcknowledgement:
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1 does not acknowledge writes."), evidence);
+    default:
+        return lineText(evidence);
+    }
+}
+} // namespace text

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The diagnosis of random simulated buses, each broken in one or two ways: the first cause is one
+// of them in at least 95 % of the cases, one of the first two always. Only reads are sent.
+#include "integration/scan_support.h"
+#include "jobs/diagnose/diagnose.h"
+#include "support/test_main.h"
+#include "transport/port_opener.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+#include <random>
+
+using base::Cause;
+using scan_support::fast;
+using std::chrono::milliseconds;
+using support::SimFixture;
+using support::SimFixtureOptions;
+
+namespace {
+constexpr int moderate = 115'200;
+
+struct BrokenBus {
+    std::vector<sim::ServoSpec> servos;
+    SimFixtureOptions options;
+    std::vector<base::Protocol> protocols; ///< selected by the user
+    bool unplugged = false;
+    /// The reply of whatever stands in place of an adapter; the bytes may be random.
+    std::function<base::Bytes(std::mt19937_64&)> device;
+    QStringList names;
+    std::vector<Cause> causes; ///< empty: nothing is wrong
+};
+
+using Random = std::mt19937_64;
+
+int below(Random& random, int limit)
+{
+    return int(random() % std::uint64_t(limit));
+}
+
+template <typename T>
+const T& oneOf(Random& random, const std::vector<T>& choices)
+{
+    return choices[random() % choices.size()];
+}
+
+base::Bytes bytesOf(const char* text)
+{
+    const QByteArray bytes(text);
+    return {bytes.begin(), bytes.end()};
+}
+
+/// A way to break a bus. `group`: of two ways each must be of another one.
+struct Way {
+    const char* name;
+    int group;
+    std::vector<Cause> causes;
+    std::function<void(BrokenBus&, Random&)> apply;
+};
+
+enum Group { Servos, Line, Adapter };
+
+void setLevel0(sim::VirtualServo& servo)
+{
+    servo.poke(QStringLiteral("response_level"), 0);
+}
+
+sim::ServoSpec lx(int id)
+{
+    return {QStringLiteral("LX-16A"), id, {}, {}, 120, {}, nullptr};
+}
+
+sim::ServoSpec modbus(int id)
+{
+    return {QStringLiteral("SMSMB"), id, moderate, {}, 120, {}, nullptr};
+}
+
+void duplicate(BrokenBus& bus, Random& random, int copies)
+{
+    for (int i = 0; i < copies; ++i) {
+        sim::ServoSpec twin = bus.servos.front();
+        twin.initialDegrees = 100.0 + below(random, 160);
+        bus.servos.push_back(twin);
+    }
+}
+
+const std::vector<Way>& ways()
+{
+    static const std::vector<Way> all{
+        {"healthy", Servos, {}, [](BrokenBus&, Random&) {}},
+        {"supply too low",
+         Servos,
+         {},
+         [](BrokenBus& bus, Random&) { bus.servos.front().supplyVolts = 4.5; }},
+        {"all at another rate",
+         Servos,
+         {Cause::WrongBaudRate},
+         [](BrokenBus& bus, Random& random) {
+             const int baud = oneOf(random, std::vector{500'000, 250'000, 115'200, 57'600, 38'400});
+             for (sim::ServoSpec& servo : bus.servos)
+                 servo.baud = baud;
+         }},
+        {"one at another rate",
+         Servos,
+         {Cause::WrongBaudRate},
+         [](BrokenBus& bus, Random& random) {
+             bus.servos.front().baud = oneOf(random, std::vector{500'000, 115'200, 38'400});
+         }},
+        {"two with one ID",
+         Servos,
+         {Cause::TwoServosOneId},
+         [](BrokenBus& bus, Random& random) { duplicate(bus, random, 1); }},
+        {"many with one ID",
+         Servos,
+         {Cause::TwoServosOneId},
+         [](BrokenBus& bus, Random& random) { duplicate(bus, random, 2 + below(random, 4)); }},
+        {"response level 0",
+         Servos,
+         {Cause::ResponseLevel0},
+         [](BrokenBus& bus, Random&) { bus.servos.front().prepare = setLevel0; }},
+        {"response level 0 everywhere",
+         Servos,
+         {Cause::ResponseLevel0},
+         [](BrokenBus& bus, Random&) {
+             for (sim::ServoSpec& servo : bus.servos)
+                 servo.prepare = setLevel0;
+         }},
+        {"LX servos, port at 1 Mbaud",
+         Servos,
+         {Cause::WrongBaudRate},
+         [](BrokenBus& bus, Random& random) {
+             bus.servos = {lx(1 + below(random, 100)), lx(150)};
+         }},
+        {"Modbus servo, port at 1 Mbaud",
+         Servos,
+         {Cause::WrongBaudRate},
+         [](BrokenBus& bus, Random& random) { bus.servos = {modbus(1 + below(random, 240))}; }},
+        {"LX servos, Feetech selected",
+         Servos,
+         {Cause::OtherProtocol},
+         [](BrokenBus& bus, Random& random) {
+             bus.servos = {lx(1 + below(random, 100)), lx(150)};
+             bus.options.baud = moderate;
+             bus.protocols = {base::Protocol::Feetech};
+         }},
+        {"no servo",
+         Servos,
+         {Cause::NoServoOrNoPower},
+         [](BrokenBus& bus, Random&) { bus.unplugged = true; }},
+        {"no servo, echo",
+         Adapter,
+         {Cause::EchoOnly},
+         [](BrokenBus& bus, Random&) {
+             bus.unplugged = true;
+             bus.options.wire.echo = true;
+         }},
+        {"reply wire broken",
+         Line,
+         {Cause::NoServoOrNoPower},
+         [](BrokenBus& bus, Random&) {
+             for (const sim::ServoSpec& servo : bus.servos)
+                 bus.options.wire.faults.muteIds.push_back(servo.id);
+         }},
+        {"damaged replies",
+         Line,
+         {Cause::Noise},
+         [](BrokenBus& bus, Random& random) {
+             bus.options.wire.faults.corrupt = 0.1 + 0.05 * below(random, 7);
+         }},
+        {"lost replies",
+         Line,
+         {Cause::Noise},
+         [](BrokenBus& bus, Random& random) {
+             bus.options.wire.faults.drop = 0.1 + 0.05 * below(random, 7);
+         }},
+        {"short replies",
+         Line,
+         {Cause::Noise},
+         [](BrokenBus& bus, Random& random) {
+             bus.options.wire.faults.truncate = 0.1 + 0.05 * below(random, 7);
+         }},
+        {"lost requests",
+         Line,
+         {Cause::Noise},
+         [](BrokenBus& bus, Random& random) {
+             bus.options.wire.faults.dropRequest = 0.1 + 0.05 * below(random, 7);
+         }},
+        {"adapter 1 ms late",
+         Adapter,
+         {},
+         [](BrokenBus& bus, Random&) { bus.options.wire.adapterLatency = milliseconds(1); }},
+        {"adapter 16 ms late",
+         Adapter,
+         {},
+         [](BrokenBus& bus, Random&) { bus.options.wire.adapterLatency = milliseconds(16); }},
+        {"adapter 40 ms late",
+         Adapter,
+         {Cause::LateAdapter},
+         [](BrokenBus& bus, Random&) { bus.options.wire.adapterLatency = milliseconds(40); }},
+        {"adapter 60 ms late",
+         Adapter,
+         {Cause::LateAdapter},
+         [](BrokenBus& bus, Random&) { bus.options.wire.adapterLatency = milliseconds(60); }},
+        {"echo", Adapter, {}, [](BrokenBus& bus, Random&) { bus.options.wire.echo = true; }},
+        {"a board prints its log",
+         Adapter,
+         {Cause::BoardNotAdapter},
+         [](BrokenBus& bus, Random&) {
+             bus.device = [](Random&) { return bytesOf("E (312) i2c: bus timeout\r\n"); };
+         }},
+        {"random bytes for every request",
+         Adapter,
+         {Cause::Noise},
+         [](BrokenBus& bus, Random&) {
+             bus.device = [](Random& random) {
+                 base::Bytes bytes(3 + random() % 10);
+                 std::generate(bytes.begin(), bytes.end(), random);
+                 return bytes;
+             };
+         }},
+    };
+    return all;
+}
+
+BrokenBus makeBus(std::uint64_t seed)
+{
+    Random random(seed);
+    BrokenBus bus;
+    bus.options.wire.seed = seed * 1000;
+    const QString model =
+        oneOf(random, std::vector<QString>{QStringLiteral("STS3215"), QStringLiteral("STS3250"),
+                                           QStringLiteral("SCS15"), QStringLiteral("SM40BLHV")});
+    const int count = 1 + below(random, 6);
+    for (int i = 0; i < count; ++i)
+        bus.servos.push_back({model,
+                              1 + i * 3 + below(random, 3),
+                              fast,
+                              {},
+                              100.0 + below(random, 160),
+                              {},
+                              nullptr});
+    const Way& first = ways()[seed % ways().size()];
+    const Way& second = oneOf(random, ways());
+    std::vector<const Way*> applied{&first};
+    if (below(random, 2) == 1 && second.group != first.group)
+        applied.push_back(&second);
+    for (const Way* way : applied) {
+        way->apply(bus, random);
+        bus.names << QString::fromLatin1(way->name);
+        bus.causes.insert(bus.causes.end(), way->causes.begin(), way->causes.end());
+    }
+    const bool isSilent = bus.unplugged || !bus.options.wire.faults.muteIds.empty();
+    if (isSilent && bus.options.wire.echo)
+        bus.causes = {Cause::EchoOnly};
+    if (bus.causes.empty())
+        bus.causes.push_back(Cause::Found);
+    return bus;
+}
+
+jobs::DiagnosisSpec allRates(const BrokenBus& bus)
+{
+    return {transport::standardBaudRates(), bus.protocols};
+}
+
+bool contains(const std::vector<Cause>& causes, Cause cause)
+{
+    return std::find(causes.begin(), causes.end(), cause) != causes.end();
+}
+} // namespace
+
+class TestDiagnose : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+    void namesTheCauseOfBrokenBuses();
+};
+
+void TestDiagnose::namesTheCauseOfBrokenBuses()
+{
+    constexpr int buses = 300;
+    QStringList notFirst;
+    QStringList missed;
+    for (int seed = 1; seed <= buses; ++seed) {
+        const BrokenBus bus = makeBus(std::uint64_t(seed));
+        SimFixture fixture(bus.servos, bus.options);
+        if (bus.unplugged)
+            fixture.withBus([](sim::VirtualBus& wire) { wire.unplugAll(); });
+        Random random(static_cast<std::uint64_t>(seed));
+        if (bus.device) {
+            fixture.tap().replyOverride = [&](const base::Bytes&) {
+                return std::optional(bus.device(random));
+            };
+        }
+        fixture.clearFrames();
+        const base::Duration began = fixture.clock().now();
+        const auto report = jobs::diagnose(fixture.context(), allRates(bus));
+        QVERIFY(report);
+        QVERIFY(fixture.onlyReadsSent());
+        QCOMPARE(fixture.bus().baud(), bus.options.baud);
+        const base::Diagnosis& diagnosis = report->diagnosis;
+        QString result =
+            QStringLiteral("%1: %2 -> %3")
+                .arg(seed)
+                .arg(bus.names.join(QStringLiteral(" + ")), base::causeName(diagnosis.cause));
+        for (const Cause cause : diagnosis.also)
+            result += QStringLiteral(", ") + base::causeName(cause);
+        result += QStringLiteral(" in %1 s")
+                      .arg(std::chrono::duration<double>(fixture.clock().now() - began).count());
+        if (contains(bus.causes, diagnosis.cause))
+            continue;
+        notFirst << result;
+        if (diagnosis.also.empty() || !contains(bus.causes, diagnosis.also.front()))
+            missed << result;
+    }
+    if (!notFirst.isEmpty())
+        qInfo("Not first:\n%s", qPrintable(notFirst.join(QLatin1Char('\n'))));
+    QCOMPARE(missed, QStringList());
+    QVERIFY(notFirst.size() <= buses * 5 / 100);
+}
+
+SERVODESK_GUILESS_TEST(TestDiagnose)
+#include "tst_diagnose.moc"
