@@ -409,6 +409,14 @@
         <source>Lists saved tests; you can compare two or select a reference</source>
         <translation>查看已保存的测试，对比两次测试，选定参考舵机</translation>
     </message>
+    <message>
+        <source>&amp;Why does a servo not reply?</source>
+        <translation>舵机为何不应答(&amp;W)？</translation>
+    </message>
+    <message>
+        <source>Checks the line, tries other baud rates and protocols, and names the cause; writes nothing</source>
+        <translation>检查总线，尝试其他波特率和协议，并指出原因；不写入任何内容</translation>
+    </message>
 </context>
 <context>
     <name>CommissionText</name>
@@ -8385,6 +8393,30 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
             <numerusform>%n 次测试查询全部得到完好的应答。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Another program uses the port at the same time.</source>
+        <translation>另一个程序正在同时使用该串口。</translation>
+    </message>
+    <message>
+        <source>Close the other program: each takes replies that belong to the other one.</source>
+        <translation>请关闭另一个程序：两个程序会互相抢走对方的应答。</translation>
+    </message>
+    <message>
+        <source>The port is also open in %1.</source>
+        <translation>该串口同时被 %1 打开。</translation>
+    </message>
+    <message>
+        <source>The latency timer of the adapter is set to %1 ms.</source>
+        <translation>适配器的延迟定时器设为 %1 ms。</translation>
+    </message>
+    <message>
+        <source>Every servo replies at once.</source>
+        <translation>每个舵机都立即应答。</translation>
+    </message>
+    <message>
+        <source>If one is missing, connect it alone and run the diagnosis again: it tries more baud rates and protocols while none replies. Check its lead and supply first.</source>
+        <translation>如果缺少某个舵机，请先检查它的导线和供电，然后只接这一个舵机重新诊断：没有舵机应答时会尝试更多波特率和协议。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -8748,33 +8780,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>Closes this list and keeps the channels</source>
         <translation>关闭列表，通道保留</translation>
-    </message>
-</context>
-<context>
-    <name>ui::ChecklistView</name>
-    <message>
-        <source>Search everything</source>
-        <translation>全面搜索</translation>
-    </message>
-    <message>
-        <source>ruled out</source>
-        <translation>已排除</translation>
-    </message>
-    <message>
-        <source>Ruled out: %1</source>
-        <translation>已排除：%1</translation>
-    </message>
-    <message>
-        <source>Searches all IDs at all baud rates in all protocols; writes nothing</source>
-        <translation>以全部协议、全部波特率搜索全部 ID；不写入任何内容</translation>
-    </message>
-    <message>
-        <source>Shows or hides the possible cause</source>
-        <translation>显示或隐藏可能的原因</translation>
-    </message>
-    <message>
-        <source>Mark the items you have checked</source>
-        <translation>请勾选已检查的项目</translation>
     </message>
 </context>
 <context>
@@ -9183,7 +9188,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>One servo at a time</source>
-        <translation>逐个设置舵机</translation>
+        <translation>逐个接上并设置舵机</translation>
     </message>
     <message>
         <source>Connect the same servo again</source>
@@ -9920,6 +9925,105 @@ Retries: %9</source>
     <message>
         <source>No cursors. Press C in the chart to show them, then drag A and B.</source>
         <translation>未显示游标。在曲线图中按 C 显示游标，然后拖动 A 和 B。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DiagnosisDialog</name>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>重新诊断</translation>
+    </message>
+    <message>
+        <source>Ends the diagnosis</source>
+        <translation>结束诊断</translation>
+    </message>
+    <message>
+        <source>Runs all checks again; writes nothing</source>
+        <translation>重新执行所有检查；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>Looking for the cause…</source>
+        <translation>正在查找原因…</translation>
+    </message>
+    <message>
+        <source>The diagnosis was stopped.</source>
+        <translation>诊断已停止。</translation>
+    </message>
+    <message>
+        <source>Also possible: %1</source>
+        <translation>也可能是：%1</translation>
+    </message>
+    <message>
+        <source>Set up servos one at a time</source>
+        <translation>逐个接上并设置舵机</translation>
+    </message>
+    <message>
+        <source>Shows the Commissioning page</source>
+        <translation>显示“批量设置”页</translation>
+    </message>
+    <message>
+        <source>Opens the port again at this baud rate</source>
+        <translation>以此波特率重新打开串口</translation>
+    </message>
+    <message>
+        <source>Connect with all protocols</source>
+        <translation>用所有协议连接</translation>
+    </message>
+    <message>
+        <source>Opens the port again and detects the protocol</source>
+        <translation>重新打开串口并自动识别协议</translation>
+    </message>
+    <message>
+        <source>Why does a servo not reply?</source>
+        <translation>舵机为何不应答？</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>What was found; nothing is written to a servo</source>
+        <translation>检查结果；不会向舵机写入任何内容</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>搜索进度</translation>
+    </message>
+    <message>
+        <source>How much of it is complete</source>
+        <translation>已完成的部分</translation>
+    </message>
+    <message>
+        <source>Copy report</source>
+        <translation>复制报告</translation>
+    </message>
+    <message>
+        <source>Copies checks and cause as text</source>
+        <translation>以文本形式复制检查结果和原因</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Closes this window</source>
+        <translation>关闭此窗口</translation>
+    </message>
+    <message>
+        <source>Searching at %1 baud…</source>
+        <translation>正在以 %1 波特搜索…</translation>
+    </message>
+    <message>
+        <source>Connect at %1 baud</source>
+        <translation>以 %1 波特连接</translation>
     </message>
 </context>
 <context>
@@ -11936,14 +12040,6 @@ Retries: %9</source>
         <translation>列表中还没有舵机，请搜索总线。</translation>
     </message>
     <message>
-        <source>Back to the list</source>
-        <translation>返回列表</translation>
-    </message>
-    <message>
-        <source>Show the servos again</source>
-        <translation>重新显示舵机</translation>
-    </message>
-    <message>
         <source>Commissioning is running. Its servos are shown on the Commissioning page.</source>
         <translation>批量设置正在进行，舵机显示在“批量设置”页面上。</translation>
     </message>
@@ -12004,8 +12100,12 @@ Retries: %9</source>
         <translation>舵机没搜全？查找原因…</translation>
     </message>
     <message>
-        <source>What to check when servos are missing</source>
-        <translation>舵机没搜全时应检查什么</translation>
+        <source>Find out why…</source>
+        <translation>查找原因…</translation>
+    </message>
+    <message>
+        <source>No servo replied.</source>
+        <translation>没有舵机应答。</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,9 @@ enum class Cause : std::uint8_t {
 };
 
 enum class EvidenceKind : std::uint8_t {
-    PortOpened, ///< baud; text: the port
+    PortOpened,   ///< baud; text: the port
+    OtherProgram, ///< text: that has the port open too
+    LatencyTimer, ///< time: of the adapter
     Echo,
     NoEcho,
     NothingReceived,   ///< count: rates tried

@@ -67,6 +67,8 @@ base::Result<base::Bytes> listenAfterPing(const Context& context, base::Duration
         return tl::unexpected(ping.error());
     bus::Transaction transaction;
     transaction.request = protocol::Request::raw(*ping);
+    transaction.request.repeat = protocol::Repeat::Safe; // so that a stop ends the wait
+    transaction.retries = 0;
     transaction.priority = context.priority;
     transaction.timeout = span;
     transaction.hold = context.hold;

@@ -12,6 +12,9 @@ using base::Cause;
 using base::Evidence;
 using base::EvidenceKind;
 
+/// Less is not worth a figure.
+constexpr base::Duration shortestTime = std::chrono::microseconds(500);
+
 struct CauseEntry {
     Cause key;
     const char* text;
@@ -20,7 +23,16 @@ struct CauseEntry {
 
 /// A port that could not be opened has the texts of its error.
 constexpr std::array causes{
-    CauseEntry{Cause::Found, QT_TRANSLATE_NOOP("text", "The servos found reply reliably."), ""},
+    CauseEntry{Cause::Found, QT_TRANSLATE_NOOP("text", "The servos found reply reliably."),
+               QT_TRANSLATE_NOOP("text",
+                                 "If one is missing, connect it alone and run the diagnosis "
+                                 "again: it tries more baud rates and protocols while "
+                                 "none replies. Check its lead and supply first.")},
+    CauseEntry{Cause::PortBusy,
+               QT_TRANSLATE_NOOP("text", "Another program uses the port at the same time."),
+               QT_TRANSLATE_NOOP("text",
+                                 "Close the other program: each takes replies that belong to the "
+                                 "other one.")},
     CauseEntry{
         Cause::NoServoOrNoPower,
         QT_TRANSLATE_NOOP("text", "No servo is connected, or the servos have no power."),
@@ -84,6 +96,11 @@ QString counted(const char* words, const Evidence& evidence)
     return translate("text", words).arg(evidence.id).arg(evidence.count).arg(evidence.total);
 }
 
+double milliseconds(base::Duration time)
+{
+    return std::chrono::duration<double, std::milli>(time).count();
+}
+
 QString idList(const Evidence& evidence)
 {
     QStringList ids;
@@ -92,12 +109,39 @@ QString idList(const Evidence& evidence)
     return ids.join(QStringLiteral(", "));
 }
 
+QString protocolLabel(base::Protocol protocol)
+{
+    switch (protocol) {
+    case base::Protocol::Modbus:
+        return QStringLiteral("Modbus");
+    case base::Protocol::Lx:
+        return QStringLiteral("LX");
+    case base::Protocol::Feetech:
+        break;
+    }
+    return QStringLiteral("Feetech");
+}
+
+QString replyTimeText(const Evidence& evidence)
+{
+    if (evidence.time < shortestTime)
+        return translate("text", "Every servo replies at once.");
+    return translate("text", "The slowest servo (ID %1) replies after %2 ms.")
+        .arg(evidence.id)
+        .arg(milliseconds(evidence.time), 0, 'f', 1);
+}
+
 /// Of the line as a whole.
 QString lineText(const Evidence& evidence)
 {
     switch (evidence.kind) {
     case EvidenceKind::PortOpened:
         return translate("text", "%1 opens at %2 baud.").arg(evidence.text).arg(evidence.baud);
+    case EvidenceKind::OtherProgram:
+        return translate("text", "The port is also open in %1.").arg(evidence.text);
+    case EvidenceKind::LatencyTimer:
+        return translate("text", "The latency timer of the adapter is set to %1 ms.")
+            .arg(milliseconds(evidence.time), 0, 'f', 0);
     case EvidenceKind::Echo:
         return translate("text", "The adapter returns what is sent (echo). This is filtered out.");
     case EvidenceKind::NoEcho:
@@ -128,7 +172,7 @@ QString lineText(const Evidence& evidence)
         return translate("text", "%n servo(s) found at %1 baud (%2): ID %3", nullptr,
                          int(evidence.ids.size()))
             .arg(evidence.baud)
-            .arg(base::protocolName(evidence.protocol), idList(evidence));
+            .arg(protocolLabel(evidence.protocol), idList(evidence));
     default:
         return {};
     }
@@ -144,17 +188,14 @@ QString causeText(Cause cause)
 QString causeRemedy(Cause cause)
 {
     const CauseEntry* entry = entryFor(causes, cause);
-    return entry != nullptr && *entry->remedy != '\0' ? translate("text", entry->remedy)
-                                                      : QString();
+    return entry != nullptr ? translate("text", entry->remedy) : QString();
 }
 
 QString evidenceText(const Evidence& evidence)
 {
     switch (evidence.kind) {
     case EvidenceKind::ReplyTime:
-        return translate("text", "The slowest servo (ID %1) replies after %2 ms.")
-            .arg(evidence.id)
-            .arg(std::chrono::duration<double, std::milli>(evidence.time).count(), 0, 'f', 1);
+        return replyTimeText(evidence);
     case EvidenceKind::AllReplied:
         return translate("text", "No reply to %n test query(s) was lost or damaged.", nullptr,
                          evidence.count);

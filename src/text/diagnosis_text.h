@@ -9,7 +9,6 @@
 namespace text {
 /// One sentence. For ports that could not be opened see error_text.h.
 QString causeText(base::Cause cause);
-/// Empty where all is well.
 QString causeRemedy(base::Cause cause);
 QString evidenceText(const base::Evidence& evidence);
 } // namespace text

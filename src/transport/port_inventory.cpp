@@ -33,4 +33,13 @@ std::vector<PortInfo> listPorts()
               [](const PortInfo& a, const PortInfo& b) { return a.path < b.path; });
     return ports;
 }
+
+std::optional<int> latencyTimer(const QString& canonicalPath, const QString& root)
+{
+    QFile file(root + QStringLiteral("/sys/bus/usb-serial/devices/") +
+               canonicalPath.section(QLatin1Char('/'), -1) + QStringLiteral("/latency_timer"));
+    bool isNumber = false;
+    const int span = file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().toInt(&isNumber) : 0;
+    return isNumber ? std::optional(span) : std::nullopt;
+}
 } // namespace transport

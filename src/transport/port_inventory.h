@@ -5,6 +5,7 @@
 
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace transport {
@@ -24,4 +25,9 @@ std::vector<PortInfo> listPorts();
 /// system, so that they have no port: "1a86:7523". Known only where the system shows its processes
 /// and USB devices (Linux); `root` is the folder in which proc and sys lie, for tests.
 QStringList adaptersClaimedByBrltty(const QString& root = QStringLiteral("/"));
+
+/// Milliseconds for which an FTDI adapter collects bytes before it hands them over; nullopt:
+/// another chip or system.
+std::optional<int> latencyTimer(const QString& canonicalPath,
+                                const QString& root = QStringLiteral("/"));
 } // namespace transport

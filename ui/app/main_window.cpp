@@ -21,6 +21,7 @@
 #include "ui/common/dialog_sizes.h"
 #include "ui/connect/connect_bar.h"
 #include "ui/connect/link_error_banner.h"
+#include "ui/search/diagnosis_dialog.h"
 #include "ui/search/search_panel.h"
 #include "ui/sweep/runs_dialog.h"
 #include "ui/tasks/servo_tasks.h"
@@ -189,6 +190,10 @@ void MainWindow::connectCommands()
         m_workbench.writes().readTable(m_context.selection.current());
     });
     on(Command::StopSearch, [this] { m_workbench.search().stop(); });
+    on(Command::Diagnose, [this] {
+        showSingle<DiagnosisDialog>(
+            *this, [this] { return new DiagnosisDialog(m_workbench, m_commands, this); });
+    });
     on(Command::StopTask, [this] { m_workbench.tasks().stop(); });
     on(Command::ReadTable,
        [this] { m_workbench.writes().readTable(m_context.selection.current()); });

@@ -19,6 +19,7 @@ enum class Command : std::uint8_t {
     PowerCycle,
     Search,
     StopSearch,
+    Diagnose,
     StopTask,
     ReadTable,
     FindRegister,

@@ -3,7 +3,6 @@
 
 #include "text/error_text.h"
 #include "ui/common/widget_text.h"
-#include "ui/search/checklist_view.h"
 #include "ui/search/search_scope.h"
 #include "ui/search/servo_delegate.h"
 #include "ui/search/servo_list_model.h"
@@ -15,7 +14,6 @@
 #include <QListView>
 #include <QMenu>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 
@@ -39,24 +37,19 @@ void SearchPanel::search()
     m_workbench.search().start(m_liveData->spec());
 }
 
-void SearchPanel::searchAll()
-{
-    m_liveData->setFullRange();
-    m_commands.action(Command::Search)->trigger();
-}
-
 void SearchPanel::searchChanged()
 {
     const bool now = m_workbench.search().isSearching();
     if (now && !m_searching) {
-        m_removed = 0;
         m_error.reset();
         m_lastProgress.reset();
         m_progress->setValue(0);
-        showList(true);
     }
+    if (!now)
+        m_progress->setValue(m_error || !m_workbench.search().lastReport() ? 0 : permille);
     m_searching = now;
     showStatus();
+    showList();
 }
 
 /// The end is reported after the list has been updated; searchChanged() comes before that.
@@ -64,26 +57,15 @@ void SearchPanel::onEvent(const session::Event& event)
 {
     if (event.kind == session::Event::Kind::SearchEnded) {
         m_error = event.error;
-        m_history.lostServos = m_removed;
         searchEnded();
     }
     // Servos missed by an earlier search are not reported while servos are set up one by one.
     const bool line = event.task == QLatin1String("commission");
-    if (line && event.kind == session::Event::Kind::Started)
-        showList(true);
     if (line && (event.kind == session::Event::Kind::Started ||
                  event.kind == session::Event::Kind::Finished)) {
         m_commissioning = event.kind == session::Event::Kind::Started;
         showStatus();
-        retranslate();
-    }
-    if (event.kind != session::Event::Kind::Written || !event.report)
-        return;
-    for (const device::WriteResult& write : event.report->writes) {
-        const bool moves =
-            write.key == QLatin1String("id") || write.key == QLatin1String("baud_rate");
-        if (moves && write.outcome == device::WriteOutcome::Kept)
-            m_history.idOrBaudChanged = true;
+        showList();
     }
 }
 
@@ -91,10 +73,7 @@ void SearchPanel::searchEnded()
 {
     m_progress->setValue(m_error || !m_workbench.search().lastReport() ? 0 : permille);
     showStatus();
-    const bool nobody = m_model->rowCount() == 0;
-    const auto& report = m_workbench.search().lastReport();
-    if (!m_error && report && !report->stopped && (nobody || report->found.empty()))
-        showChecklist();
+    showList();
 }
 
 void SearchPanel::showProgress(const jobs::Progress& progress)
@@ -133,8 +112,6 @@ void SearchPanel::showStatus()
     }
     m_status->setText(words);
     m_status->setToolTip(tip.isEmpty() ? words : words + QLatin1Char('\n') + tip);
-    const bool done = m_workbench.search().lastReport().has_value() && !m_searching;
-    m_showChecklist->setVisible((done && !m_commissioning) || m_stack->currentWidget() == m_scroll);
 }
 
 void SearchPanel::showScope()
@@ -151,21 +128,15 @@ void SearchPanel::showScope()
     m_estimate->setToolTip(tr("Search time if no servos are found"));
 }
 
-void SearchPanel::showList(bool list)
+void SearchPanel::showList()
 {
-    if (!list)
-        return;
-    m_stack->setCurrentWidget(m_model->rowCount() > 0 ? static_cast<QWidget*>(m_list) : m_empty);
+    const bool isEmpty = m_model->rowCount() == 0;
+    const bool isDone = m_workbench.search().lastReport().has_value() && !m_searching &&
+                        !m_commissioning && m_workbench.link().state() == LinkState::Open;
+    m_stack->setCurrentIndex(isEmpty ? 1 : 0);
+    m_findOut->setVisible(isEmpty && isDone);
+    m_why->setVisible(!isEmpty && isDone);
     retranslate();
-}
-
-void SearchPanel::showChecklist()
-{
-    if (m_workbench.search().lastReport()) {
-        m_checklist->show(searchFacts(m_workbench, m_history));
-        m_stack->setCurrentWidget(m_scroll);
-        retranslate();
-    }
 }
 
 void SearchPanel::showContextMenu(const QPoint& place)
@@ -232,7 +203,7 @@ void SearchPanel::linkChanged()
     m_list->viewport()->update();
     showScope();
     showStatus();
-    retranslate();
+    showList();
 }
 
 void SearchPanel::retranslate()
@@ -249,15 +220,23 @@ void SearchPanel::retranslate()
     m_list->setAccessibleName(tr("Servos"));
     m_list->setToolTip(tr("Servos that have replied; selecting one reads it and writes nothing. "
                           "Hold Ctrl or Shift to select several servos and move them together"));
-    m_empty->setText(m_commissioning ? QString()
-                     : m_workbench.link().state() == LinkState::Open
-                         ? tr("No servos in the list yet. Search the bus.")
-                         : tr("Servos appear here when they are found."));
+    m_empty->setText(emptyText());
     m_empty->setToolTip(m_empty->text());
-    const bool checklist = m_stack->currentWidget() == m_scroll;
-    setButtonText(
-        m_showChecklist, checklist ? tr("Back to the list") : tr("Servos missing? Find out why…"),
-        checklist ? tr("Show the servos again") : tr("What to check when servos are missing"));
+    const QString tip = m_commands.action(Command::Diagnose)->toolTip();
+    setButtonText(m_findOut, tr("Find out why…"), tip);
+    setButtonText(m_why, tr("Servos missing? Find out why…"), tip);
+}
+
+QString SearchPanel::emptyText() const
+{
+    if (m_commissioning)
+        return {};
+    if (m_workbench.link().state() != LinkState::Open)
+        return tr("Servos appear here when they are found.");
+    const auto& report = m_workbench.search().lastReport();
+    if (m_searching || !report || report->stopped || m_error)
+        return tr("No servos in the list yet. Search the bus.");
+    return tr("No servo replied.");
 }
 
 void SearchPanel::changeEvent(QEvent* event)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The left dock: what to search, the progress, the servos as they are found, and, if none answered,
-// the possible reasons. Selecting a servo here selects it everywhere, and vice versa. Executes
+// The left dock: what to search, the progress, the servos as they are found, and the way to the
+// reason if one is missing. Selecting a servo here selects it everywhere, and vice versa. Executes
 // Command::Search. Searching writes nothing. Owned by the window; main thread.
 #pragma once
 
@@ -8,18 +8,15 @@
 #include "session/workbench.h"
 #include "ui/common/commands.h"
 #include "ui/common/selection.h"
-#include "ui/search/search_advice.h"
 
 #include <QWidget>
 
 class QLabel;
 class QListView;
 class QPushButton;
-class QScrollArea;
 class QStackedWidget;
 
 namespace ui {
-class ChecklistView;
 class SearchScope;
 class ServoDelegate;
 class ServoListModel;
@@ -43,19 +40,18 @@ private:
     void connectDesk();
     void connectList();
     void search();
-    void searchAll();
     void searchChanged();
     void searchEnded();
     void showProgress(const jobs::Progress& progress);
     void showStatus();
     void showScope();
-    void showList(bool list);
-    void showChecklist();
+    void showList();
     void showContextMenu(const QPoint& place);
     void onListSelectionChanged();
     void followSelection();
     void onEvent(const session::Event& event);
     void linkChanged();
+    QString emptyText() const;
     void retranslate();
 
     static constexpr int permille = 1000; ///< of the progress
@@ -75,16 +71,13 @@ private:
     QLabel* m_empty;
     ServoListModel* m_model;
     ServoDelegate* m_delegate;
-    QScrollArea* m_scroll;
-    ChecklistView* m_checklist;
-    QPushButton* m_showChecklist;
+    QPushButton* m_findOut; ///< below the empty list
+    QPushButton* m_why;     ///< below the list
 
     QTimer m_tick;
     bool m_searching = false;
     bool m_commissioning = false; ///< commissioning runs
     std::optional<jobs::Progress> m_lastProgress;
     std::optional<base::Error> m_error; ///< of the latest search
-    int m_removed = 0;                  ///< since the search began
-    SearchHistory m_history;
 };
 } // namespace ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the search panel and their connections.
 #include "ui/common/widget_style.h"
-#include "ui/search/checklist_view.h"
 #include "ui/search/search_panel.h"
 #include "ui/search/search_scope.h"
 #include "ui/search/servo_delegate.h"
@@ -11,7 +10,6 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -48,15 +46,13 @@ SearchPanel::SearchPanel(session::Workbench& workbench, Commands& commands, Sele
     , m_empty(secondaryLabel(this, "servoListEmpty"))
     , m_model(new ServoListModel(workbench, this))
     , m_delegate(new ServoDelegate(this))
-    , m_scroll(new QScrollArea(this))
-    , m_checklist(new ChecklistView(this))
-    , m_showChecklist(new QPushButton(this))
+    , m_findOut(new QPushButton(this))
+    , m_why(new QPushButton(this))
 {
     build();
     connectDesk();
     connectList();
     linkChanged();
-    showList(true);
     followSelection();
 }
 
@@ -70,9 +66,10 @@ void SearchPanel::build()
     m_stop->setObjectName(QStringLiteral("stopSearchButton"));
     m_progress->setObjectName(QStringLiteral("searchProgress"));
     m_progress->setRange(0, permille);
-    m_showChecklist->setObjectName(QStringLiteral("whyButton"));
-    m_showChecklist->setFlat(true);
-    m_showChecklist->setProperty("link", true);
+    m_findOut->setObjectName(QStringLiteral("findOutButton"));
+    m_why->setObjectName(QStringLiteral("whyButton"));
+    m_why->setFlat(true);
+    m_why->setProperty("link", true);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_search, 1);
     buttons->addWidget(m_stop);
@@ -84,7 +81,7 @@ void SearchPanel::build()
     column->addWidget(m_progress);
     column->addWidget(m_status);
     column->addWidget(buildList(), 1);
-    column->addWidget(m_showChecklist, 0, Qt::AlignLeft);
+    column->addWidget(m_why, 0, Qt::AlignLeft);
 }
 
 QWidget* SearchPanel::buildList()
@@ -98,15 +95,13 @@ QWidget* SearchPanel::buildList()
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_empty->setMargin(8);
-    m_scroll->setObjectName(QStringLiteral("checklistScroll"));
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setWidget(m_checklist);
-    makeTransparent(m_scroll);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_list, m_empty, m_scroll})
-        m_stack->addWidget(page);
+    auto* empty = new QWidget(m_stack);
+    auto* column = new QVBoxLayout(empty);
+    column->addWidget(m_empty);
+    column->addWidget(m_findOut, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    m_stack->addWidget(m_list);
+    m_stack->addWidget(empty);
     return m_stack;
 }
 
@@ -123,13 +118,8 @@ void SearchPanel::connectDesk()
     trigger(m_stop, Command::StopSearch);
     connect(m_commands.action(Command::Search), &QAction::triggered, this, &SearchPanel::search);
     connect(m_liveData, &SearchScope::changed, this, &SearchPanel::showScope);
-    connect(m_checklist, &ChecklistView::fullSearchRequested, this, &SearchPanel::searchAll);
-    connect(m_showChecklist, &QPushButton::clicked, this, [this] {
-        if (m_stack->currentWidget() == m_scroll)
-            showList(true);
-        else
-            showChecklist();
-    });
+    trigger(m_findOut, Command::Diagnose);
+    trigger(m_why, Command::Diagnose);
     connect(&m_workbench.search(), &session::SearchService::searchChanged, this,
             &SearchPanel::searchChanged);
     connect(&m_workbench.search(), &session::SearchService::searchProgress, this,
@@ -137,8 +127,6 @@ void SearchPanel::connectDesk()
     connect(&m_workbench, &session::Workbench::eventOccurred, this, &SearchPanel::onEvent);
     connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
             &SearchPanel::linkChanged);
-    connect(&m_workbench.registry(), &session::ServoRegistry::servoRemoved, this,
-            [this] { ++m_removed; });
     m_tick.setInterval(1s);
     connect(&m_tick, &QTimer::timeout, m_model, &ServoListModel::updateAges);
     m_tick.start();
@@ -151,14 +139,14 @@ void SearchPanel::connectList()
     connect(&m_selection, &Selection::selectedServosChanged, this, &SearchPanel::followSelection);
     connect(m_list, &QListView::customContextMenuRequested, this, &SearchPanel::showContextMenu);
     const auto updateList = [this] {
-        showList(true);
+        showList();
         followSelection();
     };
     connect(m_model, &QAbstractItemModel::rowsInserted, this, updateList);
     connect(m_model, &QAbstractItemModel::modelReset, this, updateList);
     connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this] {
         followSelection();
-        showList(m_stack->currentWidget() != m_scroll);
+        showList();
     });
     // Remarks come and go: the rows have another height then.
     connect(m_model, &QAbstractItemModel::dataChanged, m_list, [this] { m_list->doItemsLayout(); });

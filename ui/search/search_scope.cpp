@@ -143,18 +143,6 @@ void SearchScope::setHasBaud(bool canSetBaud)
     retranslate();
 }
 
-void SearchScope::setFullRange()
-{
-    {
-        const QSignalBlocker blocker(this);
-        m_first->setValue(0);
-        m_last->setValue(maxSearchId);
-        m_rates->setCurrentIndex(m_hasBaud ? AllRates : ThisRate);
-        m_protocol->setCurrentIndex(AllProtocols);
-    }
-    Q_EMIT changed();
-}
-
 jobs::ScanSpec SearchScope::spec() const
 {
     jobs::ScanSpec spec;

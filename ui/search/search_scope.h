@@ -24,8 +24,6 @@ public:
     explicit SearchScope(session::Settings& settings, QWidget* parent = nullptr);
 
     jobs::ScanSpec spec() const;
-    /// All IDs, rates and protocols.
-    void setFullRange();
     /// A bridge sets the rate: there is nothing to choose.
     void setHasBaud(bool canSetBaud);
 

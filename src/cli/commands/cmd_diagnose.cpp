@@ -4,10 +4,9 @@
 #include "cli/output/progress.h"
 #include "cli/run.h"
 #include "cli/translate.h"
-#include "jobs/diagnose/diagnose.h"
+#include "session/search/diagnosis_spec.h"
 #include "text/diagnosis_text.h"
 #include "text/error_text.h"
-#include "transport/port_opener.h"
 
 namespace cli {
 namespace {
@@ -82,16 +81,13 @@ Exit finish(Run& run, const Findings& findings)
 
 base::Result<Exit> runDiagnose(Run& run, const Values& values)
 {
-    jobs::DiagnosisSpec spec;
-    spec.bauds = transport::standardBaudRates();
-    if (const auto bauds = values.option("--bauds")) {
-        const auto rates = parseBauds(*bauds);
+    std::optional<std::vector<int>> bauds;
+    if (const auto list = values.option("--bauds")) {
+        const auto rates = parseBauds(*list);
         if (!rates)
             return tl::unexpected(rates.error());
-        spec.bauds = *rates;
+        bauds = *rates;
     }
-    if (run.globals().protocol)
-        spec.protocols = {*run.globals().protocol};
     const auto context = run.context();
     if (!context && isPortError(context.error())) {
         const Findings findings = ofClosedPort(context.error());
@@ -100,6 +96,10 @@ base::Result<Exit> runDiagnose(Run& run, const Values& values)
     }
     if (!context)
         return tl::unexpected(context.error());
+    jobs::DiagnosisSpec spec =
+        session::diagnosisSpec({.name = run.portName(), .protocol = run.globals().protocol});
+    if (bauds)
+        spec.bauds = *bauds;
     Findings findings;
     base::Result<jobs::DiagnosisReport> report;
     {

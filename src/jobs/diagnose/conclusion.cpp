@@ -107,6 +107,9 @@ std::vector<Cause> causesOfSilence(const Observations& seen)
 base::Diagnosis conclude(const Observations& seen)
 {
     std::vector<Cause> causes = seen.found.empty() ? causesOfSilence(seen) : causesBehind(seen);
+    // Two programs take each other's replies, which looks like any of the others.
+    if (seen.isShared)
+        causes.insert(causes.begin(), Cause::PortBusy);
     if (causes.empty())
         causes.push_back(Cause::Found);
     base::Diagnosis diagnosis;

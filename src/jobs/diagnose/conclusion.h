@@ -11,6 +11,7 @@ namespace jobs {
 struct Observations {
     int homeRate = 0;
     std::vector<base::Protocol> protocols; ///< selected; empty: all
+    bool isShared = false;                 ///< another program has the port open
     bool hasEcho = false;
     bool hasGarbledReplies = false;
     std::map<int, int> bytesAt; ///< received by rate, without the echo

@@ -22,7 +22,8 @@ using std::chrono::milliseconds;
 
 /// A board that reports something once a second is heard.
 constexpr base::Duration listenTime = milliseconds(1100);
-constexpr base::Duration shortListenTime = milliseconds(100);
+constexpr base::Duration shortListenTime = milliseconds(60);
+constexpr base::Duration rateSettleTime = milliseconds(5);
 /// Rates below are no setting of a Feetech servo, so it is enough that nothing comes there.
 constexpr int lowestSearchedRate = 38'400;
 /// Of SMS Modbus and LX servos, and of most boards.
@@ -43,8 +44,12 @@ public:
     Result<DiagnosisReport> run()
     {
         const auto done = walk();
+        const bool isAway = m_bus.baud() != m_homeRate;
         const auto restored =
             m_bus.baud() == m_homeRate ? Result<void>{} : m_bus.setBaud(m_homeRate);
+        // Torque-off frames sent at another rate reached none of the known servos.
+        if (!done && done.error().code == ErrorCode::Preempted && isAway)
+            m_bus.emergency();
         if (!done && done.error().code != ErrorCode::Stopped)
             return tl::unexpected(done.error());
         if (!restored)
@@ -62,12 +67,31 @@ private:
     Result<void> walk()
     {
         add({.kind = EvidenceKind::PortOpened, .baud = m_homeRate, .text = m_bus.portName()});
+        if (!m_spec.otherPrograms.isEmpty())
+            add({.kind = EvidenceKind::OtherProgram, .text = m_spec.otherPrograms});
+        if (m_spec.latencyTimer)
+            add({.kind = EvidenceKind::LatencyTimer, .time = milliseconds(*m_spec.latencyTimer)});
+        m_seen.isShared = !m_spec.otherPrograms.isEmpty();
         m_seen.hasEcho = m_bus.hasEcho();
         add({.kind = m_seen.hasEcho ? EvidenceKind::Echo : EvidenceKind::NoEcho});
         return listenAt(m_homeRate, listenTime)
             .and_then([this] { return search({m_homeRate}, m_spec.protocols); })
+            .and_then([this] { return searchOtherProtocols(); })
             .and_then([this] { return lookAtOtherRates(); })
             .and_then([this] { return probeServos(); });
+    }
+
+    /// Those that were not selected, if the selected ones are silent.
+    Result<void> searchOtherProtocols()
+    {
+        std::vector<Protocol> others;
+        const auto& chosen = m_spec.protocols;
+        for (const Protocol protocol : base::allProtocols) {
+            if (std::find(chosen.begin(), chosen.end(), protocol) == chosen.end())
+                others.push_back(protocol);
+        }
+        const bool isNeeded = !chosen.empty() && !others.empty() && m_seen.found.empty();
+        return isNeeded ? search({m_homeRate}, others) : Result<void>{};
     }
 
     /// Every rate is listened to, which takes a moment. What is searched in full depends on it.
@@ -83,8 +107,11 @@ private:
             if (baud == m_homeRate)
                 continue;
             const int before = m_seen.bytesAt[baud];
-            if (const auto listened = listenAt(baud, shortListenTime); !listened)
-                return listened;
+            // The first transaction after a change of rate may be lost.
+            for (int i = 0; i < 2 && m_seen.bytesAt[baud] == before; ++i) {
+                if (const auto listened = listenAt(baud, shortListenTime); !listened)
+                    return listened;
+            }
             if (m_seen.bytesAt[baud] > before)
                 promising.push_back(baud);
             else if (baud >= lowestSearchedRate)
@@ -103,7 +130,7 @@ private:
     {
         return search(silent, {Protocol::Feetech})
             .and_then([this]() -> Result<void> {
-                const bool isDone = m_homeRate == otherProtocolRate && m_spec.protocols.empty();
+                const bool isDone = m_homeRate == otherProtocolRate;
                 const bool isNeeded = m_seen.found.empty() && !isDone;
                 return isNeeded ? search({otherProtocolRate}, {Protocol::Lx, Protocol::Modbus})
                                 : Result<void>{};
@@ -158,9 +185,10 @@ private:
         if (baud == m_bus.baud())
             return {};
         const auto set = m_bus.setBaud(baud);
-        if (!set && set.error().code == ErrorCode::RateUnsupported)
+        if (!set && set.error().code == ErrorCode::RateUnsupported &&
+            !m_refusedRates.contains(QString::number(baud)))
             m_refusedRates << QString::number(baud);
-        return set;
+        return set.and_then([this] { return m_bus.listen(rateSettleTime); });
     }
 
     Result<void> search(const std::vector<int>& bauds, const std::vector<Protocol>& protocols)

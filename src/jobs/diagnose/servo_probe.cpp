@@ -18,6 +18,8 @@ using catalog::Role;
 constexpr int maxPings = 40;
 constexpr int minPings = 10;
 constexpr int allPings = 200;
+constexpr int maxListened = 3;
+constexpr base::Duration longestStall = std::chrono::milliseconds(500);
 
 /// An error of this servo only, so that the others are still probed.
 bool endsProbe(ErrorCode code)
@@ -33,11 +35,25 @@ bool endsProbe(ErrorCode code)
     }
 }
 
+/// A busy computer holds replies back for longer than an adapter does. Where many are lost, there
+/// is no need to wait for each.
+Result<bool> listenForLateReply(const device::Context& context, const ServoProbe& probe)
+{
+    if (probe.lost >= maxListened)
+        return false;
+    if (const auto listened = context.bus.listen(longestStall); !listened)
+        return tl::unexpected(listened.error());
+    const auto strays = context.bus.takeUnexpectedFrames();
+    return std::any_of(strays.begin(), strays.end(),
+                       [&](const bus::UnexpectedFrame& stray) { return stray.id == probe.id; });
+}
+
 Result<void> countReplies(const device::Context& context, ServoProbe& probe, int pings)
 {
     const base::Duration wireTime =
         pingTime(scanProfileOf(probe.protocol), probe.baud, base::Duration{});
     std::vector<base::Duration> times;
+    context.bus.takeUnexpectedFrames();
     for (; probe.asked < pings && !context.stop.isRequested(); ++probe.asked) {
         const auto outcome =
             device::pingOnce(context, probe.protocol, probe.id, context.bus.maxReplyLateness());
@@ -45,9 +61,12 @@ Result<void> countReplies(const device::Context& context, ServoProbe& probe, int
             times.push_back(std::max(outcome->roundTrip - wireTime, base::Duration{}));
         else if (endsProbe(outcome.error().code))
             return tl::unexpected(outcome.error());
-        else if (outcome.error().code == ErrorCode::NoReply)
-            ++probe.lost;
-        else if (outcome.error().code != ErrorCode::Refused) // a refusal is a reply
+        else if (outcome.error().code == ErrorCode::NoReply) {
+            const auto late = listenForLateReply(context, probe);
+            if (!late)
+                return tl::unexpected(late.error());
+            probe.lost += *late ? 0 : 1;
+        } else if (outcome.error().code != ErrorCode::Refused) // a refusal is a reply
             ++probe.damaged;
     }
     if (times.empty())

@@ -2,8 +2,8 @@
 #include "session/search/search_service.h"
 
 #include "jobs/scan/scan_plan.h"
+#include "session/search/diagnosis_spec.h"
 #include "session/workbench.h"
-#include "transport/port_lease.h"
 
 #include <algorithm>
 
@@ -37,35 +37,62 @@ void SearchService::requestStop()
         m_search->stop.request();
 }
 
-void SearchService::start(const jobs::ScanSpec& spec)
+bool SearchService::canStart()
 {
     if (m_bench.link().state() != LinkState::Open)
+        return false;
+    if (!m_bench.tasks().isTesting())
+        return true;
+    m_bench.emitEvent({.kind = Event::Kind::Failed,
+                       .error = base::Error{base::ErrorCode::Held, QStringLiteral("scan"),
+                                            QStringLiteral("test")}});
+    return false;
+}
+
+void SearchService::start(const jobs::ScanSpec& spec)
+{
+    if (!canStart())
         return;
-    if (m_bench.tasks().isTesting()) {
-        m_bench.emitEvent({.kind = Event::Kind::Failed,
-                           .error = base::Error{base::ErrorCode::Held, QStringLiteral("scan"),
-                                                QStringLiteral("test")}});
+    auto search = std::make_unique<Search>();
+    search->spec = spec;
+    begin(std::move(search));
+}
+
+void SearchService::diagnose()
+{
+    if (!canStart())
         return;
-    }
+    auto search = std::make_unique<Search>();
+    search->isDiagnosis = true;
+    begin(std::move(search));
+}
+
+void SearchService::begin(std::unique_ptr<Search> search)
+{
     stop();
+    if (search->isDiagnosis) {
+        m_diagnosis = {};
+        m_diagnosisError.reset();
+    }
     if (m_search) { // the one before ends first, and this one takes its turn
-        m_nextSearch = spec;
+        m_next = std::move(search);
+        Q_EMIT searchChanged();
         return;
     }
-    m_search = std::make_unique<Search>();
-    m_search->spec = spec;
-    m_search->port = m_bench.link().lastRequest().name;
-    m_search->spec.expected = expectedServos();
-    if (m_search->spec.protocols.empty() && m_bench.link().lastRequest().protocol)
-        m_search->spec.protocols = {*m_bench.link().lastRequest().protocol};
-    m_lastSpec = m_search->spec;
+    m_search = std::move(search);
+    if (!m_search->isDiagnosis) {
+        m_search->spec.expected = expectedServos();
+        if (m_search->spec.protocols.empty() && m_bench.link().lastRequest().protocol)
+            m_search->spec.protocols = {*m_bench.link().lastRequest().protocol};
+        m_lastSpec = m_search->spec;
+    }
     Q_EMIT searchChanged();
     m_bench.scheduleNext();
 }
 
 void SearchService::stop()
 {
-    m_nextSearch.reset();
+    m_next.reset();
     if (!m_search)
         return;
     m_search->stop.request();
@@ -94,11 +121,17 @@ void SearchService::startPending()
         return;
     m_search->started = true;
     m_search->startedAt = m_bench.now();
-    m_search->keepsBaud = jobs::ratesToScan(m_search->spec, m_bench.link().baud()) ==
-                          std::vector{m_bench.link().baud()};
+    m_search->keepsBaud =
+        !m_search->isDiagnosis && jobs::ratesToScan(m_search->spec, m_bench.link().baud()) ==
+                                      std::vector{m_bench.link().baud()};
     m_bench.polling().updatePolling();
     // Job and search end before they are destroyed: goOn() waits for searchEnded().
-    m_bench.searchThread().start([this, search = m_search.get()] { runSearch(*search); });
+    m_bench.searchThread().start([this, search = m_search.get()] {
+        if (search->isDiagnosis)
+            runDiagnosis(*search);
+        else
+            runSearch(*search);
+    });
 }
 
 /// On the search thread.
@@ -113,11 +146,60 @@ void SearchService::runSearch(Search& search)
         [this](const jobs::FoundServo& one) {
             m_bench.mainQueue().post([this, one] { servoFound(one); });
         });
-    const QString others = m_bench.link().connection()->isSimulated()
-                               ? QString()
-                               : transport::portHolders(transport::canonicalPath(search.port));
-    m_bench.mainQueue().post(
-        [this, others, result = std::move(result)] { searchEnded(result, others); });
+    m_bench.mainQueue().post([this, result = std::move(result)] { searchEnded(result); });
+}
+
+/// On the search thread.
+void SearchService::runDiagnosis(Search& search)
+{
+    const auto context = m_bench.link().connection()->context(search.stop, search.notices);
+    auto result = jobs::diagnose(
+        context, diagnosisSpec(m_bench.link().lastRequest()),
+        [this](const jobs::Progress& progress) {
+            m_bench.mainQueue().post([this, progress] { Q_EMIT searchProgress(progress); });
+        },
+        [this](const base::Evidence& evidence) {
+            m_bench.mainQueue().post([this, evidence] { addEvidence(evidence); });
+        });
+    m_bench.mainQueue().post([this, result = std::move(result)] { diagnosisEnded(result); });
+}
+
+void SearchService::addEvidence(const base::Evidence& evidence)
+{
+    m_diagnosis.evidence.push_back(evidence);
+    Q_EMIT evidenceFound();
+}
+
+/// What it found is listed like the servos of a search; nothing leaves the list.
+void SearchService::diagnosisEnded(const base::Result<jobs::DiagnosisReport>& result)
+{
+    if (result) {
+        m_diagnosis = result->diagnosis;
+        for (const jobs::FoundServo& one : result->found)
+            servoFound(one);
+    } else {
+        m_diagnosisError = result.error();
+    }
+    leave();
+    Q_EMIT searchChanged();
+    goOn();
+}
+
+void SearchService::leave()
+{
+    if (m_bench.link().connection())
+        m_bench.presence().update(); // what the search has asked in vain does not count
+    m_search.reset();
+    m_bench.emergencyStop().searchEnded();
+}
+
+void SearchService::goOn()
+{
+    if (auto next = std::move(m_next); next && m_bench.link().state() == LinkState::Open)
+        begin(std::move(next));
+    else if (next)
+        Q_EMIT searchChanged();
+    m_bench.scheduleNext();
 }
 
 void SearchService::servoFound(const jobs::FoundServo& one)
@@ -158,16 +240,10 @@ void SearchService::updateFound(ServoEntry& known, const jobs::FoundServo& one)
     m_bench.registry().merge(known, heard, m_search->startedAt);
 }
 
-void SearchService::searchEnded(const base::Result<jobs::ScanReport>& result,
-                                const QString& otherPrograms)
+void SearchService::searchEnded(const base::Result<jobs::ScanReport>& result)
 {
-    m_otherPrograms = otherPrograms;
-    const device::Notices notices = m_search->notices;
-    if (m_bench.link().connection())
-        m_bench.presence().update(); // what the search has asked in vain does not count
-    m_search.reset();
-    m_bench.emergencyStop().searchEnded();
-    Event event{.kind = Event::Kind::SearchEnded, .notices = notices};
+    Event event{.kind = Event::Kind::SearchEnded, .notices = m_search->notices};
+    leave();
     if (result) {
         m_lastSearch = *result;
         event.found = int(result->found.size());
@@ -179,14 +255,9 @@ void SearchService::searchEnded(const base::Result<jobs::ScanReport>& result,
     }
     Q_EMIT searchChanged();
     m_bench.emitEvent(event);
-    if (m_nextSearch) {
-        const jobs::ScanSpec next = *m_nextSearch;
-        m_nextSearch.reset();
-        start(next);
-    }
     if (result && m_bench.link().state() == LinkState::Open)
         m_bench.recovery().checkOnce();
-    m_bench.scheduleNext();
+    goOn();
 }
 
 std::vector<jobs::ExpectedServo> SearchService::expectedServos() const

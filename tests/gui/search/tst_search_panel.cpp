@@ -15,11 +15,8 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QStackedWidget>
-#include <QToolButton>
 
 using ui::Command;
 
@@ -62,7 +59,6 @@ struct Fixture : gui::WorkbenchFixture {
         return {};
     }
     QString status() const { return find<QLabel>("searchStatus")->text(); }
-    bool checklistShown() const { return find<QScrollArea>("checklistScroll")->isVisible(); }
 };
 } // namespace
 
@@ -79,10 +75,9 @@ private Q_SLOTS:
     void progressIsShownAndStops();
     void problemsAreMarked();
     void otherRatesAreSearched();
-    void anEmptyBusIsExplained();
-    void theChecklistMakesRoomForCommissioning();
-    void widenTheSearchFromTheChecklist();
-    void missingServosAreExplained();
+    void anEmptyBusLeadsToTheDiagnosis();
+    void commissioningHidesTheWayToTheDiagnosis();
+    void missingServosLeadToTheDiagnosis();
     void selectionSyncsBothWays();
     void severalServosAreSelectedTogether();
     void theMenuActsOnTheSelection();
@@ -122,7 +117,6 @@ void TestSearchPanel::foundServosAppear()
     QVERIFY(fixture.searched());
     QCOMPARE(rows.count(), 6); // one by one
     QVERIFY(fixture.list()->isVisible());
-    QVERIFY(!fixture.checklistShown());
     QVERIFY2(fixture.status().contains(QStringLiteral("6 servos")), qPrintable(fixture.status()));
     QCOMPARE(fixture.selection.current(), 0); // searching selects nothing
 }
@@ -145,7 +139,6 @@ void TestSearchPanel::progressIsShownAndStops()
     QVERIFY2(took.elapsed() < 100, qPrintable(QString::number(took.elapsed())));
     QTRY_VERIFY(fixture.status().startsWith(QStringLiteral("Stopped")));
     QVERIFY(!stop->isEnabled());
-    QVERIFY(!fixture.checklistShown()); // the user ended it
 }
 
 void TestSearchPanel::problemsAreMarked()
@@ -180,40 +173,29 @@ void TestSearchPanel::otherRatesAreSearched()
     QCOMPARE(fixture.workbench.link().baud(), 1000000); // as before
 }
 
-void TestSearchPanel::anEmptyBusIsExplained()
+void TestSearchPanel::anEmptyBusLeadsToTheDiagnosis()
 {
     Fixture fixture(QStringLiteral("sim:demo"));
+    auto* findOut = fixture.find<QPushButton>("findOutButton");
+    QVERIFY(!findOut->isVisible());
     fixture.setIds(100, 110);
     QVERIFY(fixture.searched());
-    QTRY_VERIFY(fixture.checklistShown());
-    for (int row = 1; row <= 5; ++row) {
-        const auto* heading =
-            fixture.find<QToolButton>(qPrintable(QStringLiteral("checklistRow%1").arg(row)));
-        QVERIFY(heading != nullptr);
-        QCOMPARE(heading->isChecked(), row <= 2); // what fits is open, the rest one click away
-    }
-    QVERIFY(fixture.find<QCheckBox>("check1_ids") != nullptr);
-    QVERIFY(fixture.find<QCheckBox>("check1_rate") != nullptr);
-    QVERIFY(fixture.find<QCheckBox>("check1_protocol") != nullptr); // at 1 M only Feetech is met
-    QVERIFY(fixture.find<QCheckBox>("check1_driver") == nullptr);   // ruled out
-    QVERIFY(fixture.find<QCheckBox>("check1_supply") == nullptr);   // simulated
-    QStringList words;
-    for (const QLabel* label : fixture.find<QWidget>("checklist")->findChildren<QLabel*>())
-        words << label->text();
-    const QString all = words.join(u'\n');
-    QVERIFY2(all.contains(QStringLiteral("100–110")), qPrintable(all));
-    QVERIFY(all.contains(QStringLiteral("The port was opened")));
-    fixture.find<QPushButton>("whyButton")->click();
-    QVERIFY(!fixture.checklistShown());
+    QTRY_VERIFY(findOut->isVisible());
+    QCOMPARE(fixture.find<QLabel>("servoListEmpty")->text(), QStringLiteral("No servo replied."));
+    QVERIFY(!fixture.find<QPushButton>("whyButton")->isVisible());
+    QSignalSpy asked(fixture.action(Command::Diagnose), &QAction::triggered);
+    findOut->click();
+    QCOMPARE(asked.count(), 1);
 }
 
 /// "Nothing found" of an earlier search is not shown while servos are set up one by one.
-void TestSearchPanel::theChecklistMakesRoomForCommissioning()
+void TestSearchPanel::commissioningHidesTheWayToTheDiagnosis()
 {
     Fixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(100, 110);
     QVERIFY(fixture.searched());
-    QTRY_VERIFY(fixture.checklistShown());
+    auto* findOut = fixture.find<QPushButton>("findOutButton");
+    QTRY_VERIFY(findOut->isVisible());
     session::Task line;
     line.name = QStringLiteral("commission");
     line.isLongRunning = true;
@@ -224,53 +206,24 @@ void TestSearchPanel::theChecklistMakesRoomForCommissioning()
         return {};
     };
     fixture.workbench.tasks().perform(0, std::move(line));
-    QTRY_VERIFY(!fixture.checklistShown());
+    QTRY_VERIFY(!findOut->isVisible());
     QVERIFY2(fixture.status().contains(QLatin1String("Commissioning is running")),
              qPrintable(fixture.status()));
     fixture.workbench.tasks().stop();
     QTRY_VERIFY(!fixture.status().contains(QLatin1String("Commissioning")));
 }
 
-void TestSearchPanel::widenTheSearchFromTheChecklist()
-{
-    Fixture fixture(QStringLiteral("sim:demo"));
-    fixture.setIds(100, 110);
-    QVERIFY(fixture.searched());
-    QTRY_VERIFY(fixture.checklistShown());
-    fixture.find<QPushButton>("searchWider")->click();
-    QVERIFY(fixture.workbench.search().isSearching());
-    QCOMPARE(fixture.workbench.search().lastSpec().firstId, 0);
-    QCOMPARE(fixture.workbench.search().lastSpec().lastId, 253);
-    QCOMPARE(fixture.workbench.search().lastSpec().bauds.size(),
-             session::standardBaudRates().size());
-    QCOMPARE(fixture.workbench.search().lastSpec().protocols.size(), base::allProtocols.size());
-    QTRY_COMPARE(fixture.list()->model()->rowCount(), 6);
-    QVERIFY(!fixture.checklistShown());
-    fixture.workbench.search().stop();
-    QTRY_VERIFY(!fixture.workbench.search().isSearching());
-}
-
-void TestSearchPanel::missingServosAreExplained()
+void TestSearchPanel::missingServosLeadToTheDiagnosis()
 {
     Fixture fixture(QStringLiteral("sim:trouble"));
     fixture.setIds(1, 5);
-    QVERIFY(fixture.searched());
     auto* why = fixture.find<QPushButton>("whyButton");
-    QVERIFY(why->isVisible());
-    QVERIFY(!fixture.checklistShown());
+    QVERIFY(!why->isVisible());
+    QVERIFY(fixture.searched());
+    QTRY_VERIFY(why->isVisible());
+    QSignalSpy asked(fixture.action(Command::Diagnose), &QAction::triggered);
     why->click();
-    QVERIFY(fixture.checklistShown());
-    QVERIFY(fixture.find<QToolButton>("checklistRow3")->isChecked());
-    QVERIFY(fixture.find<QToolButton>("checklistRow4")->isChecked()); // twins at ID 1
-    QVERIFY(!fixture.find<QToolButton>("checklistRow1")->isChecked());
-    // What was ticked off stays so in the other language.
-    fixture.find<QCheckBox>("check3_rate")->setChecked(true);
-    text::installTranslator(QStringLiteral("zh_CN"));
-    QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(fixture.find<QWidget>("checklist"), &change);
-    QVERIFY(fixture.find<QCheckBox>("check3_rate")->isChecked());
-    static const QRegularExpression han(QStringLiteral("\\p{Han}"));
-    QVERIFY(fixture.find<QCheckBox>("check3_rate")->accessibleName().contains(han));
+    QCOMPARE(asked.count(), 1);
 }
 
 void TestSearchPanel::selectionSyncsBothWays()
@@ -381,7 +334,6 @@ void TestSearchPanel::losingThePortEndsTheSearch()
     QTRY_COMPARE(fixture.workbench.link().state(), session::LinkState::Off);
     QVERIFY(!fixture.workbench.search().isSearching());
     QVERIFY(!fixture.find<QPushButton>("searchButton")->isEnabled());
-    QVERIFY(!fixture.checklistShown());
 }
 
 void TestSearchPanel::followsTheLanguage()

@@ -143,6 +143,10 @@ const std::vector<Way>& ways()
              bus.options.baud = moderate;
              bus.protocols = {base::Protocol::Feetech};
          }},
+        {"LX selected",
+         Servos,
+         {Cause::OtherProtocol},
+         [](BrokenBus& bus, Random&) { bus.protocols = {base::Protocol::Lx}; }},
         {"no servo",
          Servos,
          {Cause::NoServoOrNoPower},
@@ -274,6 +278,9 @@ class TestDiagnose : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
     void namesTheCauseOfBrokenBuses();
+    void namesAnotherProgramFirst();
+    void keepsWhatItFoundWhenItIsStopped();
+    void emergencyReachesTheServosAtTheirOwnRate();
 };
 
 void TestDiagnose::namesTheCauseOfBrokenBuses()
@@ -317,6 +324,51 @@ void TestDiagnose::namesTheCauseOfBrokenBuses()
         qInfo("Not first:\n%s", qPrintable(notFirst.join(QLatin1Char('\n'))));
     QCOMPARE(missed, QStringList());
     QVERIFY(notFirst.size() <= buses * 5 / 100);
+}
+
+void TestDiagnose::namesAnotherProgramFirst()
+{
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    jobs::DiagnosisSpec spec;
+    spec.otherPrograms = QStringLiteral("minicom (1234)");
+    const auto report = jobs::diagnose(fixture.context(), spec);
+    QVERIFY(report);
+    QCOMPARE(report->diagnosis.cause, Cause::PortBusy);
+    QCOMPARE(int(report->found.size()), 1);
+}
+
+void TestDiagnose::keepsWhatItFoundWhenItIsStopped()
+{
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    const auto report = jobs::diagnose(fixture.context(), {{500'000, 115'200}}, {},
+                                       [&](const base::Evidence& evidence) {
+                                           if (evidence.kind == base::EvidenceKind::ServosFound)
+                                               fixture.stop().request();
+                                       });
+    QVERIFY(report);
+    QVERIFY(report->diagnosis.stopped);
+    QCOMPARE(int(report->found.size()), 1);
+    QCOMPARE(fixture.bus().baud(), fast);
+}
+
+void TestDiagnose::emergencyReachesTheServosAtTheirOwnRate()
+{
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    fixture.poke(1, QStringLiteral("goal_position"), 3000); // switches torque on
+    // WRITE to all, address 40: 0.
+    fixture.bus().setStopFrames(
+        {{base::Protocol::Feetech, {0xFF, 0xFF, 0xFE, 0x04, 0x03, 0x28, 0x00, 0xD2}}});
+    bool isStopped = false;
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (fixture.bus().baud() == 115'200 && !std::exchange(isStopped, true))
+            fixture.bus().requestEmergency();
+    };
+    const auto report = jobs::diagnose(fixture.context(), {{500'000, 115'200}});
+    QVERIFY(!report);
+    QCOMPARE(report.error().code, base::ErrorCode::Preempted);
+    QCOMPARE(fixture.bus().baud(), fast);
+    static_cast<void>(fixture.bus().listen(milliseconds(5)));
+    QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), std::int64_t{0});
 }
 
 SERVODESK_GUILESS_TEST(TestDiagnose)

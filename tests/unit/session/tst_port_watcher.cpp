@@ -89,6 +89,7 @@ private Q_SLOTS:
     void theSystemsPortsAreListed();
     void brailleServiceIsDetected_data();
     void brailleServiceIsDetected();
+    void latencyTimerIsRead();
 };
 
 void TestPortWatcher::adaptersComeFirst()
@@ -265,6 +266,20 @@ void TestPortWatcher::brailleServiceIsDetected()
     QVERIFY(QFile::link(root.filePath(QStringLiteral("drivers/") + driver),
                         interface + QStringLiteral("/driver")));
     QCOMPARE(transport::adaptersClaimedByBrltty(root.path()), taken);
+}
+
+void TestPortWatcher::latencyTimerIsRead()
+{
+    const QTemporaryDir root;
+    const QString folder = root.filePath(QStringLiteral("sys/bus/usb-serial/devices/ttyUSB0"));
+    QVERIFY(QDir().mkpath(folder));
+    QFile timer(folder + QStringLiteral("/latency_timer"));
+    QVERIFY(timer.open(QIODevice::WriteOnly));
+    timer.write("16\n");
+    timer.close();
+    QCOMPARE(transport::latencyTimer(QStringLiteral("/dev/ttyUSB0"), root.path()),
+             std::optional(16));
+    QVERIFY(!transport::latencyTimer(QStringLiteral("/dev/ttyUSB1"), root.path()));
 }
 
 SERVODESK_GUILESS_TEST(TestPortWatcher)
