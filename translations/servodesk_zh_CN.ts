@@ -10025,6 +10025,10 @@ Retries: %9</source>
         <source>Connect at %1 baud</source>
         <translation>以 %1 波特连接</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
 </context>
 <context>
     <name>ui::DryRunDialog</name>

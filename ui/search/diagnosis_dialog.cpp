@@ -237,6 +237,8 @@ void DiagnosisDialog::showState()
     m_copy->setEnabled(!diagnosis.evidence.empty());
     m_remedy->clear();
     m_also->clear();
+    const bool isFine = !isRunning && !diagnosis.stopped && diagnosis.cause == Cause::Found;
+    m_causeTitle->setText(isFine ? tr("Result") : tr("Cause"));
     if (isRunning) {
         m_cause->setText(tr("Looking for the cause…"));
         return;
@@ -326,7 +328,6 @@ void DiagnosisDialog::retranslate()
     setWindowTitle(tr("Why does a servo not reply?"));
     setAccessibleName(windowTitle());
     m_evidenceTitle->setText(tr("Checks"));
-    m_causeTitle->setText(tr("Cause"));
     setAccessText(m_evidence, tr("Checks"), tr("What was found; nothing is written to a servo"));
     setAccessText(m_progress, tr("Progress of the search"), tr("How much of it is complete"));
     setButtonText(m_copy, tr("Copy report"), tr("Copies checks and cause as text"));

@@ -62,13 +62,15 @@ Json jsonOf(const Findings& findings)
 
 QString textOf(const Findings& findings)
 {
-    QStringList lines{QString(), translate("cli", "Cause: %1").arg(findings.cause)};
+    if (findings.diagnosis.stopped)
+        return QLatin1Char('\n') + translate("cli", "The diagnosis was stopped early.") +
+               QLatin1Char('\n');
+    const bool isFine = findings.diagnosis.cause == Cause::Found;
+    QStringList lines{QString(),
+                      isFine ? findings.cause : translate("cli", "Cause: %1").arg(findings.cause)};
     for (const Cause cause : findings.diagnosis.also)
         lines << translate("cli", "Also possible: %1").arg(text::causeText(cause));
-    if (!findings.remedy.isEmpty())
-        lines << translate("cli", "What to do: %1").arg(findings.remedy);
-    if (findings.diagnosis.stopped)
-        lines << translate("cli", "The diagnosis was stopped early.");
+    lines << (isFine ? findings.remedy : translate("cli", "What to do: %1").arg(findings.remedy));
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 

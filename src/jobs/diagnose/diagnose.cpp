@@ -173,7 +173,7 @@ private:
             m_seen.text = text;
         if (!text.isEmpty())
             add({.kind = EvidenceKind::TextReceived, .baud = baud, .text = text});
-        else
+        else if (m_seen.busyRates.empty()) // else it looks like this at every rate
             add({.kind = EvidenceKind::BytesReceived,
                  .baud = baud,
                  .count = int(bytes.size()),

@@ -31,6 +31,26 @@ private Q_SLOTS:
         QCOMPARE(workbench.link().state(), LinkState::Off);
     }
 
+    /// The servos it finds are listed as after a search.
+    void aDiagnosisEndsWithACause()
+    {
+        SessionFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.opened);
+        session::SearchService& search = fixture.workbench.search();
+        QSignalSpy evidence(&search, &session::SearchService::evidenceFound);
+        search.diagnose();
+        QVERIFY(search.isDiagnosing());
+        QTRY_VERIFY_WITH_TIMEOUT(!search.isSearching(), 60'000);
+        QVERIFY(!search.diagnosisError());
+        QCOMPARE(search.diagnosis().cause, base::Cause::Found);
+        QVERIFY(evidence.count() > 3);
+        QVERIFY(fixture.at(1) != 0);
+        search.diagnose();
+        fixture.lose();
+        QTRY_VERIFY_WITH_TIMEOUT(!search.isSearching(), 60'000);
+        QVERIFY(search.diagnosisError() || search.diagnosis().stopped);
+    }
+
     /// Whatever is asked while a port is still being opened, the latest wish is what happens.
     void theLastRequestedPortOpens()
     {
