@@ -99,7 +99,7 @@ void ControlSlider::step(std::int64_t by)
 
 void ControlSlider::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() != Qt::LeftButton)
+    if (event->button() != Qt::LeftButton || m_scale.min > m_scale.max)
         return;
     m_dragging = true;
     m_clickedAt = mapToGlobal(QPoint());

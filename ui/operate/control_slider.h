@@ -20,8 +20,8 @@ public:
     struct Scale {
         std::int64_t low = 0;
         std::int64_t high = 0;
-        std::int64_t min = 0; ///< the allowed part
-        std::int64_t max = 0;
+        std::int64_t min = 0;  ///< the allowed part
+        std::int64_t max = -1; ///< below `min`: nothing can be set yet
         bool centered = false; ///< the bar begins at 0
         QString minText{};     ///< under the limits
         QString maxText{};

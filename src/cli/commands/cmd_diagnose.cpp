@@ -45,6 +45,15 @@ Findings ofClosedPort(const base::Error& error)
     return findings;
 }
 
+/// A port of most adapters that are in use, so that the remedy names what takes it away.
+base::Result<device::Context> noAdapter()
+{
+    const QString claimed =
+        transport::adaptersClaimedByBrltty().isEmpty() ? QString() : QStringLiteral(", brltty");
+    return base::fail(base::ErrorCode::PortMissing, QStringLiteral("open"),
+                      QStringLiteral("/dev/ttyUSB*") + claimed);
+}
+
 Json jsonOf(const Findings& findings)
 {
     QStringList also;
@@ -90,7 +99,8 @@ base::Result<Exit> runDiagnose(Run& run, const Values& values)
             return tl::unexpected(rates.error());
         bauds = *rates;
     }
-    const auto context = run.context();
+    const bool hasNoPort = run.globals().port.isEmpty() && session::adapters().empty();
+    const auto context = hasNoPort ? noAdapter() : run.context();
     if (!context && isPortError(context.error())) {
         const Findings findings = ofClosedPort(context.error());
         run.console().print(findings.evidence.join(QLatin1Char('\n')) + QLatin1Char('\n'));

@@ -66,7 +66,10 @@ public:
 private:
     Result<void> walk()
     {
-        add({.kind = EvidenceKind::PortOpened, .baud = m_homeRate, .text = m_bus.portName()});
+        const QString port = m_spec.adapter.isEmpty()
+                                 ? m_bus.portName()
+                                 : QStringLiteral("%1 (%2)").arg(m_bus.portName(), m_spec.adapter);
+        add({.kind = EvidenceKind::PortOpened, .baud = m_homeRate, .text = port});
         if (!m_spec.otherPrograms.isEmpty())
             add({.kind = EvidenceKind::OtherProgram, .text = m_spec.otherPrograms});
         if (m_spec.latencyTimer)

@@ -14,6 +14,7 @@ struct DiagnosisSpec {
     std::vector<int> bauds;                  ///< tried if nothing is found at the present one, or
                                              ///< if something comes there
     std::vector<base::Protocol> protocols{}; ///< the ones selected; empty: all
+    QString adapter{};                       ///< what the system knows about it
     QString otherPrograms{};                 ///< that have the port open too
     std::optional<int> latencyTimer{};       ///< of the adapter, in milliseconds
 };

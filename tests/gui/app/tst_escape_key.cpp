@@ -450,7 +450,7 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(1));
         QVERIFY(fixture.waitUntilIdle()); // then the goal follows the position no more
         auto* slider = fixture.find<QWidget>("goalSlider");
-        QTRY_VERIFY(slider->isEnabled());
+        QTRY_VERIFY(slider->isVisible() && slider->isEnabled()); // it has its scale then
         const auto servo = [&](const char* key) {
             std::int64_t value = -1;
             fixture.workbench().link().connection()->simulation()->with(

@@ -574,7 +574,8 @@ private Q_SLOTS:
         fixture.page = QStringLiteral("operate");
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         auto* dial = fixture.find<QWidget>("positionDial");
-        QTRY_VERIFY(fixture.find<QWidget>("goalSlider")->isEnabled());
+        auto* slider = fixture.find<QWidget>("goalSlider");
+        QTRY_VERIFY(slider->isVisible() && slider->isEnabled()); // it has its scale then
         const LayoutObserver layoutAfter(fixture, {QStringLiteral("positionDial")});
         const QPoint right(dial->width() * 4 / 5, dial->height() / 2);
         QTest::mousePress(dial, Qt::LeftButton, {}, right);

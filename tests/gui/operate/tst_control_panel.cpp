@@ -29,6 +29,7 @@ private Q_SLOTS:
             QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
     }
 
+    void aSliderWithoutAScaleSendsNothing();
     void nothingMovesUnrequested();
     void emptyPanelExplainsItself();
     void hintBeforeTheFirstTorque();
@@ -222,6 +223,22 @@ void TestControlPanel::goalsOutsideTheLimitsAreRefused()
     QTest::mouseClick(fixture.slider(), Qt::LeftButton, {}, fixture.slider()->pointOf(3900));
     QVERIFY(fixture.waitUntilIdle());
     QCOMPARE(fixture.raw(1, "goal_position"), std::int64_t(3000));
+}
+
+/// Before the page knows the servo's range.
+void TestControlPanel::aSliderWithoutAScaleSendsNothing()
+{
+    ui::ControlSlider slider(nullptr);
+    slider.resize(320, 40);
+    slider.show();
+    QSignalSpy moved(&slider, &ui::ControlSlider::moved);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, {100, 14});
+    QTest::mouseMove(&slider, {200, 14});
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, {200, 14});
+    QCOMPARE(moved.count(), 0);
+    slider.setScale({0, 4095, 0, 4095});
+    QTest::mousePress(&slider, Qt::LeftButton, {}, {100, 14});
+    QCOMPARE(moved.count(), 1);
 }
 
 void TestControlPanel::draggingSendsTheLatestGoal()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // servodesk-cli diagnose: exit codes, the document for programs, and ports that cannot be opened.
 // The causes themselves are tested on 300 simulated buses in tst_diagnose.
+#include "session/session.h"
 #include "support/cli_program.h"
 #include "support/port_endpoints.h"
 #include "support/test_main.h"
@@ -63,6 +64,7 @@ private Q_SLOTS:
 
     void allIsWell();
     void aPortThatIsMissingIsACause();
+    void noAdapterIsACause();
     void aBoardsTextIsACause();
     void explainsItselfAsText();
 };
@@ -98,6 +100,17 @@ void TestCliDiagnose::aBoardsTextIsACause()
     const ProgramResult result = cli.json("diagnose --bauds 1000000");
     QCOMPARE(result.exit, 1);
     QCOMPARE(result.json()[QLatin1String("cause")].toString(), QStringLiteral("board-not-adapter"));
+}
+
+void TestCliDiagnose::noAdapterIsACause()
+{
+    if (!session::adapters().empty())
+        QSKIP("an adapter is connected to this computer");
+    CliProgram cli;
+    cli.setPort({});
+    const ProgramResult result = cli.json("diagnose");
+    QCOMPARE(result.exit, 1);
+    QCOMPARE(result.json()[QLatin1String("cause")].toString(), QStringLiteral("port-missing"));
 }
 
 void TestCliDiagnose::explainsItselfAsText()
