@@ -514,9 +514,10 @@ private Q_SLOTS:
         fixture.context.workbench.motion().setTorque(device::Torque::On);
         QTRY_COMPARE(rawOf(fixture, 1, "torque_switch"), 1);
         auto* widget = fixture.find<QWidget>(qPrintable(control));
+        QAbstractSpinBox* goal = nullptr; // comes when the panel shows the servo
+        QTRY_VERIFY((goal = fixture.find<QAbstractSpinBox>("goal")) != nullptr);
         QTRY_VERIFY(widget->isEnabled());
         if (control == QLatin1String("setGoal")) {
-            auto* goal = fixture.find<QAbstractSpinBox>("goal");
             goal->selectAll();
             QTest::keyClicks(goal, QStringLiteral("2600"));
         }
