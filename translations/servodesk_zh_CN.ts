@@ -46,6 +46,10 @@
         <source>six new servos, all with ID 1</source>
         <translation>六个新舵机，ID 全为 1</translation>
     </message>
+    <message>
+        <source>Feetech</source>
+        <translation>飞特</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1014,6 +1018,30 @@
         <source>lock the EPROM</source>
         <translation>EPROM 上锁</translation>
     </message>
+    <message>
+        <source>restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>take snapshot</source>
+        <translation>保存快照</translation>
+    </message>
+    <message>
+        <source>dry run</source>
+        <translation>预演</translation>
+    </message>
+    <message>
+        <source>search for unused IDs</source>
+        <translation>查找空闲 ID</translation>
+    </message>
+    <message>
+        <source>check of the stop</source>
+        <translation>检查是否停下</translation>
+    </message>
+    <message>
+        <source>check for motion</source>
+        <translation>检查是否在动</translation>
+    </message>
 </context>
 <context>
     <name>Feedback</name>
@@ -1763,10 +1791,6 @@
 </context>
 <context>
     <name>ServoRow</name>
-    <message>
-        <source>Feetech</source>
-        <translation>飞特</translation>
-    </message>
     <message>
         <source>temperature</source>
         <translation>过温</translation>
@@ -4143,10 +4167,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>无法写出结果：%1</translation>
     </message>
     <message>
-        <source>%1 %, about %2 s left</source>
-        <translation>%1%，约剩 %2 秒</translation>
-    </message>
-    <message>
         <source>a raw number from %1 to %2</source>
         <translation>%1 到 %2 的原始值</translation>
     </message>
@@ -4317,10 +4337,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>扫描测试</translation>
     </message>
     <message>
-        <source>cycle %1, %2 %, about %3 s left</source>
-        <translation>第 %1 个循环，%2%，约剩 %3 秒</translation>
-    </message>
-    <message>
         <source>Verdict: %1</source>
         <translation>结论：%1</translation>
     </message>
@@ -4343,10 +4359,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message>
         <source>Step response, trial</source>
         <translation>阶跃响应（试用）</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1%</translation>
     </message>
     <message>
         <source>Report: %1</source>
@@ -6093,6 +6105,22 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>other baud rates to try</source>
         <translation>另外尝试的波特率</translation>
+    </message>
+    <message>
+        <source>Sending</source>
+        <translation>正在发送</translation>
+    </message>
+    <message>
+        <source>Recovering</source>
+        <translation>正在处理中断的写入</translation>
+    </message>
+    <message>
+        <source>cycle %1, %2</source>
+        <translation>第 %1 个循环，%2</translation>
+    </message>
+    <message>
+        <source>Comparing with the servos</source>
+        <translation>正在与舵机比较</translation>
     </message>
 </context>
 <context>
@@ -8417,6 +8445,26 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <source>If one is missing, connect it alone and run the diagnosis again: it tries more baud rates and protocols while none replies. Check its lead and supply first.</source>
         <translation>如果缺少某个舵机，请先检查它的导线和供电，然后只接这一个舵机重新诊断：没有舵机应答时会尝试更多波特率和协议。</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1，约剩 %2</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -9485,18 +9533,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>Protocol: auto</source>
         <translation>协议：自动</translation>
-    </message>
-    <message>
-        <source>Feetech</source>
-        <translation>飞特</translation>
-    </message>
-    <message>
-        <source>Modbus</source>
-        <translation>Modbus</translation>
-    </message>
-    <message>
-        <source>LX</source>
-        <translation>LX</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -12135,18 +12171,6 @@ Retries: %9</source>
         <translation>全部协议</translation>
     </message>
     <message>
-        <source>Feetech</source>
-        <translation>飞特</translation>
-    </message>
-    <message>
-        <source>Modbus</source>
-        <translation>Modbus</translation>
-    </message>
-    <message>
-        <source>LX</source>
-        <translation>LX</translation>
-    </message>
-    <message>
         <source>Protocol</source>
         <translation>协议</translation>
     </message>
@@ -13340,10 +13364,6 @@ Retries: %9</source>
     <message>
         <source>%1 h %2 min</source>
         <translation>%1 小时 %2 分</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 分 %2 秒</translation>
     </message>
     <message>
         <source>cycle %1 of %2</source>

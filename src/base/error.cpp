@@ -48,4 +48,17 @@ QString errorName(ErrorCode code)
 {
     return nameOf(errorNames, code);
 }
+
+bool endsJob(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::LinkLost:
+    case ErrorCode::Stopped:
+    case ErrorCode::Preempted:
+    case ErrorCode::Held:
+        return true;
+    default:
+        return false;
+    }
+}
 } // namespace base

@@ -83,4 +83,8 @@ inline tl::unexpected<Error> fail(ErrorCode code, QString operation = {}, QStrin
 
 /// Stable English identifier, for JSON and logs: "no-answer".
 QString errorName(ErrorCode code);
+
+/// The link, the user or another task ended the work, so that the next servo or attempt would fare
+/// no better. Every other error concerns one servo or one request.
+bool endsJob(ErrorCode code);
 } // namespace base

@@ -125,20 +125,6 @@ base::Result<Servo> identifyWithRetries(const Context& context, int id, Protocol
 }
 
 constexpr int defaultRetries = -1;
-
-/// An error that concerns the servo only; the others end the whole search.
-bool isServoError(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::LinkLost:
-    case ErrorCode::Stopped:
-    case ErrorCode::Preempted:
-    case ErrorCode::Held:
-        return false;
-    default:
-        return true;
-    }
-}
 } // namespace
 
 base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
@@ -175,7 +161,7 @@ base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols,
         if (servo) {
             protocolNames << base::protocolName(protocol);
             found = std::move(*servo);
-        } else if (!isServoError(servo.error().code)) {
+        } else if (base::endsJob(servo.error().code)) {
             return servo;
         } else if ((failure.code == ErrorCode::NoReply && failure.detail.isEmpty()) ||
                    servo.error().code == ErrorCode::LineBusy) {

@@ -210,6 +210,8 @@ bool WriteExecutor::writeGroups(std::size_t first, std::size_t last)
             return false;
         }
         writeGroup(first, end);
+        if (m_options.onProgress)
+            m_options.onProgress(end, m_items.size());
         if (m_fatalError) {
             skipRest(end, *m_fatalError);
             return false;

@@ -9,6 +9,8 @@
 #include "device/consent.h"
 #include "device/reader.h"
 
+#include <functional>
+
 namespace device {
 /// The result of writing a register. NotSent: the write was never sent; Refused: it was sent, and
 /// the servo did not take it.
@@ -75,6 +77,8 @@ struct WriteOptions {
     /// Stops at the first register that does not take its value; the rest is not sent
     /// ("after-failure").
     bool stopOnFailure = false;
+    /// After each register that was written and read back.
+    std::function<void(std::size_t done, std::size_t total)> onProgress{};
 };
 
 /// Errors (nothing was written): UnknownRegister, ReadOnly, OutOfRange, NeedsConsent, NotSupported,

@@ -15,7 +15,7 @@ namespace {
 constexpr int tries = 4;
 
 /// An error of the whole bus, or the user's stop: no other servo needs to be asked.
-bool endsJob(const base::Error& error)
+bool endsCheck(const base::Error& error)
 {
     return error.code == ErrorCode::LinkLost || error.code == ErrorCode::Stopped ||
            error.code == ErrorCode::Preempted;
@@ -69,7 +69,7 @@ verifyEmergencyStop(const device::Context& outer, const std::vector<device::Serv
     for (std::size_t i = 0; i < servos.size(); ++i) {
         const device::Owned owned = device::own(stopping, {servos[i]->id});
         const auto torque = ensureTorqueOff(owned.context, *servos[i]);
-        if (!torque && endsJob(torque.error()))
+        if (!torque && endsCheck(torque.error()))
             return tl::unexpected(torque.error());
         verdicts[i].torque = torque.value_or(Torque::Unknown);
     }
@@ -77,7 +77,7 @@ verifyEmergencyStop(const device::Context& outer, const std::vector<device::Serv
         if (verdicts[i].torque == Torque::Unknown)
             continue;
         const auto held = device::cancelHeldGoal(stopping, *servos[i]);
-        if (!held && endsJob(held.error()))
+        if (!held && endsCheck(held.error()))
             return tl::unexpected(held.error());
         verdicts[i].mayHavePendingGoal = held.value_or(true);
     }

@@ -7,6 +7,19 @@
 #include <utility>
 
 namespace text {
+QString protocolText(base::Protocol protocol)
+{
+    switch (protocol) {
+    case base::Protocol::Modbus:
+        return QStringLiteral("Modbus");
+    case base::Protocol::Lx:
+        return QStringLiteral("LX");
+    case base::Protocol::Feetech:
+        break;
+    }
+    return translate("BusText", "Feetech");
+}
+
 QString simulatedBusText(const QString& port)
 {
     static constexpr std::array buses{

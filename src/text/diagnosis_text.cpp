@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/diagnosis_text.h"
 
+#include "text/bus_text.h"
 #include "text/text_table.h"
 
 #include <array>
@@ -109,19 +110,6 @@ QString idList(const Evidence& evidence)
     return ids.join(QStringLiteral(", "));
 }
 
-QString protocolLabel(base::Protocol protocol)
-{
-    switch (protocol) {
-    case base::Protocol::Modbus:
-        return QStringLiteral("Modbus");
-    case base::Protocol::Lx:
-        return QStringLiteral("LX");
-    case base::Protocol::Feetech:
-        break;
-    }
-    return QStringLiteral("Feetech");
-}
-
 QString replyTimeText(const Evidence& evidence)
 {
     if (evidence.time < shortestTime)
@@ -172,7 +160,7 @@ QString lineText(const Evidence& evidence)
         return translate("text", "%n servo(s) found at %1 baud (%2): ID %3", nullptr,
                          int(evidence.ids.size()))
             .arg(evidence.baud)
-            .arg(protocolLabel(evidence.protocol), idList(evidence));
+            .arg(protocolText(evidence.protocol), idList(evidence));
     default:
         return {};
     }

@@ -43,7 +43,7 @@ public:
         return m_link->setBaud(baud);
     }
     int baud() const override { return m_link->baud(); }
-    bool canSetBaud() const override { return m_link->canSetBaud(); }
+    bool canSetBaud() const override { return !m_tap.rateIsFixed && m_link->canSetBaud(); }
     QString name() const override { return m_link->name(); }
 
 private:

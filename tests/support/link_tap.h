@@ -18,6 +18,7 @@ struct LinkTap {
     std::function<void()> onWait; ///< about to wait for an answer
     std::function<void()> onOpen; ///< about to try
     std::set<int> refusedRates;
+    bool rateIsFixed = false; ///< like a network bridge, whose other end sets the rate
     /// The reply of a device outside the simulator to a frame: the bytes that come back,
     /// maybe none. nullopt: the frame goes to the simulator.
     std::function<std::optional<base::Bytes>(const base::Bytes&)> replyOverride;

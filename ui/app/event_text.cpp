@@ -378,6 +378,13 @@ QString taskLabel(const QString& task)
         {"sweep", QT_TRANSLATE_NOOP("EventText", "sweep test")},
         {"step-response", QT_TRANSLATE_NOOP("EventText", "step response")},
         {"commission", QT_TRANSLATE_NOOP("EventText", "commissioning")},
+        {"restore", QT_TRANSLATE_NOOP("EventText", "restore")},
+        {"snapshot", QT_TRANSLATE_NOOP("EventText", "take snapshot")},
+        {"dry-run", QT_TRANSLATE_NOOP("EventText", "dry run")},
+        {"free-ids", QT_TRANSLATE_NOOP("EventText", "search for unused IDs")},
+        {"stop-check", QT_TRANSLATE_NOOP("EventText", "check of the stop")},
+        {"motion", QT_TRANSLATE_NOOP("EventText", "check for motion")},
+        {"lock", QT_TRANSLATE_NOOP("EventText", "lock the EPROM")},
     };
     for (const auto& [name, word] : eventText) {
         if (task == QLatin1String(name))

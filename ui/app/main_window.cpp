@@ -16,6 +16,7 @@
 #include "ui/app/shortcuts_dialog.h"
 #include "ui/app/stop_banner.h"
 #include "ui/app/stop_key.h"
+#include "ui/app/task_status.h"
 #include "ui/app/undo_button.h"
 #include "ui/app/undo_redo.h"
 #include "ui/common/dialog_sizes.h"
@@ -175,6 +176,8 @@ void MainWindow::buildStatusBar()
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(0, 3, 8, 3);
     statusBar()->addWidget(m_message, 1);
+    statusBar()->addPermanentWidget(
+        new TaskStatus(m_workbench.tasks(), m_commands.action(Command::StopTask), this));
     statusBar()->addPermanentWidget(undoButton);
     statusBar()->addPermanentWidget(m_stop);
 }

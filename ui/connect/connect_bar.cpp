@@ -2,6 +2,7 @@
 #include "ui/connect/connect_bar.h"
 
 #include "session/connection.h"
+#include "text/bus_text.h"
 #include "ui/connect/link_options.h"
 #include "ui/connect/port_dialog.h"
 #include "ui/connect/port_picker.h"
@@ -291,9 +292,8 @@ void ConnectBar::retranslate()
     m_baud->setToolTip(tr("Baud rate of the port. Auto: the factory baud rate of servos that use "
                           "the selected protocol"));
     m_protocol->setItemText(0, tr("Protocol: auto"));
-    const std::array words{tr("Feetech"), tr("Modbus"), tr("LX")};
-    for (int i = 0; i < int(words.size()); ++i)
-        m_protocol->setItemText(i + 1, words[std::size_t(i)]);
+    for (std::size_t i = 0; i < base::allProtocols.size(); ++i)
+        m_protocol->setItemText(int(i) + 1, text::protocolText(base::allProtocols[i]));
     m_protocol->setAccessibleName(tr("Protocol"));
     m_protocol->setToolTip(
         tr("Protocol of the servos. Auto: tries all protocols that are possible at the baud rate"));

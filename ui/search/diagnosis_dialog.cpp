@@ -3,6 +3,7 @@
 
 #include "text/diagnosis_text.h"
 #include "text/error_text.h"
+#include "text/progress_text.h"
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
@@ -197,7 +198,8 @@ void DiagnosisDialog::showProgress(const jobs::Progress& progress)
     if (!m_workbench.search().isDiagnosing())
         return;
     m_progress->setValue(int(progress.fraction * permille));
-    m_state->setText(tr("Searching at %1 baud…").arg(rateText(progress.baud)));
+    m_state->setText(tr("Searching at %1 baud…").arg(rateText(progress.baud)) + QLatin1Char(' ') +
+                     text::progressText(progress.fraction, progress.remaining));
 }
 
 void DiagnosisDialog::update()

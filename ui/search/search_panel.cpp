@@ -2,6 +2,7 @@
 #include "ui/search/search_panel.h"
 
 #include "text/error_text.h"
+#include "text/progress_text.h"
 #include "ui/common/widget_text.h"
 #include "ui/search/search_scope.h"
 #include "ui/search/servo_delegate.h"
@@ -90,7 +91,7 @@ void SearchPanel::showStatus()
     if (m_searching && m_lastProgress) {
         words = tr("%1 % · %n servo(s) · %2 left", nullptr, int(m_lastProgress->found))
                     .arg(int(m_lastProgress->fraction * 100))
-                    .arg(spanText(m_lastProgress->remaining));
+                    .arg(text::durationText(m_lastProgress->remaining.value_or(base::Duration{})));
         if (m_workbench.link().canSetBaud())
             words += tr(" · at %1").arg(shortRate(m_lastProgress->baud));
     } else if (m_commissioning) {

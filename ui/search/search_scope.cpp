@@ -2,6 +2,7 @@
 #include "ui/search/search_scope.h"
 
 #include "session/session.h"
+#include "text/bus_text.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/rate_chooser.h"
 
@@ -178,9 +179,8 @@ void SearchScope::retranslate()
     setAccessText(m_choose, tr("Select baud rates"), tr("Select the baud rates to search"));
     m_protocol->setItemText(AsConnected, tr("Protocol: as connected"));
     m_protocol->setItemText(AllProtocols, tr("All protocols"));
-    const std::array words{tr("Feetech"), tr("Modbus"), tr("LX")};
-    for (int i = 0; i < int(words.size()); ++i)
-        m_protocol->setItemText(FirstProtocol + i, words[std::size_t(i)]);
+    for (std::size_t i = 0; i < base::allProtocols.size(); ++i)
+        m_protocol->setItemText(FirstProtocol + int(i), text::protocolText(base::allProtocols[i]));
     setAccessText(m_protocol, tr("Protocol"), tr("Protocols to search with"));
     m_slow->setText(tr("Wait longer"));
     setAccessText(

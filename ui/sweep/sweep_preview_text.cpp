@@ -3,6 +3,7 @@
 
 #include "jobs/sweep/sweep_path.h"
 #include "text/error_text.h"
+#include "text/progress_text.h"
 #include "ui/sweep/sweep_page.h"
 
 #include <QLocale>
@@ -31,14 +32,6 @@ QString durationText(Duration span)
     if (minutes < 120)
         return SweepPage::tr("%1 min").arg(minutes);
     return SweepPage::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
-}
-
-QString shortDurationText(Duration span)
-{
-    const auto s = std::llround(seconds(span));
-    return s < 60     ? SweepPage::tr("%1 s").arg(s)
-           : s < 3600 ? SweepPage::tr("%1 min %2 s").arg(s / 60).arg(s % 60)
-                      : SweepPage::tr("%1 h %2 min").arg(s / 3600).arg(s % 3600 / 60);
 }
 
 /// Of the whole test; 0: unknown.
@@ -133,7 +126,7 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
     }
     if (whole > Duration::zero())
         worst.text +=
-            QLatin1Char(' ') + SweepPage::tr("About %1 in total.").arg(shortDurationText(whole));
+            QLatin1Char(' ') + SweepPage::tr("About %1 in total.").arg(text::durationText(whole));
     return worst;
 }
 
@@ -145,7 +138,7 @@ QString silenceText(const jobs::SweepProgress& progress)
     for (const int id : progress.silent)
         names.append(QStringLiteral("ID %1").arg(id));
     return SweepPage::tr("No reply from %1 for %2")
-        .arg(names.join(QStringLiteral(", ")), shortDurationText(progress.silentFor));
+        .arg(names.join(QStringLiteral(", ")), text::durationText(progress.silentFor));
 }
 } // namespace
 
@@ -163,8 +156,8 @@ QString progressText(const jobs::SweepProgress& progress, const results::SweepRu
         run->spec.cycles > 0
             ? SweepPage::tr("cycle %1 of %2").arg(progress.cycle).arg(run->spec.cycles)
             : SweepPage::tr("cycle %1").arg(progress.cycle);
-    if (progress.fraction <= 0)
+    if (!progress.remaining)
         return cycle;
-    return SweepPage::tr("%1 · %2 left").arg(cycle, shortDurationText(progress.remaining));
+    return SweepPage::tr("%1 · %2 left").arg(cycle, text::durationText(*progress.remaining));
 }
 } // namespace ui

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tasks/task_dialog.h"
 
+#include "text/progress_text.h"
 #include "text/translate.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
+#include "ui/widgets/thin_progress.h"
 
 #include <QEvent>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -29,7 +30,8 @@ TaskDialog::TaskDialog(Workbench& workbench, session::ServoRef servo, const char
     , m_servoLabel(new QLabel(this))
     , m_explanation(textLabel("explanation"))
     , m_body(new QVBoxLayout)
-    , m_progress(new QProgressBar(this))
+    , m_progress(new ThinProgress(this))
+    , m_state(textLabel("taskState"))
     , m_result(new TaskResult(textWidth, this))
 {
     setObjectName(QLatin1String(name));
@@ -40,8 +42,9 @@ TaskDialog::TaskDialog(Workbench& workbench, session::ServoRef servo, const char
     bold.setBold(true);
     m_servoLabel->setFont(bold);
     m_progress->setObjectName(QStringLiteral("taskProgress"));
-    m_progress->setTextVisible(false);
+    m_progress->setRange(0, permille);
     m_progress->hide();
+    m_state->hide();
     auto* column = new QVBoxLayout(this);
     column->setSizeConstraint(QLayout::SetNoConstraint); // fitToContents() does it
     column->setSpacing(12);
@@ -49,6 +52,7 @@ TaskDialog::TaskDialog(Workbench& workbench, session::ServoRef servo, const char
     column->addWidget(m_explanation);
     column->addLayout(m_body);
     column->addWidget(m_progress);
+    column->addWidget(m_state);
     column->addWidget(m_result);
     buildButtons(column);
     connectWorkbench();
@@ -176,14 +180,15 @@ void TaskDialog::setRunning(bool running)
     m_running = running;
     if (running) {
         m_result->clear();
-        m_progress->setRange(0, 0);
+        m_state->setText(translate("ServoTasks", "Working…"));
     }
+    m_progress->hide();
     updateButtons();
 }
 
 void TaskDialog::updateButtons()
 {
-    m_progress->setVisible(m_running);
+    m_state->setVisible(m_running);
     m_stop->setVisible(m_running);
     m_action->setEnabled(m_ready && !m_running &&
                          m_workbench.link().state() == session::LinkState::Open);
@@ -193,8 +198,9 @@ void TaskDialog::showProgress(const jobs::Progress& progress)
 {
     if (!m_running)
         return;
-    m_progress->setRange(0, permille);
     m_progress->setValue(static_cast<int>(progress.fraction * permille));
+    m_progress->show();
+    m_state->setText(text::progressText(progress.fraction, progress.remaining));
 }
 
 void TaskDialog::run(session::Task task, std::function<void(const session::TaskCompletion&)> done)

@@ -12,10 +12,11 @@
 #include <QVBoxLayout>
 
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace ui {
+class ThinProgress;
+
 class TaskDialog : public QDialog {
     Q_OBJECT
 
@@ -82,7 +83,8 @@ private:
     QLabel* m_servoLabel;
     QLabel* m_explanation;
     QVBoxLayout* m_body;
-    QProgressBar* m_progress;
+    ThinProgress* m_progress;
+    QLabel* m_state;
     TaskResult* m_result;
     QPushButton* m_stop = nullptr;
     QPushButton* m_close = nullptr;

@@ -3,6 +3,7 @@
 
 #include "device/alarms.h"
 #include "session/polling/max_reading_age.h"
+#include "text/bus_text.h"
 #include "text/language.h"
 #include "text/notice_text.h"
 #include "text/translate.h"
@@ -14,19 +15,6 @@ namespace ui {
 namespace {
 using catalog::Role;
 using text::translate;
-
-QString protocolText(base::Protocol protocol)
-{
-    switch (protocol) {
-    case base::Protocol::Modbus:
-        return QStringLiteral("Modbus");
-    case base::Protocol::Lx:
-        return QStringLiteral("LX");
-    case base::Protocol::Feetech:
-        break;
-    }
-    return translate("ServoRow", "Feetech");
-}
 
 QString shortenedLine(catalog::Line line)
 {
@@ -140,7 +128,7 @@ ServoRow servoRow(const session::ServoEntry& entry,
     row.ref = entry.ref;
     row.id = servo.id;
     row.model = profile != nullptr ? profile->modelName : translate("ServoRow", "Unknown servo");
-    row.protocol = protocolText(servo.protocol);
+    row.protocol = text::protocolText(servo.protocol);
     row.rate = shortRate(servo.baud);
     if (profile != nullptr) {
         row.map = profile->mapKey;

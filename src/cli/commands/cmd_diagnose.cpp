@@ -59,12 +59,14 @@ Json jsonOf(const Findings& findings)
     QStringList also;
     for (const Cause cause : findings.diagnosis.also)
         also << base::causeName(cause);
-    Json json = Json::object()
-                    .add("cause", base::causeName(findings.diagnosis.cause))
-                    .add("also", also)
-                    .add("evidence", findings.evidence)
-                    .add("remedy", findings.remedy);
-    if (findings.diagnosis.stopped)
+    const bool isStopped = findings.diagnosis.stopped;
+    Json json =
+        Json::object()
+            .add("cause", isStopped ? Json() : Json(base::causeName(findings.diagnosis.cause)))
+            .add("also", isStopped ? QStringList() : also)
+            .add("evidence", findings.evidence)
+            .add("remedy", isStopped ? Json() : Json(findings.remedy));
+    if (isStopped)
         json.add("stopped", true);
     return json;
 }

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "cli/history_remote.h"
 #include "cli/input/arguments.h"
+#include "cli/output/progress.h"
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "session/detachable_worker.h"
@@ -9,6 +10,7 @@
 #include "session/history/history_uploader.h"
 #include "session/paths.h"
 
+#include <atomic>
 #include <future>
 
 namespace cli {
@@ -18,6 +20,12 @@ constexpr auto checkInterval = std::chrono::milliseconds(50);
 constexpr auto maxSilence = std::chrono::minutes(2);
 constexpr auto shutdownTimeout = std::chrono::milliseconds(900);
 
+/// Written by the thread that sends.
+struct SendingProgress {
+    std::atomic<std::int64_t> sent{0};
+    std::atomic<std::int64_t> pending{0};
+};
+
 /// On a thread that can be abandoned, because a server may hang.
 base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& choice)
 {
@@ -26,7 +34,14 @@ base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& ch
     const auto promise = std::make_shared<std::promise<base::Result<SendProgress>>>();
     auto answer = promise->get_future();
     session::DetachableWorker thread;
-    thread.start([sending, promise] { promise->set_value(sending->send()); });
+    const auto progress = std::make_shared<SendingProgress>();
+    thread.start([sending, promise, progress] {
+        promise->set_value(sending->send([progress](const SendProgress& done) {
+            progress->sent = done.sent;
+            progress->pending = done.pending;
+        }));
+    });
+    ProgressLine line(run.console(), translate("cli", "Sending"));
     while (answer.wait_for(checkInterval) != std::future_status::ready) {
         if (run.stop().isRequested()) {
             sending->abort();
@@ -35,6 +50,9 @@ base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& ch
         }
         if (sending->silenceTime() > maxSilence)
             sending->dropConnection();
+        const double rows = double(progress->sent + progress->pending);
+        if (rows > 0)
+            line.update({double(progress->sent) / rows});
     }
     thread.finish(shutdownTimeout, [sending] { sending->disconnect(); });
     return answer.get();

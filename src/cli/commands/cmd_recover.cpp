@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/input/arguments.h"
+#include "cli/output/progress.h"
 #include "cli/output/recover_text.h"
 #include "cli/output/report_text.h"
 #include "cli/run.h"
@@ -152,7 +153,14 @@ base::Result<Exit> runRecovery(Run& run, const std::vector<base::Intent>& open,
     if (!context)
         return showWithoutPort(run, open, context.error());
     const jobs::RecoveryOptions options = optionsOf(run, open, values);
-    const auto recovered = jobs::recover(*context, action, options);
+    std::optional<ProgressLine> line;
+    line.emplace(run.console(), action == jobs::RecoveryAction::Preview
+                                    ? translate("cli", "Comparing with the servos")
+                                    : translate("cli", "Recovering"));
+    const auto recovered =
+        jobs::recover(*context, action, options,
+                      [&line](const jobs::Progress& progress) { line->update(progress); });
+    line.reset();
     if (!recovered)
         return tl::unexpected(recovered.error());
     const QString port = context->bus.portName();

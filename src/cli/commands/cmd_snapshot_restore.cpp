@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 #include "cli/input/arguments.h"
+#include "cli/output/progress.h"
 #include "cli/output/report_text.h"
 #include "cli/output/restore_text.h"
 #include "cli/run.h"
@@ -29,7 +30,12 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
     options.beforeWrite = [&run](const device::Context& with, device::Servo& which) {
         return run.backupTable(with, which);
     };
-    const auto outcome = jobs::restore(*context, servo, plan, options);
+    std::optional<ProgressLine> line;
+    line.emplace(run.console(), translate("cli", "Restoring"));
+    const auto outcome =
+        jobs::restore(*context, servo, plan, options,
+                      [&line](const jobs::Progress& progress) { line->update(progress); });
+    line.reset();
     if (!outcome)
         return tl::unexpected(outcome.error());
     addOutcome(document, *outcome);

@@ -142,7 +142,7 @@ base::Result<void> StepCommand::perform(const std::vector<results::StepGain>& tr
                                                      : translate("cli", "Step response, trial"));
     jobs::StepCallbacks watch;
     watch.onProgress = [&line](const jobs::SweepProgress& progress) {
-        line.show(translate("cli", "%1 %").arg(int(progress.fraction * 100)));
+        line.update({progress.fraction});
     };
     watch.onUnreleasedTorque = [this](const jobs::UnreleasedTorque& left) {
         m_unreleasedTorque = true;

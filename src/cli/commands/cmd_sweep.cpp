@@ -17,6 +17,7 @@
 #include "session/snapshot/safety_snapshot.h"
 #include "session/sweep/sweep_report.h"
 #include "text/language.h"
+#include "text/progress_text.h"
 
 #include <QFileInfo>
 
@@ -219,10 +220,9 @@ jobs::SweepCallbacks SweepCommand::watch()
     watch.onProgress = [this](const jobs::SweepProgress& progress) {
         m_line->show(progress.warmingUp
                          ? translate("cli", "moving to the start position or warming up")
-                         : translate("cli", "cycle %1, %2 %, about %3 s left")
+                         : translate("cli", "cycle %1, %2")
                                .arg(progress.cycle)
-                               .arg(int(progress.fraction * 100))
-                               .arg(progress.remaining / std::chrono::seconds(1) + 1));
+                               .arg(text::progressText(progress.fraction, progress.remaining)));
     };
     return watch;
 }

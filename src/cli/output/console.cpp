@@ -10,6 +10,7 @@
 
 #ifdef Q_OS_UNIX
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -66,12 +67,13 @@ void Console::writeBytes(const QByteArray& bytes)
 
 void Console::printMessage(const QString& line)
 {
-    put(terminalSafe(line) + QLatin1Char('\n'));
+    put((isStderrTerminal() ? clearLine : QString()) + terminalSafe(line) + QLatin1Char('\n'));
 }
 
 void Console::showStatus(const QString& line)
 {
-    put(clearLine + terminalSafe(line));
+    if (isStderrTerminal())
+        put(clearLine + terminalSafe(line));
 }
 
 void Console::printNote(const QString& line)
@@ -88,6 +90,16 @@ bool Console::isStdoutTerminal() const
 bool Console::isStderrTerminal() const
 {
     return isTerminal(2);
+}
+
+bool Console::isStderrFile() const
+{
+#ifdef Q_OS_UNIX
+    struct stat about {};
+    return fstat(2, &about) == 0 && S_ISREG(about.st_mode);
+#else
+    return false;
+#endif
 }
 
 int Console::terminalWidth() const

@@ -29,11 +29,12 @@ public:
     /// The same, but nothing in JSON mode, where the document contains it.
     void printNote(const QString& line);
 
-    /// Replaces the line that shows the progress of a task, on a terminal.
+    /// Replaces the line that shows the progress of a task; only on a terminal.
     void showStatus(const QString& line);
 
     bool isStdoutTerminal() const;
     bool isStderrTerminal() const;
+    bool isStderrFile() const; ///< on a disk, not a pipe
     int terminalWidth() const; ///< of the terminal of stdout; 0 if unknown
 
     /// errno of the first failure to write on stdout.

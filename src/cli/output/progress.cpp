@@ -2,8 +2,8 @@
 #include "cli/output/progress.h"
 
 #include "cli/translate.h"
-
-#include <cmath>
+#include "text/bus_text.h"
+#include "text/progress_text.h"
 
 namespace cli {
 namespace {
@@ -15,26 +15,26 @@ constexpr auto lineInterval = std::chrono::seconds(2);
 ProgressLine::ProgressLine(Console& console, QString task)
     : m_console(console)
     , m_task(std::move(task))
-    , m_next(m_start + initialDelay)
+    , m_next(Clock::now() + initialDelay)
 {}
 
 ProgressLine::~ProgressLine()
 {
-    if (m_shown && m_console.isStderrTerminal())
+    if (m_shown)
         m_console.showStatus({});
 }
 
 void ProgressLine::update(const jobs::Progress& progress)
 {
-    if (Clock::now() < m_next)
+    const auto now = Clock::now();
+    const auto left = m_left.estimate(
+        progress, std::chrono::duration_cast<base::Duration>(now.time_since_epoch()));
+    if (now < m_next)
         return;
-    const auto remaining = std::chrono::duration_cast<std::chrono::seconds>(progress.remaining);
-    QString state = translate("cli", "%1 %, about %2 s left")
-                        .arg(std::lround(progress.fraction * 100))
-                        .arg(remaining.count() + 1);
+    QString state = text::progressText(progress.fraction, left);
     if (progress.baud > 0) {
         state += translate("cli", ", %1 at %2 baud, found: %3")
-                     .arg(base::protocolName(progress.protocol))
+                     .arg(text::protocolText(progress.protocol))
                      .arg(progress.baud)
                      .arg(progress.found);
     }
@@ -44,7 +44,7 @@ void ProgressLine::update(const jobs::Progress& progress)
 void ProgressLine::show(const QString& state)
 {
     const auto now = Clock::now();
-    if (now < m_next)
+    if (now < m_next || m_console.isStderrFile())
         return;
     const QString line = QStringLiteral("%1: %2").arg(m_task, state);
     if (m_console.isStderrTerminal()) {

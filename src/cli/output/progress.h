@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The progress of a long task, on stderr: nothing in the first second, then one line that is
-// updated on a terminal, or an occasional line elsewhere. Main thread.
+// rewritten on a terminal, an occasional line in a pipe, nothing in a file. Main thread.
 #pragma once
 
 #include "cli/output/console.h"
@@ -24,8 +24,8 @@ private:
 
     Console& m_console;
     QString m_task;
-    Clock::time_point m_start = Clock::now();
     Clock::time_point m_next;
+    jobs::TimeLeft m_left;
     bool m_shown = false;
 };
 } // namespace cli

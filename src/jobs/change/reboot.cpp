@@ -37,12 +37,6 @@ struct RestartMarker {
     bool isUnchanged(const device::Servo& servo) const { return servo.raw(*reg) == raw; }
 };
 
-bool endsJob(ErrorCode code)
-{
-    return code == ErrorCode::LinkLost || code == ErrorCode::Stopped || code == ErrorCode::Held ||
-           code == ErrorCode::Preempted;
-}
-
 /// The servo has no such value, or does not take another one. Other errors, such as a full disk or
 /// a lost link, do not come from the servo.
 bool isMarkerImpossible(ErrorCode code)
@@ -147,7 +141,7 @@ base::Result<FirstReply> waitForReply(const device::Context& context, const devi
     const base::Duration end = sentAt + maxStartTime + 200ms + 2 * context.bus.maxReplyLateness();
     for (int missedPings = 0;; ++missedPings) {
         const auto answering = isAnswering(context, servo.protocol, servo.id, 0);
-        if (!answering && endsJob(answering.error().code))
+        if (!answering && base::endsJob(answering.error().code))
             return tl::unexpected(answering.error());
         if (answering && *answering) {
             const base::Duration at = clock.now();

@@ -62,9 +62,13 @@ base::Result<bool> findAgain(const device::Context& context, device::Servo& serv
         ids.push_back(factoryId);
     const std::vector<int> rates =
         context.bus.canSetBaud() ? ratesOf(servo, oldBaud) : std::vector<int>{oldBaud};
+    const base::Duration began = context.bus.clock().now();
     for (std::size_t i = 0; i < rates.size(); ++i) {
+        std::optional<base::Duration> left;
+        if (i > 0)
+            left = (context.bus.clock().now() - began) * int(rates.size() - i) / int(i);
         if (progress)
-            progress({double(i) / double(rates.size()), {}, 0, rates[i]});
+            progress({double(i) / double(rates.size()), left, 0, rates[i]});
         if (context.bus.canSetBaud() && !context.bus.setBaud(rates[i]))
             continue; // a rate this adapter cannot run
         for (const int id : ids) {

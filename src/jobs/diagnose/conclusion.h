@@ -14,12 +14,17 @@ struct Observations {
     bool isShared = false;                 ///< another program has the port open
     bool hasEcho = false;
     bool hasGarbledReplies = false;
-    std::map<int, int> bytesAt; ///< received by rate, without the echo
+    std::map<int, int> bytesAt; ///< by rate that was listened to: received, without the echo
     QString text;               ///< if that is what came
     std::vector<int> busyRates;
     std::vector<FoundServo> found;
     std::vector<ServoProbe> probes; ///< of the same servos
 
+    int bytesReceivedAt(int baud) const
+    {
+        const auto entry = bytesAt.find(baud);
+        return entry != bytesAt.end() ? entry->second : 0;
+    }
     int totalBytes() const
     {
         return std::accumulate(bytesAt.begin(), bytesAt.end(), 0,

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 
 namespace jobs {
 namespace {
@@ -77,6 +78,7 @@ private:
         m_seen.isShared = !m_spec.otherPrograms.isEmpty();
         m_seen.hasEcho = m_bus.hasEcho();
         add({.kind = m_seen.hasEcho ? EvidenceKind::Echo : EvidenceKind::NoEcho});
+        m_ahead = longestWalk();
         return listenAt(m_homeRate, listenTime)
             .and_then([this] { return search({m_homeRate}, m_spec.protocols); })
             .and_then([this] { return searchOtherProtocols(); })
@@ -84,50 +86,134 @@ private:
             .and_then([this] { return probeServos(); });
     }
 
-    /// Those that were not selected, if the selected ones are silent.
-    Result<void> searchOtherProtocols()
+    /// Those that were not selected, if some were.
+    std::vector<Protocol> otherProtocols() const
     {
         std::vector<Protocol> others;
         const auto& chosen = m_spec.protocols;
         for (const Protocol protocol : base::allProtocols) {
-            if (std::find(chosen.begin(), chosen.end(), protocol) == chosen.end())
+            if (!chosen.empty() &&
+                std::find(chosen.begin(), chosen.end(), protocol) == chosen.end())
                 others.push_back(protocol);
         }
-        const bool isNeeded = !chosen.empty() && !others.empty() && m_seen.found.empty();
-        return isNeeded ? search({m_homeRate}, others) : Result<void>{};
+        return others;
     }
+
+    Result<void> searchOtherProtocols()
+    {
+        const auto others = otherProtocols();
+        const bool isNeeded = !others.empty() && m_seen.found.empty();
+        const auto done = isNeeded ? search({m_homeRate}, others) : Result<void>{};
+        if (!m_seen.found.empty())
+            m_ahead = listeningTime() + otherRatesTime() + probeTime();
+        return done;
+    }
+
+    base::Duration listeningTime() const
+    {
+        return m_bus.canSetBaud() ? 2 * shortListenTime * int(m_spec.bauds.size())
+                                  : base::Duration{};
+    }
+
+    base::Duration searchTime(const std::vector<int>& bauds,
+                              const std::vector<Protocol>& protocols) const
+    {
+        return estimateScanTime(m_context, specOf(bauds, protocols));
+    }
+
+    base::Duration otherRatesTime() const
+    {
+        base::Duration total{};
+        for (const int baud : m_spec.bauds) {
+            if (m_bus.canSetBaud() && baud != m_homeRate && baud >= lowestSearchedRate)
+                total += searchTime({baud}, {Protocol::Feetech});
+        }
+        return total;
+    }
+
+    base::Duration probeTime() const
+    {
+        constexpr base::Duration ofServo = milliseconds(100);
+        return ofServo * int(m_seen.found.size());
+    }
+
+    /// Of the walk that finds nothing.
+    base::Duration longestWalk() const
+    {
+        base::Duration total = listenTime + searchTime({m_homeRate}, m_spec.protocols);
+        if (const auto others = otherProtocols(); !others.empty())
+            total += searchTime({m_homeRate}, others);
+        total += listeningTime() + searchTime({m_homeRate}, m_spec.protocols);
+        if (!m_bus.canSetBaud())
+            return total;
+        total += otherRatesTime();
+        if (m_homeRate != otherProtocolRate)
+            total += searchTime({otherProtocolRate}, {Protocol::Lx, Protocol::Modbus});
+        return total;
+    }
+
+    /// `done` of a step of `planned`.
+    void report(Progress progress, base::Duration planned)
+    {
+        if (!m_progress)
+            return;
+        const auto ofStep =
+            base::Duration(std::llround(double(planned.count()) * progress.fraction));
+        const base::Duration done = m_done + ofStep;
+        progress.remaining = std::max(m_ahead - ofStep, base::Duration{});
+        const base::Duration whole = done + *progress.remaining;
+        progress.fraction =
+            whole > base::Duration{} ? double(done.count()) / double(whole.count()) : 1;
+        progress.found += int(m_seen.found.size());
+        m_progress(progress);
+    }
+
+    void endStep(base::Duration planned)
+    {
+        m_done += planned;
+        drop(planned);
+    }
+
+    /// What need not be done any more.
+    void drop(base::Duration planned) { m_ahead = std::max(m_ahead - planned, base::Duration{}); }
 
     /// Every rate is listened to, which takes a moment. What is searched in full depends on it.
     Result<void> lookAtOtherRates()
     {
         if (!m_bus.canSetBaud()) {
             add({.kind = EvidenceKind::RateFixed, .baud = m_homeRate});
-            return {};
+            return isComplete() ? Result<void>{} : searchHomeAgain();
         }
         std::vector<int> promising;
         std::vector<int> silent;
         for (const int baud : m_spec.bauds) {
             if (baud == m_homeRate)
                 continue;
-            const int before = m_seen.bytesAt[baud];
+            const int before = m_seen.bytesReceivedAt(baud);
             // The first transaction after a change of rate may be lost.
-            for (int i = 0; i < 2 && m_seen.bytesAt[baud] == before; ++i) {
+            for (int i = 0; i < 2 && m_seen.bytesReceivedAt(baud) == before; ++i) {
                 if (const auto listened = listenAt(baud, shortListenTime); !listened)
                     return listened;
             }
-            if (m_seen.bytesAt[baud] > before)
+            if (m_seen.bytesReceivedAt(baud) > before) {
                 promising.push_back(baud);
-            else if (baud >= lowestSearchedRate)
+                continue;
+            }
+            const bool wasTried = m_seen.bytesAt.count(baud) > 0;
+            if (wasTried && baud >= lowestSearchedRate && !isComplete())
                 silent.push_back(baud);
+            else if (baud >= lowestSearchedRate)
+                drop(searchTime({baud}, {Protocol::Feetech}));
         }
         if (!m_refusedRates.isEmpty())
             add({.kind = EvidenceKind::RatesRefused,
                  .text = m_refusedRates.join(QStringLiteral(", "))});
         return search(promising, {Protocol::Feetech}).and_then([&] {
-            const bool isComplete = !m_seen.found.empty() || !m_seen.text.isEmpty();
-            return isComplete ? Result<void>{} : searchEverything(silent);
+            return isComplete() ? Result<void>{} : searchEverything(silent);
         });
     }
+
+    bool isComplete() const { return !m_seen.found.empty() || !m_seen.text.isEmpty(); }
 
     Result<void> searchEverything(const std::vector<int>& silent)
     {
@@ -138,17 +224,17 @@ private:
                 return isNeeded ? search({otherProtocolRate}, {Protocol::Lx, Protocol::Modbus})
                                 : Result<void>{};
             })
-            .and_then([this]() -> Result<void> {
-                // On a bad line a single servo may have missed the few requests to it.
-                return m_seen.found.empty() ? search({m_homeRate}, m_spec.protocols)
-                                            : Result<void>{};
-            })
-            .and_then([&]() -> Result<void> {
-                if (m_seen.found.empty() && m_seen.totalBytes() == 0)
-                    add({.kind = EvidenceKind::NothingReceived,
-                         .count = int(m_seen.bytesAt.size())});
-                return {};
-            });
+            .and_then([this] { return searchHomeAgain(); });
+    }
+
+    /// On a bad line a single servo may have missed the few requests to it.
+    Result<void> searchHomeAgain()
+    {
+        const auto done =
+            m_seen.found.empty() ? search({m_homeRate}, m_spec.protocols) : Result<void>{};
+        if (done && m_seen.found.empty() && m_seen.totalBytes() == 0)
+            add({.kind = EvidenceKind::NothingReceived, .count = int(m_seen.bytesAt.size())});
+        return done;
     }
 
     /// Whatever comes after a PING to all: the servos' replies, maybe on top of each other, or what
@@ -159,9 +245,11 @@ private:
             return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
         if (const auto set = setBaud(baud); !set)
             return set.error().code == ErrorCode::RateUnsupported ? Result<void>{} : set;
+        report({.baud = baud}, span);
         const auto received = device::listenAfterPing(m_context, span);
         if (!received)
             return tl::unexpected(received.error());
+        endStep(span);
         note(baud, *received);
         return {};
     }
@@ -198,25 +286,35 @@ private:
     {
         if (bauds.empty())
             return {};
-        ScanSpec spec;
-        spec.bauds = bauds;
-        spec.protocols = protocols;
-        const auto report = scan(m_context, spec, m_progress);
-        if (!report && report.error().code == ErrorCode::LineBusy) {
+        const ScanSpec spec = specOf(bauds, protocols);
+        const base::Duration planned = estimateScanTime(m_context, spec);
+        const auto scanned = scan(m_context, spec, [this, planned](const Progress& progress) {
+            report(progress, planned);
+        });
+        endStep(planned);
+        if (!scanned && scanned.error().code == ErrorCode::LineBusy) {
             m_seen.busyRates.insert(m_seen.busyRates.end(), bauds.begin(), bauds.end());
             add({.kind = EvidenceKind::LineNeverIdle, .baud = bauds.front()});
             return {};
         }
-        if (!report)
-            return tl::unexpected(report.error());
-        m_seen.hasGarbledReplies = m_seen.hasGarbledReplies || report->hasGarbledReplies;
-        m_seen.busyRates.insert(m_seen.busyRates.end(), report->busyRates.begin(),
-                                report->busyRates.end());
-        for (const int baud : report->busyRates)
+        if (!scanned)
+            return tl::unexpected(scanned.error());
+        m_seen.hasGarbledReplies = m_seen.hasGarbledReplies || scanned->hasGarbledReplies;
+        m_seen.busyRates.insert(m_seen.busyRates.end(), scanned->busyRates.begin(),
+                                scanned->busyRates.end());
+        for (const int baud : scanned->busyRates)
             add({.kind = EvidenceKind::LineNeverIdle, .baud = baud});
-        addFound(*report);
-        return report->stopped ? base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"))
-                               : Result<void>{};
+        addFound(*scanned);
+        return scanned->stopped ? base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"))
+                                : Result<void>{};
+    }
+
+    static ScanSpec specOf(const std::vector<int>& bauds, const std::vector<Protocol>& protocols)
+    {
+        ScanSpec spec;
+        spec.bauds = bauds;
+        spec.protocols = protocols;
+        return spec;
     }
 
     /// One line of evidence for each rate and protocol.
@@ -241,17 +339,20 @@ private:
 
     Result<void> probeServos()
     {
+        m_ahead = probeTime();
         for (const FoundServo& found : m_seen.found) {
             if (m_context.stop.isRequested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
             if (const auto set = setBaud(found.servo.baud); !set)
                 return set;
+            report({.baud = found.servo.baud}, {});
             const auto probe = probeServo(m_context, found, int(m_seen.found.size()));
             if (!probe)
                 return tl::unexpected(probe.error());
             for (const Evidence& one : evidenceOf(*probe))
                 add(one);
             m_seen.probes.push_back(*probe);
+            endStep(probeTime() / int(m_seen.found.size()));
         }
         addSummary();
         return {};
@@ -294,6 +395,8 @@ private:
     Observations m_seen;
     QStringList m_refusedRates;
     std::vector<Evidence> m_evidence;
+    base::Duration m_done{};  ///< planned time of the steps that are over
+    base::Duration m_ahead{}; ///< of those that may come, the present one included
     DiagnosisReport m_report;
 };
 } // namespace

@@ -21,20 +21,6 @@ constexpr int allPings = 200;
 constexpr int maxListened = 3;
 constexpr base::Duration longestStall = std::chrono::milliseconds(500);
 
-/// An error of this servo only, so that the others are still probed.
-bool endsProbe(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::LinkLost:
-    case ErrorCode::Preempted:
-    case ErrorCode::Held:
-    case ErrorCode::Stopped:
-        return true;
-    default:
-        return false;
-    }
-}
-
 /// A busy computer holds replies back for longer than an adapter does. Where many are lost, there
 /// is no need to wait for each.
 Result<bool> listenForLateReply(const device::Context& context, const ServoProbe& probe)
@@ -59,7 +45,7 @@ Result<void> countReplies(const device::Context& context, ServoProbe& probe, int
             device::pingOnce(context, probe.protocol, probe.id, context.bus.maxReplyLateness());
         if (outcome)
             times.push_back(std::max(outcome->roundTrip - wireTime, base::Duration{}));
-        else if (endsProbe(outcome.error().code))
+        else if (base::endsJob(outcome.error().code))
             return tl::unexpected(outcome.error());
         else if (outcome.error().code == ErrorCode::NoReply) {
             const auto late = listenForLateReply(context, probe);
@@ -85,7 +71,7 @@ Result<void> lookForSecondServo(const device::Context& context, const FoundServo
     const auto checked = device::checkDuplicateId(context, found.servo);
     if (checked)
         probe.duplicate = *checked;
-    else if (endsProbe(checked.error().code))
+    else if (base::endsJob(checked.error().code))
         return tl::unexpected(checked.error());
     return {};
 }
@@ -97,7 +83,7 @@ Result<void> readResponseLevel(const device::Context& context, const FoundServo&
     if (!servo.profile || servo.profile->byRole(Role::ResponseLevel) == nullptr)
         return {};
     const auto read = device::readRoles(context, servo, {Role::ResponseLevel});
-    if (!read && endsProbe(read.error().code))
+    if (!read && base::endsJob(read.error().code))
         return read;
     probe.acknowledges = servo.raw(Role::ResponseLevel).value_or(1) != 0;
     return {};

@@ -298,8 +298,10 @@ base::Result<void> forget(base::Journal& journal, const base::Intent& intent)
     return journal.end(intent.uuid, {QStringLiteral("abandoned"), {}});
 }
 
-base::Result<std::vector<RecoveryResult>>
-recover(const device::Context& outer, RecoveryAction action, const RecoveryOptions& options)
+base::Result<std::vector<RecoveryResult>> recover(const device::Context& outer,
+                                                  RecoveryAction action,
+                                                  const RecoveryOptions& options,
+                                                  const ProgressFn& progress)
 {
     const auto open = outer.journal.open();
     if (!open)
@@ -315,7 +317,10 @@ recover(const device::Context& outer, RecoveryAction action, const RecoveryOptio
                  });
     std::vector<RecoveryResult> all;
     const int baudBefore = context.bus.baud();
-    for (const RecoveryTask& task : recoveryTasks(requestedIntents, action)) {
+    const auto tasks = recoveryTasks(requestedIntents, action);
+    for (const RecoveryTask& task : tasks) {
+        if (progress)
+            progress({double(all.size()) / double(tasks.size())});
         if (context.stop.isRequested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("recover"));
         auto one = recoverIntent(context, task.intent, task.action, options.beforeWrite);

@@ -86,6 +86,8 @@ bool isRecoveredBy(const RecoveryResult& recovered, const device::Servo& servo,
 /// Finishes starting with the oldest, undoes starting with the latest. Where both a restore and its
 /// rollback were interrupted, the rollback is finished and the restore undone, unless `uuid` names
 /// one.
-base::Result<std::vector<RecoveryResult>>
-recover(const device::Context& context, RecoveryAction action, const RecoveryOptions& options = {});
+base::Result<std::vector<RecoveryResult>> recover(const device::Context& context,
+                                                  RecoveryAction action,
+                                                  const RecoveryOptions& options = {},
+                                                  const ProgressFn& progress = {});
 } // namespace jobs

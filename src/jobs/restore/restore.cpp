@@ -93,7 +93,7 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
     if (progress)
         progress({});
     const std::size_t before = context.notices.size();
-    RestoreRunner restorer(context, servo, options, outcome);
+    RestoreRunner restorer(context, servo, options, progress, outcome);
     if (const auto done = restorer.run(earlier, writes); !done)
         return tl::unexpected(done.error());
     for (std::size_t i = before; i < context.notices.size(); ++i)

@@ -68,7 +68,8 @@ std::optional<base::Error> linkError(const RestoreOutcome& outcome)
 }
 
 ApplyResult applyToServo(const device::Context& context, int id, const snapshot::Snapshot& snapshot,
-                         const ApplyOptions& options, bool requireSameModel)
+                         const ApplyOptions& options, bool requireSameModel,
+                         const ProgressFn& progress)
 {
     auto servo = device::identifyAmong(context, id, protocolsOf(snapshot, options));
     if (!servo)
@@ -91,7 +92,7 @@ ApplyResult applyToServo(const device::Context& context, int id, const snapshot:
             plannedWrites(applied.plan).empty() ? ApplyVerdict::AlreadySet : ApplyVerdict::Planned;
         return applied;
     }
-    const auto outcome = restore(context, *servo, applied.plan, options.restore);
+    const auto outcome = restore(context, *servo, applied.plan, options.restore, progress);
     applied.servo = *servo;
     if (!outcome) {
         applied.verdict = ApplyVerdict::Error;
@@ -116,20 +117,25 @@ std::vector<ApplyResult> applyAll(const device::Context& context,
 {
     std::vector<ApplyResult> all;
     std::optional<base::Error> end;
+    const auto report = [&](const Progress& ofServo) {
+        if (progress)
+            progress({(double(all.size()) + ofServo.fraction) / double(targets.size()),
+                      {},
+                      int(all.size())});
+    };
     for (const Target& target : targets) {
         if (!end && context.stop.isRequested())
             end = base::Error{ErrorCode::Stopped, QStringLiteral("restore"), {}, target.id};
         if (end)
             all.push_back(failed(target.id, *end));
         else
-            all.push_back(
-                applyToServo(context, target.id, *target.snapshot, options, requireSameModel));
+            all.push_back(applyToServo(context, target.id, *target.snapshot, options,
+                                       requireSameModel, report));
         if (!end && endsJob(all.back()))
             end = all.back().error;
         if (onServo)
             onServo(all.back());
-        if (progress)
-            progress({double(all.size()) / double(targets.size()), {}, int(all.size())});
+        report({});
     }
     return all;
 }

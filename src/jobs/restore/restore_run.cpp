@@ -131,6 +131,10 @@ base::Result<void> RestoreRunner::writeRegisters(const std::vector<RestoreWrite>
     options.torqueOff = true;
     options.keepOrder = true;
     options.stopOnFailure = true;
+    if (m_progress)
+        options.onProgress = [this](std::size_t done, std::size_t total) {
+            m_progress({double(done) / double(total)});
+        };
     const auto report = device::write(m_context, m_servo, items, options);
     if (!report)
         return tl::unexpected(report.error());

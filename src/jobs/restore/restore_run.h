@@ -14,10 +14,12 @@ bool isLockOpen(const device::Servo& servo);
 class RestoreRunner {
 public:
     RestoreRunner(const device::Context& context, device::Servo& servo,
-                  const RestoreOptions& options, RestoreOutcome& outcome)
+                  const RestoreOptions& options, const ProgressFn& progress,
+                  RestoreOutcome& outcome)
         : m_context(context)
         , m_servo(servo)
         , m_options(options)
+        , m_progress(progress)
         , m_outcome(outcome)
     {}
 
@@ -54,6 +56,7 @@ private:
     const device::Context& m_context;
     device::Servo& m_servo;
     const RestoreOptions& m_options;
+    const ProgressFn& m_progress;
     RestoreOutcome& m_outcome;
     QStringList m_openIntents;
     std::optional<base::Error> m_unfinished; ///< why an earlier one could not be finished

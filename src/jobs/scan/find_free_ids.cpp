@@ -20,12 +20,6 @@ std::vector<base::Protocol> protocolsOnBus(const device::Context& context, base:
     }
     return all;
 }
-
-bool endsJob(ErrorCode code)
-{
-    return code == ErrorCode::LinkLost || code == ErrorCode::Stopped || code == ErrorCode::Held ||
-           code == ErrorCode::Preempted;
-}
 } // namespace
 
 base::Result<std::vector<int>> findFreeIds(const device::Context& context, base::Protocol protocol,
@@ -41,7 +35,7 @@ base::Result<std::vector<int>> findFreeIds(const device::Context& context, base:
             if (context.stop.isRequested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("free-ids"));
             const auto unused = isIdFree(context, language, id, 1);
-            if (!unused && endsJob(unused.error().code))
+            if (!unused && base::endsJob(unused.error().code))
                 return tl::unexpected(unused.error());
             silent = silent && unused.value_or(false);
         }

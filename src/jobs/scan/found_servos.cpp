@@ -12,22 +12,6 @@ namespace {
 using base::ErrorCode;
 using base::Protocol;
 
-/// An error that concerns this servo only, so that the scan continues.
-bool isServoError(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::NoReply:
-    case ErrorCode::Garbled:
-    case ErrorCode::UnexpectedReply:
-    case ErrorCode::LineBusy:
-    case ErrorCode::Refused:
-    case ErrorCode::UnknownModel:
-        return true;
-    default:
-        return false;
-    }
-}
-
 /// The list also shows an open lock, and alarms where they do not come with every reply.
 std::vector<catalog::Role> missingStateRoles(const device::Servo& servo)
 {
@@ -112,7 +96,7 @@ base::Result<void> FoundServos::identify(FoundServo& found) const
         const ErrorCode code = servo.error().code;
         const bool broken = code == ErrorCode::Garbled || code == ErrorCode::UnexpectedReply;
         found.duplicateSuspected = found.duplicateSuspected || broken;
-        return isServoError(code) ? base::Result<void>{} : tl::unexpected(servo.error());
+        return base::endsJob(code) ? tl::unexpected(servo.error()) : base::Result<void>{};
     }
     found.servo = std::move(*servo);
     const auto hasDuplicateId = suspectDuplicateId(m_context, found.servo);
@@ -127,7 +111,7 @@ base::Result<void> FoundServos::readState(device::Servo& servo) const
     if (m_context.stop.isRequested())
         return {};
     const auto read = device::readRoles(m_context, servo, missingStateRoles(servo));
-    return read || isServoError(read.error().code) ? base::Result<void>{} : read;
+    return !read && base::endsJob(read.error().code) ? read : base::Result<void>{};
 }
 
 std::vector<FoundServo> FoundServos::takeSorted(const std::vector<int>& rates)

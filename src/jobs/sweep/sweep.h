@@ -27,8 +27,8 @@ struct SweepRequest {
 struct SweepProgress {
     double fraction = 0; ///< 0…1
     base::Duration elapsed{};
-    base::Duration remaining{}; ///< estimate
-    int leg = 0;                ///< 0: on the way to the start, or warming up
+    std::optional<base::Duration> remaining{}; ///< estimate; none before the first cycle
+    int leg = 0;                               ///< 0: on the way to the start, or warming up
     int cycle = 0;
     bool warmingUp = false;
     bool ended = false;         ///< the servos are being left as they are to be

@@ -88,10 +88,6 @@ bool StepTest::start(const StepTestRequest& request)
         const std::lock_guard lock(live->mutex);
         live->responses.push_back(response);
     };
-    watch.onProgress = [live](const jobs::SweepProgress& progress) {
-        const std::lock_guard lock(live->mutex);
-        live->progress = progress;
-    };
     watch.onTrial = [live](const std::vector<base::JournalItem>& trial) { live->trial = trial; };
     watch.onUnreleasedTorque = [live](const jobs::UnreleasedTorque& left) {
         live->unreleasedTorque.push_back(left);
@@ -103,9 +99,14 @@ bool StepTest::start(const StepTestRequest& request)
     task.isLongRunning = true;
     task.holdsTorqueAfterwards = true;
     task.quiet = true;
-    task.work = [wanted, watch, live](TaskContext& context) -> base::Result<void> {
+    task.work = [wanted, watch, live](TaskContext& context) mutable -> base::Result<void> {
         if (live->canceled)
             return base::fail(ErrorCode::Stopped, QStringLiteral("step"));
+        watch.onProgress = [live, report = context.progress](const jobs::SweepProgress& progress) {
+            report({progress.fraction});
+            const std::lock_guard lock(live->mutex);
+            live->progress = progress;
+        };
         auto run = jobs::stepResponse(context.device, context.servo, wanted, watch);
         if (!run)
             return tl::unexpected(run.error());

@@ -153,7 +153,8 @@ base::Result<void> replacedServoError(const results::SweepRun& run)
 } // namespace
 
 jobs::SweepCallbacks SweepTest::callbacksFor(const std::shared_ptr<Live>& live,
-                                             const std::shared_ptr<Ending>& ending)
+                                             const std::shared_ptr<Ending>& ending,
+                                             const jobs::ProgressFn& progress)
 {
     jobs::SweepCallbacks callbacks;
     callbacks.onBegin = [live, ending](const results::SweepRun& run) {
@@ -176,9 +177,10 @@ jobs::SweepCallbacks SweepTest::callbacksFor(const std::shared_ptr<Live>& live,
     callbacks.onUnreleasedTorque = [ending](const jobs::UnreleasedTorque& left) {
         ending->unreleasedTorque.push_back(left);
     };
-    callbacks.onProgress = [live](const jobs::SweepProgress& progress) {
+    callbacks.onProgress = [live, progress](const jobs::SweepProgress& done) {
+        progress({done.fraction, done.remaining});
         const std::lock_guard lock(live->mutex);
-        live->progress = progress;
+        live->progress = done;
     };
     return callbacks;
 }
@@ -206,7 +208,7 @@ base::Result<void> SweepTest::runJob(TaskContext& context, const jobs::SweepRequ
 {
     if (live->canceled)
         return base::fail(ErrorCode::Stopped, QStringLiteral("sweep"));
-    auto run = drive(context, request, callbacksFor(live, ending));
+    auto run = drive(context, request, callbacksFor(live, ending, context.progress));
     if (ending->recording)
         ending->recording->finish();
     if (!run)

@@ -91,7 +91,8 @@ private:
     struct Live;
     struct Ending;
     static jobs::SweepCallbacks callbacksFor(const std::shared_ptr<Live>& live,
-                                             const std::shared_ptr<Ending>& ending);
+                                             const std::shared_ptr<Ending>& ending,
+                                             const jobs::ProgressFn& progress);
     static std::optional<base::Error> beginRecording(Live& live, Ending& ending,
                                                      const results::SweepRun& run);
     static base::Result<void> runJob(TaskContext& context, const jobs::SweepRequest& request,

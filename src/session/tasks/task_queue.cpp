@@ -73,6 +73,11 @@ std::optional<bool> TaskQueue::testHoldsTorque() const
     return isTesting() ? m_running->task.holdsTorqueAfterwards : std::nullopt;
 }
 
+QString TaskQueue::runningName() const
+{
+    return m_running ? m_running->task.name : QString();
+}
+
 void TaskQueue::stop()
 {
     if (m_running)
@@ -254,10 +259,11 @@ void TaskQueue::tryWork(Work& work)
         work.error = base::Error{base::ErrorCode::Stopped, work.task.name, {}, work.own.servo.id};
         return;
     }
-    TaskContext task{context, work.own.servo, work.stop, [this](const jobs::Progress& progress) {
-                         m_bench.mainQueue().post(
-                             [this, progress] { Q_EMIT taskProgress(progress); });
-                     }};
+    const auto report = [this, &context, left = jobs::TimeLeft()](jobs::Progress progress) mutable {
+        progress.remaining = left.estimate(progress, context.bus.clock().now());
+        m_bench.mainQueue().post([this, progress] { Q_EMIT taskProgress(progress); });
+    };
+    TaskContext task{context, work.own.servo, work.stop, report};
     for (Work::Part& other : work.others)
         task.otherServos.push_back(&other.servo);
     if (const auto done = work.task.work(task); !done)

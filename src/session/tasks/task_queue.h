@@ -24,9 +24,10 @@ public:
     bool isBusy() const;    ///< a task runs or waits
     bool isTesting() const; ///< a lasting task runs; see Task::isLongRunning
     std::optional<bool>
-    testHoldsTorque() const; ///< Task::holdsTorqueAfterwards of the one that runs
-    void stop();             ///< the running task; those that wait are dropped
-    void stopTest();         ///< the running one, if it is a lasting one; nothing else
+    testHoldsTorque() const;     ///< Task::holdsTorqueAfterwards of the one that runs
+    QString runningName() const; ///< Task::name of the one that runs; empty: none
+    void stop();                 ///< the running task; those that wait are dropped
+    void stopTest();             ///< the running one, if it is a lasting one; nothing else
 
     /// For the services of the workbench.
     void enqueue(std::shared_ptr<Work> work);
@@ -40,8 +41,8 @@ public:
     bool any(const std::function<bool(const Work&)>& matches) const;
 
 Q_SIGNALS:
-    void taskChanged(); ///< isBusy() may have changed
-    void taskProgress(const jobs::Progress& progress);
+    void taskChanged();                                ///< isBusy() may have changed
+    void taskProgress(const jobs::Progress& progress); ///< with an estimate, if there is one
 
 private:
     bool canRun(const Work& work) const;

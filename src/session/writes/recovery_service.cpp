@@ -17,7 +17,8 @@ struct IntentReport {
 /// Where the journal has no open intent to look at no servo is asked.
 base::Result<IntentReport> detectOrRecover(const device::Context& context,
                                            jobs::RecoveryAction action,
-                                           const jobs::RecoveryOptions& options)
+                                           const jobs::RecoveryOptions& options,
+                                           const jobs::ProgressFn& progress)
 {
     const auto open = context.journal.open();
     if (!open)
@@ -29,7 +30,7 @@ base::Result<IntentReport> detectOrRecover(const device::Context& context,
         return intent.servo.port == here;
     });
     if (own || jobs::startedOnOtherPorts(*open, here).size() > intentReport.elsewhere.size()) {
-        auto recovered = jobs::recover(context, action, options);
+        auto recovered = jobs::recover(context, action, options, progress);
         if (!recovered)
             return tl::unexpected(recovered.error());
         intentReport.found = std::move(*recovered);
@@ -111,7 +112,8 @@ void RecoveryService::recoverIntents(jobs::RecoveryAction action, const QString&
     work->task.quiet = action == jobs::RecoveryAction::Preview;
     const auto ports = anyPort ? jobs::IntentPorts::IncludingMissing : jobs::IntentPorts::This;
     work->task.work = [action, uuid, ports, intentReport, saved](TaskContext& task) {
-        return detectOrRecover(task.device, action, {ports, uuid, saveTablesInto(*saved)})
+        return detectOrRecover(task.device, action, {ports, uuid, saveTablesInto(*saved)},
+                               task.progress)
             .map([&intentReport](IntentReport&& made) { *intentReport = std::move(made); });
     };
     work->onMerged = [this, intentReport, saved, resolves = action != jobs::RecoveryAction::Preview,

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <atomic>
+#include <csignal>
 #include <poll.h>
 #include <thread>
 #include <unistd.h>
@@ -67,6 +68,7 @@ private Q_SLOTS:
     void noAdapterIsACause();
     void aBoardsTextIsACause();
     void explainsItselfAsText();
+    void namesNoCauseWhenItIsStopped();
 };
 
 void TestCliDiagnose::allIsWell()
@@ -125,6 +127,19 @@ void TestCliDiagnose::explainsItselfAsText()
         qPrintable(result.out));
     QVERIFY(result.out.contains(QLatin1String("\nCause: Servos use another baud rate.\n")));
     QVERIFY(result.out.contains(QLatin1String("\nWhat to do: Connect at the baud rate")));
+}
+
+void TestCliDiagnose::namesNoCauseWhenItIsStopped()
+{
+    CliProgram cli;
+    cli.start(words("--baud 1000000 --protocol modbus diagnose"));
+    QVERIFY(cli.waitForOutput("(no echo)"));
+    cli.signal(SIGINT);
+    const ProgramResult result = cli.finish();
+    QVERIFY(result.exit != 0);
+    QVERIFY2(result.out.contains(QLatin1String("\nThe diagnosis was stopped early.\n")),
+             qPrintable(result.out));
+    QVERIFY(!result.out.contains(QLatin1String("Cause:")));
 }
 
 SERVODESK_GUILESS_TEST(TestCliDiagnose)

@@ -281,6 +281,10 @@ private Q_SLOTS:
     void namesAnotherProgramFirst();
     void keepsWhatItFoundWhenItIsStopped();
     void emergencyReachesTheServosAtTheirOwnRate();
+    void theEndDoesNotMoveAway_data();
+    void theEndDoesNotMoveAway();
+    void silenceCountsTheRatesThatWereTried_data();
+    void silenceCountsTheRatesThatWereTried();
 };
 
 void TestDiagnose::namesTheCauseOfBrokenBuses()
@@ -369,6 +373,73 @@ void TestDiagnose::emergencyReachesTheServosAtTheirOwnRate()
     QCOMPARE(fixture.bus().baud(), fast);
     static_cast<void>(fixture.bus().listen(milliseconds(5)));
     QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), std::int64_t{0});
+}
+
+void TestDiagnose::theEndDoesNotMoveAway_data()
+{
+    QTest::addColumn<QString>("servos");
+    QTest::addColumn<bool>("silent");
+    QTest::newRow("found at once") << QStringLiteral("sts3215@1,sts3215@2") << false;
+    QTest::newRow("found at another rate") << QStringLiteral("sts3215@1+500000") << false;
+    QTest::newRow("nothing found") << QStringLiteral("sts3215@1") << true;
+}
+
+/// What is left gets less and less, and nothing is left at the end.
+void TestDiagnose::theEndDoesNotMoveAway()
+{
+    QFETCH(QString, servos);
+    QFETCH(bool, silent);
+    SimFixtureOptions options;
+    if (servos.contains(QLatin1Char('+')))
+        options.servoBaud = servos.section(QLatin1Char('+'), 1).toInt();
+    SimFixture fixture(servos.section(QLatin1Char('+'), 0, 0), options);
+    if (silent)
+        fixture.withBus([](sim::VirtualBus& wire) { wire.unplugAll(); });
+    std::vector<jobs::Progress> reports;
+    const auto report =
+        jobs::diagnose(fixture.context(), {{500'000, 115'200, 57'600}},
+                       [&](const jobs::Progress& progress) { reports.push_back(progress); });
+    QVERIFY(report);
+    QCOMPARE(report->found.empty(), silent);
+    QVERIFY(reports.size() > 10);
+    for (std::size_t i = 1; i < reports.size(); ++i) {
+        QVERIFY(reports[i].remaining && reports[i].remaining <= reports[i - 1].remaining);
+        QVERIFY(reports[i].fraction >= reports[i - 1].fraction);
+    }
+    const jobs::Progress& last = reports.back();
+    QVERIFY2(last.fraction > 0.9, qPrintable(QString::number(last.fraction)));
+    QVERIFY(*last.remaining < std::chrono::seconds(1));
+}
+
+void TestDiagnose::silenceCountsTheRatesThatWereTried_data()
+{
+    QTest::addColumn<bool>("rateIsFixed");
+    QTest::addColumn<bool>("refuses");
+    QTest::addColumn<int>("rates");
+    QTest::newRow("adapter") << false << false << 3;
+    QTest::newRow("adapter that cannot run one") << false << true << 2;
+    QTest::newRow("network bridge") << true << false << 1;
+}
+
+void TestDiagnose::silenceCountsTheRatesThatWereTried()
+{
+    QFETCH(bool, rateIsFixed);
+    QFETCH(bool, refuses);
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    fixture.tap().rateIsFixed = rateIsFixed;
+    fixture.reconnect(fast);
+    fixture.withBus([](sim::VirtualBus& wire) { wire.unplugAll(); });
+    if (refuses)
+        fixture.tap().refusedRates = {500'000};
+    const auto report = jobs::diagnose(fixture.context(), {{500'000, 115'200}});
+    QVERIFY(report);
+    QCOMPARE(report->diagnosis.cause, Cause::NoServoOrNoPower);
+    const auto& evidence = report->diagnosis.evidence;
+    const auto silence = std::find_if(evidence.begin(), evidence.end(), [](const auto& one) {
+        return one.kind == base::EvidenceKind::NothingReceived;
+    });
+    QVERIFY(silence != evidence.end());
+    QTEST(silence->count, "rates");
 }
 
 SERVODESK_GUILESS_TEST(TestDiagnose)

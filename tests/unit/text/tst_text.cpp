@@ -6,6 +6,7 @@
 #include "text/front_end.h"
 #include "text/language.h"
 #include "text/notice_text.h"
+#include "text/progress_text.h"
 
 #include <QRegularExpression>
 #include <QScopeGuard>
@@ -58,6 +59,7 @@ private Q_SLOTS:
     void remediesAreSpecific_data();
     void remediesAreSpecific();
     void noticesIncludeTheirNumbers();
+    void progressIsRounded();
     void unrecordedClaimsNoChange();
     void outcomesAndLocksInBothLanguages_data();
     void outcomesAndLocksInBothLanguages();
@@ -283,6 +285,19 @@ void TestText::recoveryUsesTheProgramsTerm()
     text::installTranslator(QStringLiteral("zh_CN"));
     for (const QString& sentence : words())
         QVERIFY2(sentence.contains(QStringLiteral("“端口 → 中断的写入”")), qPrintable(sentence));
+}
+
+void TestText::progressIsRounded()
+{
+    using namespace std::chrono_literals;
+    using text::durationText;
+    QCOMPARE(durationText(59'400ms), QStringLiteral("59 s"));
+    QCOMPARE(durationText(59'600ms), QStringLiteral("1 min 0 s"));
+    QCOMPARE(durationText(3599s), QStringLiteral("59 min 59 s"));
+    QCOMPARE(durationText(7500s), QStringLiteral("2 h 5 min"));
+    QCOMPARE(text::progressText(0.429, 12s), QStringLiteral("42 %, about 12 s left"));
+    QCOMPARE(text::progressText(0.999, 0s), QStringLiteral("99 %, about 1 s left"));
+    QCOMPARE(text::progressText(0.1, std::nullopt), QStringLiteral("10 %"));
 }
 
 SERVODESK_GUILESS_TEST(TestText)
