@@ -11252,14 +11252,6 @@ Retries: %9</source>
         <translation>尚未读取</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 毫秒</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
         <source> · missed: %1</source>
         <translation> · 丢失：%1</translation>
     </message>
@@ -11332,6 +11324,10 @@ Retries: %9</source>
     <message>
         <source>Shows or hides the gauges</source>
         <translation>显示或隐藏仪表</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
     </message>
 </context>
 <context>
@@ -14005,6 +14001,14 @@ Retries: %9</source>
     <message>
         <source>Trigger</source>
         <translation>触发</translation>
+    </message>
+    <message>
+        <source>&amp;Memory for readings</source>
+        <translation>读数占用内存(&amp;M)</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,12 @@ SampleStore::SampleStore(std::size_t budgetBytes)
     m_data->budget = budgetBytes;
 }
 
+void SampleStore::setBudget(std::size_t bytes)
+{
+    m_data->budget = bytes;
+    m_data->enforceBudget();
+}
+
 SampleStore::SampleStore(SampleStore&&) noexcept = default;
 SampleStore& SampleStore::operator=(SampleStore&&) noexcept = default;
 SampleStore::~SampleStore() = default;

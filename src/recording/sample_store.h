@@ -59,12 +59,14 @@ struct SampleStatistics {
 
 class SampleStore {
 public:
-    static constexpr std::size_t defaultBudget = std::size_t(384) << 20;
+    static constexpr std::size_t defaultBudget = std::size_t(128) << 20;
 
     explicit SampleStore(std::size_t budgetBytes = defaultBudget);
     SampleStore(SampleStore&&) noexcept;
     SampleStore& operator=(SampleStore&&) noexcept;
     ~SampleStore();
+
+    void setBudget(std::size_t bytes);
 
     ChannelId open(); ///< a new, empty channel
     /// Its samples go; the number is never given out again.

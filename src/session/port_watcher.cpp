@@ -3,11 +3,16 @@
 
 #include "transport/port_lease.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 
 namespace session {
 namespace {
 constexpr auto period = std::chrono::milliseconds(500);
+constexpr auto settleTime = std::chrono::seconds(3);
+constexpr auto longestPause = std::chrono::seconds(5);
+const QString deviceFolder = QStringLiteral("/dev");
 
 QString kindOf(const PortInfo& port)
 {
@@ -31,15 +36,33 @@ bool isBefore(const PortInfo& a, const PortInfo& b)
     return a.path < b.path;
 }
 
-PortWatcher::PortList listPortsNow()
+/// The ports of the system, listed only when they may have changed.
+PortWatcher::PortLister systemPorts()
 {
-    return {transport::listPorts(), transport::adaptersClaimedByBrltty()};
+    return [schedule = ListingSchedule(), ports = PortWatcher::PortList()]() mutable {
+        const QDateTime changed = QFileInfo(deviceFolder).lastModified();
+        if (schedule.isDue(changed, std::chrono::steady_clock::now()))
+            ports = {transport::listPorts(), transport::adaptersClaimedByBrltty()};
+        return ports;
+    };
 }
 } // namespace
 
+bool ListingSchedule::isDue(const QDateTime& changed, Time now)
+{
+    if (changed != m_changed) {
+        m_changed = changed;
+        m_settledAt = now + settleTime;
+    }
+    if (changed.isValid() && now >= m_settledAt && now < m_nextAt)
+        return false;
+    m_nextAt = now + longestPause;
+    return true;
+}
+
 PortWatcher::PortWatcher(QObject* parent, PortLister lister)
     : QObject(parent)
-    , m_listPorts(lister ? std::move(lister) : PortLister(listPortsNow))
+    , m_listPorts(lister ? std::move(lister) : systemPorts())
     , m_thread([this] { run(); })
 {}
 

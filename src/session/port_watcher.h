@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ports of this computer, kept up to date: looks twice a second on a thread of its own, because
-// listing them takes tens of milliseconds. Lives on the main thread, which never waits for it; the
-// destructor waits for the look that is under way.
+// listing them, where that is needed, takes tens of milliseconds. Lives on the main thread, which
+// never waits for it; the destructor waits for the look that is under way.
 #pragma once
 
 #include "base/stop_token.h"
 #include "session/main_thread_queue.h"
 #include "transport/port_inventory.h"
 
+#include <QDateTime>
+
+#include <chrono>
 #include <set>
 #include <thread>
 
 namespace session {
 using PortInfo = transport::PortInfo;
+
+/// When the ports must be listed, which takes thousands of system calls: after a change in the
+/// folder of device nodes, for a while, since permissions and links follow; and now and then,
+/// since a permission alone changes nothing there. A value; any thread.
+class ListingSchedule {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+    /// `changed`: the time of the folder; invalid: there is none, so always.
+    bool isDue(const QDateTime& changed, Time now);
+
+private:
+    QDateTime m_changed;
+    Time m_settledAt{};
+    Time m_nextAt{};
+};
 
 class PortWatcher final : public QObject {
     Q_OBJECT

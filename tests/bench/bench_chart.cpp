@@ -198,7 +198,7 @@ struct Fixture {
             QTest::mouseRelease(plot->viewport(), Qt::MiddleButton, Qt::NoModifier, from);
     }
 
-    recording::SampleStore store;
+    recording::SampleStore store{std::size_t(384) << 20};
     std::vector<ui::TrendChannel> channels;
     std::vector<recording::Mark> marks;
     base::Duration now{};

@@ -169,7 +169,7 @@ bool benchmarkRecorder(const QString& path, int count)
 
 bool benchmarkLoading(const QString& path, int count)
 {
-    recording::SampleStore store;
+    recording::SampleStore store{std::size_t(384) << 20};
     const base::StopToken stop;
     const auto start = Steady::now();
     const auto loaded = recording::loadRecording(path, store, stop);

@@ -101,7 +101,7 @@ void benchmarkQueries(const recording::SampleStore& store)
 
 int main()
 {
-    recording::SampleStore store;
+    recording::SampleStore store{std::size_t(384) << 20};
     const double rate = fill(store);
     const double used = double(store.bytes()) / megabyte;
     std::printf("%llu samples: %.1f MB (wanted <= %.0f)\n",

@@ -141,8 +141,8 @@ QWidget* MainWindow::buildCenter()
     auto* column = new QVBoxLayout(center);
     column->setContentsMargins({});
     m_banner = new Banner(center);
-    m_pages = new Pages(m_context, m_settings, center);
     m_center = new QStackedWidget(center);
+    m_pages = new Pages(m_context, m_settings, m_center);
     m_center->addWidget(new Welcome(m_commands, m_center));
     m_center->addWidget(m_pages);
     column->addWidget(m_center, 1);

@@ -13,6 +13,7 @@
 
 #include <QLayout>
 #include <QPainter>
+#include <QStackedWidget>
 #include <QTabBar>
 
 #include <array>
@@ -45,21 +46,24 @@ constexpr std::array allPages{
          QT_TRANSLATE_NOOP("ui::Pages", "All writes, snapshots, tests and alarms")}};
 } // namespace
 
+/// A page made as a child of the stack that will hold it is laid out and styled once; as a child of
+/// the tabs, all its widgets would get their style a second time when it moves into the stack.
 Pages::Pages(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QTabWidget(parent)
-    , m_operate(new OperatePage(appContext, settings, this))
-    , m_trend(m_operate->trend())
 {
+    auto* stack = findChild<QStackedWidget*>();
+    m_operate = new OperatePage(appContext, settings, stack);
+    m_trend = m_operate->trend();
     setObjectName(QStringLiteral("pages"));
     setDocumentMode(true);
     tabBar()->setDrawBase(false);
     auto* memory = new MemoryPage(appContext.workbench, appContext.commands, appContext.selection,
-                                  settings, this);
-    auto* sweep = new SweepPage(appContext, settings, this);
-    m_step = new StepPage(appContext, settings, this);
-    m_snapshots = new SnapshotsPage(appContext, settings, this);
-    auto* commission = new CommissionPage(appContext, settings, this);
-    m_history = new HistoryPage(appContext, settings, this);
+                                  settings, stack);
+    auto* sweep = new SweepPage(appContext, settings, stack);
+    m_step = new StepPage(appContext, settings, stack);
+    m_snapshots = new SnapshotsPage(appContext, settings, stack);
+    auto* commission = new CommissionPage(appContext, settings, stack);
+    m_history = new HistoryPage(appContext, settings, stack);
     for (QWidget* page : std::initializer_list<QWidget*>{m_operate, memory, sweep, m_step,
                                                          m_snapshots, commission, m_history})
         addTab(page, QString());

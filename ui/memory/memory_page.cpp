@@ -64,7 +64,7 @@ void MemoryPage::read()
 
 void MemoryPage::scheduleRefresh()
 {
-    if (!m_refresh.isActive())
+    if (isVisible() && !m_refresh.isActive()) // shown again, it looks anyway
         m_refresh.start();
 }
 

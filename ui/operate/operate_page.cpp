@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr auto refreshInterval = 50ms; ///< numbers that change faster cannot be read
+constexpr auto idleInterval = 1s;      ///< without a port only ages change
 constexpr int minControlWidth = 350;
 constexpr int maxControlWidth = 400;
 constexpr int controlPercent = 36;
@@ -120,8 +121,13 @@ void OperatePage::connectAll()
             &OperatePage::updateSubscription);
     connect(&m_workbench.search(), &session::SearchService::searchChanged, this,
             &OperatePage::updateSubscription);
-    m_refreshTimer.setInterval(refreshInterval);
     connect(&m_refreshTimer, &QTimer::timeout, this, &OperatePage::show);
+    const auto adaptTimer = [this] {
+        const bool open = m_workbench.link().state() == session::LinkState::Open;
+        m_refreshTimer.setInterval(open ? refreshInterval : idleInterval);
+    };
+    connect(&m_workbench.link(), &session::LinkController::linkChanged, this, adaptTimer);
+    adaptTimer();
 }
 
 const session::ServoEntry* OperatePage::entry() const

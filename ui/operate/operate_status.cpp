@@ -19,6 +19,8 @@ using catalog::Role;
 
 namespace {
 constexpr std::size_t maxAlarms = 8;
+/// Numbers that change faster cannot be read, and each change lays out the line anew.
+constexpr base::Duration ageInterval = std::chrono::milliseconds(500);
 
 bool reportsFaults(const device::Servo& servo)
 {
@@ -202,10 +204,15 @@ void OperateStatus::showAge(const session::ServoEntry& entry, const session::Wor
         m_age->setText(tr("not read yet"));
         return;
     }
-    const double age = std::max(0.0, double((workbench.now() - *rate.lastAt).count()) / 1e3);
-    const QString old = age < 1000 ? tr("%1 ms").arg(qRound(age))
-                                   : tr("%1 s").arg(age / 1e3, 0, 'f', age < 10000 ? 1 : 0);
-    QString words = tr("updated %1 ago · %2 Hz").arg(old).arg(qRound(rate.hz));
+    const base::Duration now = workbench.now();
+    if (entry.ref == m_ageOf && now - m_ageShownAt < ageInterval)
+        return;
+    m_ageOf = entry.ref;
+    m_ageShownAt = now;
+    const base::Duration age = now - *rate.lastAt;
+    QString words = age < ageInterval
+                        ? tr("%1 Hz").arg(qRound(rate.hz))
+                        : tr("updated %1 ago · %2 Hz").arg(spanText(age)).arg(qRound(rate.hz));
     if (rate.missed > 0)
         words += tr(" · missed: %1").arg(rate.missed);
     m_age->setText(words);

@@ -48,5 +48,7 @@ private:
     QPushButton* m_acknowledge = nullptr;
     QToolButton* m_gauges = nullptr;
     QLabel* m_age = nullptr;
+    session::ServoRef m_ageOf = 0; ///< whose age is shown, since when
+    base::Duration m_ageShownAt{};
 };
 } // namespace ui

@@ -26,6 +26,7 @@ using base::Duration;
 
 namespace {
 const QString subscriptionName = QStringLiteral("trend");
+constexpr Duration hiddenPeriod = std::chrono::milliseconds(500);
 } // namespace
 
 TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveData,
@@ -96,6 +97,8 @@ void TrendPanel::build()
     m_chart->setLaneHeights(m_settings.laneHeights());
     m_chart->setLanes(m_settings.hasLanes());
     m_toolbar->setLanes(m_settings.hasLanes());
+    m_toolbar->setMemory(m_settings.memory());
+    m_liveData.setBudget(std::size_t(m_settings.memory()) << 20);
     m_toolbar->setRate(m_settings.rate());
     setRate(m_settings.rate());
 }
@@ -129,6 +132,11 @@ void TrendPanel::connectToolbar()
     connect(m_toolbar, &TrendToolbar::widthRequested, this, [this](Duration width) {
         m_chart->setWidth(width);
         m_settings.setWidth(width);
+    });
+    connect(m_toolbar, &TrendToolbar::memoryRequested, this, [this](int megabytes) {
+        m_settings.setMemory(megabytes);
+        m_liveData.setBudget(std::size_t(megabytes) << 20);
+        samplesAdded(); // there may be fewer
     });
     connect(m_toolbar, &TrendToolbar::rateRequested, this, [this](int hz) {
         m_settings.setRate(hz);
@@ -226,7 +234,8 @@ void TrendPanel::updateSubscription()
     if (!m_workbenchGuard)
         return;
     session::Subscription subscription = resolver().subscription(m_curves);
-    subscription.period = m_period;
+    // On other pages the curves go on, with less detail; a recording has a subscription of its own.
+    subscription.period = isVisible() ? m_period : std::max(m_period, hiddenPeriod);
     m_workbench.polling().subscribe(subscriptionName, subscription);
 }
 
@@ -353,7 +362,14 @@ void TrendPanel::changeEvent(QEvent* event)
 void TrendPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    updateSubscription();
     showCurves();
     samplesAdded();
+}
+
+void TrendPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    updateSubscription();
 }
 } // namespace ui

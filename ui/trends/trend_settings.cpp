@@ -6,10 +6,13 @@ namespace {
 const QString curvesKey = QStringLiteral("trend/curves");
 const QString widthKey = QStringLiteral("trend/width_s");
 const QString rateKey = QStringLiteral("trend/rate_hz");
+const QString memoryKey = QStringLiteral("trend/memory_mb");
 const QString lanesKey = QStringLiteral("trend/lanes");
 const QString laneHeightsKey = QStringLiteral("trend/lane_heights"); ///< one text each: "°;2.5"
 constexpr int defaultWidth = 10;                                     ///< in seconds
 constexpr int defaultRate = 50;                                      ///< Hz
+constexpr int defaultMemory = 128;                                   ///< MB
+constexpr int leastMemory = 16;                                      ///< MB
 
 /// One text a curve: "1/present_position;visible;#rrggbb;scale;offset".
 QString toText(const TrendCurve& curve)
@@ -71,6 +74,16 @@ int TrendSettings::rate() const
 void TrendSettings::setRate(int hz)
 {
     m_settings.setPageValue(rateKey, hz);
+}
+
+int TrendSettings::memory() const
+{
+    return std::max(m_settings.pageValue(memoryKey, defaultMemory).toInt(), leastMemory);
+}
+
+void TrendSettings::setMemory(int megabytes)
+{
+    m_settings.setPageValue(memoryKey, megabytes);
 }
 
 bool TrendSettings::hasLanes() const

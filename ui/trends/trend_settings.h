@@ -21,6 +21,8 @@ public:
     void setWidth(base::Duration width);
     int rate() const; ///< in Hz; 0: as fast as the bus allows
     void setRate(int hz);
+    int memory() const; ///< for readings, in megabytes
+    void setMemory(int megabytes);
     bool hasLanes() const;
     void setLanes(bool on);
     QMap<QString, double> laneHeights() const; ///< as TrendChart has them

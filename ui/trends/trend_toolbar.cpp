@@ -26,6 +26,7 @@ namespace {
 constexpr std::array<Duration, 8> widths{2s, 5s, 10s, 30s, 60s, 600s, 3600s, 14400s};
 constexpr int buttonSpacing = 4;
 constexpr std::array rates{0, 200, 100, 50, 20, 10, 5, 1};
+constexpr std::array memories{64, 128, 256, 512, 1024}; ///< MB
 const QStringList liveOnly{QStringLiteral("trendClear"), QStringLiteral("trendTriggerMenu")};
 
 void setTexts(QToolButton* button, const QString& text, const QString& tip)
@@ -200,6 +201,12 @@ void TrendToolbar::setRate(int hz)
     fillMenu();
 }
 
+void TrendToolbar::setMemory(int megabytes)
+{
+    m_memory = megabytes;
+    fillMenu();
+}
+
 void TrendToolbar::setReplaying(bool replaying)
 {
     m_replaying = replaying;
@@ -233,6 +240,7 @@ void TrendToolbar::fillMenu()
     action("trendTriggerMenu", m_triggerWords.isEmpty() ? tr("&Trigger…") : m_triggerWords,
            &TrendToolbar::triggerRequested);
     addRates();
+    addMemories();
     m_menu->addSeparator();
     action("trendExport", tr("&Export view…"), &TrendToolbar::exportRequested);
     action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openRequested);
@@ -247,18 +255,37 @@ void TrendToolbar::addRates()
     QMenu* menu = m_menu->addMenu(tr("&Readings per second"));
     menu->setObjectName(QStringLiteral("trendRates"));
     menu->setEnabled(!m_replaying);
-    auto* group = new QActionGroup(menu);
-    for (const int hz : rates) {
-        QAction* one =
-            menu->addAction(hz == 0 ? tr("As fast as the bus allows") : tr("%1 Hz").arg(hz));
-        one->setCheckable(true);
-        one->setChecked(hz == m_rate);
-        group->addAction(one);
-        connect(one, &QAction::triggered, this, [this, hz] {
-            m_rate = hz;
-            Q_EMIT rateRequested(hz);
+    for (const int hz : rates)
+        addChoice(menu, hz == 0 ? tr("As fast as the bus allows") : tr("%1 Hz").arg(hz),
+                  hz == m_rate, [this, hz] {
+                      m_rate = hz;
+                      Q_EMIT rateRequested(hz);
+                  });
+}
+
+/// What is older than this holds keeps only its extremes, and then goes.
+void TrendToolbar::addMemories()
+{
+    QMenu* menu = m_menu->addMenu(tr("&Memory for readings"));
+    menu->setObjectName(QStringLiteral("trendMemories"));
+    for (const int megabytes : memories)
+        addChoice(menu, tr("%1 MB").arg(megabytes), megabytes == m_memory, [this, megabytes] {
+            m_memory = megabytes;
+            Q_EMIT memoryRequested(megabytes);
         });
-    }
+}
+
+void TrendToolbar::addChoice(QMenu* menu, const QString& text, bool isChosen,
+                             const std::function<void()>& choose)
+{
+    auto* group = menu->findChild<QActionGroup*>();
+    if (group == nullptr)
+        group = new QActionGroup(menu);
+    QAction* one = menu->addAction(text);
+    one->setCheckable(true);
+    one->setChecked(isChosen);
+    group->addAction(one);
+    connect(one, &QAction::triggered, this, choose);
 }
 
 void TrendToolbar::addPresets()

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -30,6 +32,7 @@ public:
     /// "00:12 · 5580 rows"; empty: nothing is recorded.
     void setRecording(const QString& text);
     void setRate(int hz); ///< 0: as fast as the wire allows
+    void setMemory(int megabytes);
     void setReplaying(bool replaying);
     void setPresets(const QStringList& names);
 
@@ -51,6 +54,7 @@ Q_SIGNALS:
     void presetSaveRequested();
     void presetRemoveRequested(const QString& name);
     void rateRequested(int hz); ///< 0: as fast as the wire allows
+    void memoryRequested(int megabytes);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -62,6 +66,9 @@ private:
     void fitTexts();
     void fillMenu();
     void addRates();
+    void addMemories();
+    void addChoice(QMenu* menu, const QString& text, bool isChosen,
+                   const std::function<void()>& choose);
     void addPresets();
     void retranslate();
     void retranslateWidths();
@@ -82,7 +89,8 @@ private:
     QStringList m_presets;
     QString m_triggerWords;
     QString m_recordWords;
-    int m_rate = 0; ///< Hz
+    int m_rate = 0;   ///< Hz
+    int m_memory = 0; ///< MB
     bool m_replaying = false;
     bool m_isFitting = false;
 };

@@ -3,12 +3,17 @@
 
 #include "session/workbench.h"
 
+#include <algorithm>
+
 namespace session {
+namespace {
+constexpr std::chrono::milliseconds shortestInterval(33);
+constexpr std::chrono::milliseconds longestInterval(250);
+} // namespace
+
 PollController::PollController(Workbench& bench)
     : m_bench(bench)
 {
-    using namespace std::chrono_literals;
-    m_timer.setInterval(33ms);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, [this] {
         collectReadings();
@@ -64,6 +69,8 @@ void PollController::updatePolling()
     if (!m_bench.link().connection())
         return;
     m_polling.startPolls(m_bench.link().connection()->bus(), pollableServos());
+    m_timer.setInterval(std::clamp(std::chrono::ceil<std::chrono::milliseconds>(m_polling.period()),
+                                   shortestInterval, longestInterval));
     if (!m_polling.isRunning())
         m_timer.stop();
     else if (!m_timer.isActive())

@@ -90,6 +90,7 @@ void PollingService::startPolls(bus::Bus& bus, const std::vector<const ServoEntr
     SubscriptionPlan plan = planSubscriptions(subscriptions, present, m_baud);
     plan.primary.period = std::max(plan.primary.period, m_minPeriod);
     plan.secondary.period = std::max(plan.secondary.period, m_minPeriod);
+    m_period = plan.primary.period;
     for (auto& [ref, rateHistory] : m_rateHistory) {
         if (std::none_of(plan.targets.begin(), plan.targets.end(),
                          [r = ref](const PollTarget& target) { return target.ref == r; }))

@@ -27,6 +27,7 @@ public:
     void removeServo(ServoRef ref);
     void removeAllServos();
     bool isRunning() const { return m_polls[0] != 0; }
+    base::Duration period() const { return m_period; } ///< of what is read most often
 
     /// True when the polls must change: other subscriptions, other servos `present` (those that may
     /// be asked now), another ID, map or rate.
@@ -81,6 +82,7 @@ private:
     std::vector<PolledServo> m_polledServos;
     int m_baud = 0;
     std::array<bus::PollId, 2> m_polls{}; ///< common, beside
+    base::Duration m_period{};
     std::map<std::pair<base::Protocol, int>, Source> m_sources;
     ReadingBatch m_batch; ///< being made
     std::map<ServoRef, RateHistory> m_rateHistory;

@@ -46,6 +46,8 @@ public:
     const std::vector<LiveChannel>& channels() const { return m_channels; }
     const LiveChannel* find(ServoRef servo, const QString& key) const; ///< the latest one of it
     void clear();
+    /// How much memory the readings may take; the oldest lose detail first.
+    void setBudget(std::size_t bytes) { m_store.setBudget(bytes); }
 
     /// How often what is recorded and waited for is read; 0: as fast as the wire allows.
     void setPeriod(base::Duration period);

@@ -155,6 +155,40 @@ private Q_SLOTS:
         QCOMPARE(fixture.curve(QStringLiteral("*/@goal"))->unit, QStringLiteral("°"));
     }
 
+    /// Where nothing live is shown, two readings a second keep the trend and the alarms going.
+    void otherPagesReadLessOften()
+    {
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        const auto hz = [&] {
+            return fixture.workbench().polling().pollRate(fixture.selection().current()).hz;
+        };
+        QTRY_VERIFY(hz() > 20);
+        fixture.action(ui::Command::PageSweep)->trigger();
+        QTRY_VERIFY(hz() > 0 && hz() <= 3);
+        fixture.action(ui::Command::PageOperate)->trigger();
+        QTRY_VERIFY(hz() > 20);
+    }
+
+    void theMemoryForReadingsIsChosen()
+    {
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        const auto choices = [&] { return fixture.find<QMenu>("trendMemories")->actions(); };
+        const auto chosen = [&] {
+            QStringList names;
+            for (const QAction* one : choices()) {
+                if (one->isChecked())
+                    names << one->text();
+            }
+            return names;
+        };
+        QCOMPARE(chosen(), QStringList{QStringLiteral("128 MB")});
+        choices().last()->trigger();
+        QCOMPARE(chosen(), QStringList{QStringLiteral("1024 MB")});
+        QCOMPARE(fixture.settings.pageValue(QStringLiteral("trend/memory_mb"), 0).toInt(), 1024);
+    }
+
     void chineseUsesTechnicalTerms()
     {
         OperatePageFixture fixture(QStringLiteral("zh_CN"));

@@ -510,6 +510,21 @@ private Q_SLOTS:
         QCOMPARE(store.latest(channel)->value, 99999.0);
         QVERIFY(!store.at(channel, Duration(5000) * 99998 + Duration(1)));
     }
+
+    /// A smaller budget counts at once, a larger one from then on.
+    void aSmallerBudgetCountsAtOnce()
+    {
+        SampleStore store;
+        const int channel = store.open();
+        for (int i = 0; i < 200'000; ++i)
+            store.append(channel, i * std::chrono::milliseconds(1), i % 1000);
+        const std::size_t whole = store.bytes();
+        QVERIFY(!store.decimated());
+        store.setBudget(whole / 2);
+        QVERIFY(store.bytes() <= whole / 2);
+        QVERIFY(store.decimated());
+        QCOMPARE(store.latest(channel)->value, 999.0);
+    }
 };
 
 SERVODESK_GUILESS_TEST(TestSampleStore)

@@ -78,6 +78,30 @@ class TestPortWatcher : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
+    /// Plugging changes the folder of device nodes; a permission that is set later does not.
+    void portsAreListedWhenTheyMayHaveChanged()
+    {
+        using std::chrono::milliseconds;
+        using std::chrono::seconds;
+        const auto at = [](milliseconds time) { return session::ListingSchedule::Time(time); };
+        const QDateTime before(QDate(2026, 1, 1), QTime(12, 0));
+        const QDateTime after = before.addSecs(60);
+        session::ListingSchedule schedule;
+        QVERIFY(schedule.isDue(before, at(seconds(100))));
+        QVERIFY(schedule.isDue(before, at(seconds(102)))); // permissions and links may follow
+        QVERIFY(schedule.isDue(before, at(milliseconds(102'900))));
+        QVERIFY(!schedule.isDue(before, at(milliseconds(103'400))));
+        QVERIFY(!schedule.isDue(before, at(milliseconds(107'800))));
+        QVERIFY(schedule.isDue(before, at(milliseconds(107'900))));
+        QVERIFY(!schedule.isDue(before, at(milliseconds(108'400))));
+        QVERIFY(schedule.isDue(after, at(milliseconds(108'900)))); // plugged in
+        QVERIFY(schedule.isDue(after, at(milliseconds(109'400))));
+        // Without such a folder nothing can be told.
+        session::ListingSchedule always;
+        for (int i = 0; i < 20; ++i)
+            QVERIFY(always.isDue({}, at(milliseconds(500 * i))));
+    }
+
     void adaptersComeFirst();
     void pluggingAndUnpluggingIsDetected();
     void anAdapterIsKnownAtAnotherPath();
