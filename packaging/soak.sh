@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs the tests built in build/ ten times, beside two busy loops and a program that writes to the disk, and
 # lists each test that failed at least once. With a number first: that many times; the rest goes to ctest,
-# e.g. `soak.sh 20 -R tst_cli_sweep`.
+# e.g. `soak.sh 20 -R tst_cli_sweep`. The whole output of a run that failed is kept in build/Testing.
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
@@ -45,6 +45,8 @@ for run in $(seq "$runs"); do
     ctest --test-dir "$BUILD_DIR" --no-tests=error --output-on-failure --parallel 6 "$@" \
         >"$scratch/log" 2>&1 || sed -n '/^Errors while running CTest/q; /\*\*\*/p; /^FAIL!/,/^   Loc/p' "$scratch/log"
     grep -qE '^[0-9]+% tests passed' "$scratch/log" || { cat -- "$scratch/log"; die "the tests did not run."; }
+    [ ! -s "$BUILD_DIR/Testing/Temporary/LastTestsFailed.log" ] ||
+        cp -- "$scratch/log" "$BUILD_DIR/Testing/soak-$run.log"
     cut -d: -f2 -- "$BUILD_DIR/Testing/Temporary/LastTestsFailed.log" >>"$scratch/failed" 2>/dev/null || true
     step "$run/$runs" "$(grep -E '^[0-9]+% tests passed' "$scratch/log"), $((SECONDS - began)) s"
 done
