@@ -2791,12 +2791,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>提高加速度上限</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>unchanged</source>
         <translation>无明显变化</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1：%2 %3</translation>
     </message>
 </context>
 <context>
@@ -4829,10 +4829,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>内容类型：writes（默认）、snapshots、alarms、recordings、runs、servos；查看服务器时还可用 benches</translation>
     </message>
     <message>
-        <source>write all matching entries to a CSV file instead</source>
-        <translation>改为把所有符合条件的内容写入 CSV 文件</translation>
-    </message>
-    <message>
         <source>write all matching entries to a JSON file instead</source>
         <translation>改为把所有符合条件的内容写入 JSON 文件</translation>
     </message>
@@ -5137,10 +5133,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message>
         <source>file created by snapshot save</source>
         <translation>由 snapshot save 生成的文件</translation>
-    </message>
-    <message>
-        <source>output as CSV, for spreadsheets</source>
-        <translation>以 CSV 输出，用于电子表格</translation>
     </message>
     <message>
         <source>&quot;default&quot; must be combined with a servo, or with a file of a known model</source>
@@ -6121,6 +6113,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>Comparing with the servos</source>
         <translation>正在与舵机比较</translation>
+    </message>
+    <message>
+        <source>write all matching entries to a CSV file for programs (without a byte order mark) instead</source>
+        <translation>改为把全部匹配的条目写入供程序读取的 CSV 文件（不带 BOM）</translation>
+    </message>
+    <message>
+        <source>output as CSV, without a byte order mark</source>
+        <translation>以 CSV 格式输出（不带 BOM）</translation>
     </message>
 </context>
 <context>

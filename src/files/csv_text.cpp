@@ -19,6 +19,11 @@ bool looksLikeFormula(const QString& cell)
 }
 } // namespace
 
+QByteArray csvStart(CsvReader reader)
+{
+    return reader == CsvReader::Spreadsheet ? QByteArrayLiteral("\xEF\xBB\xBF") : QByteArray();
+}
+
 QByteArray csvText(const QString& cell)
 {
     QString text = looksLikeFormula(cell) ? QLatin1Char('\'') + cell : cell;

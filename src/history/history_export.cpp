@@ -371,10 +371,11 @@ base::Result<RunFilter> runFilterOf(const History& history, const HistoryFilter&
 }
 
 base::Result<std::int64_t> exportHistoryCsv(const History& history, HistoryKind kind,
-                                            const HistoryFilter& filter, const QString& path)
+                                            const HistoryFilter& filter, const QString& path,
+                                            files::CsvReader reader)
 {
     return save(path, [&](BufferedSink& out) {
-        out.put(files::csvLine(columnsOf(kind)));
+        out.put(files::csvStart(reader) + files::csvLine(columnsOf(kind)));
         return forEachRow(history, kind, filter, [&](const HistoryFields& row) {
             QStringList cells;
             for (const HistoryField& field : row)

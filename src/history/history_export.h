@@ -6,6 +6,7 @@
 // and files/text_file.h.
 #pragma once
 
+#include "files/csv_text.h"
 #include "history/history.h"
 #include "history/history_log.h"
 
@@ -33,7 +34,8 @@ HistoryFields fieldsOf(const TestRun& run);
 
 /// All rows that match the filter (its `limit` and `after` are ignored); returns their number.
 base::Result<std::int64_t> exportHistoryCsv(const History& history, HistoryKind kind,
-                                            const HistoryFilter& filter, const QString& path);
+                                            const HistoryFilter& filter, const QString& path,
+                                            files::CsvReader reader = files::CsvReader::Program);
 /// Several lists in one document.
 base::Result<std::int64_t> exportHistoryJson(const History& history,
                                              const std::vector<HistoryKind>& kinds,

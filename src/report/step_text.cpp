@@ -166,14 +166,13 @@ Text stepRemedyText(StepRemedy remedy)
     return {};
 }
 
-Text stepAdviceLine(const results::StepAdvice& advice)
+Text stepAdviceLine(const results::StepAdvice& advice, const Text& registerName)
 {
     const Text remedy = stepRemedyText(advice.remedy);
     if (advice.key.isEmpty())
         return remedy;
-    const QString values =
-        QStringLiteral("%1 %2 → %3").arg(advice.key).arg(advice.now).arg(advice.proposed);
-    return filled(translate("StepText", "%1: %2"), remedy, inBoth(values));
+    const Text values = inBoth(QStringLiteral("%1 → %2").arg(advice.now).arg(advice.proposed));
+    return filled(translate("StepText", "%1: %2 %3"), remedy, registerName, values);
 }
 
 QString stepAdviceText(const std::vector<results::StepAdvice>& advice, bool chinese)
@@ -182,7 +181,8 @@ QString stepAdviceText(const std::vector<results::StepAdvice>& advice, bool chin
     for (std::size_t i = 0; i < advice.size(); ++i) {
         if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
             text += stepSymptomText(advice[i].symptom).in(chinese) + QLatin1Char('\n');
-        text += QStringLiteral("  ") + stepAdviceLine(advice[i]).in(chinese) + QLatin1Char('\n');
+        text += QStringLiteral("  ") +
+                stepAdviceLine(advice[i], inBoth(advice[i].key)).in(chinese) + QLatin1Char('\n');
     }
     return text;
 }

@@ -21,8 +21,8 @@ StepPairText stepPairText(std::optional<double> before, std::optional<double> af
 catalog::Text stepChangeText(results::StepChange change);    ///< "better"; Neither: "–"
 catalog::Text stepSymptomText(results::StepSymptom symptom); ///< "It overshoots: D is too low."
 catalog::Text stepRemedyText(results::StepRemedy remedy);    ///< "Raise D"
-/// "Raise D: position_d 32 → 36"
-catalog::Text stepAdviceLine(const results::StepAdvice& advice);
+/// "Raise D: Position loop D 32 → 36"; `registerName`: what the reader calls the register.
+catalog::Text stepAdviceLine(const results::StepAdvice& advice, const catalog::Text& registerName);
 /// One line per symptom, and below it, indented, one line per remedy.
 QString stepAdviceText(const std::vector<results::StepAdvice>& advice, bool chinese);
 } // namespace report

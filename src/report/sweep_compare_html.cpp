@@ -3,6 +3,7 @@
 
 #include "files/text_file.h"
 #include "report/bilingual.h"
+#include "report/register_names.h"
 #include "report/sweep_compare_text.h"
 #include "report/sweep_parts.h"
 #include "report/sweep_text.h"
@@ -112,8 +113,11 @@ QString chartOf(const HtmlWriter& htmlWriter, const Text& letter, const SweepSid
            escaped(side.name) + QStringLiteral("</p>\n") + errorsChart(htmlWriter, side.servo);
 }
 
-QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepComparison& found)
+QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepComparison& found,
+                     const SweepSide& side)
 {
+    const snapshot::SnapshotServo& servo = side.servo.parameters.servo;
+    const RegisterNames names(servo.model, servo.firmware);
     const CompareTexts& own = compareTexts();
     QString text = htmlWriter.heading(2, own.settings);
     if (found.settings.empty())
@@ -123,7 +127,7 @@ QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepCompariso
     };
     Rows rows;
     for (const results::SettingDifference& one : found.settings)
-        rows.push_back({escaped(one.key), htmlWriter.optional(one.a, dash),
+        rows.push_back({htmlWriter.htmlText(names.name(one.key)), htmlWriter.optional(one.a, dash),
                         htmlWriter.optional(one.b, dash), escaped(one.unit), raw(one.rawA),
                         raw(one.rawB)});
     const QString rawWord = htmlWriter.htmlText(sweepTexts().raw);
@@ -142,7 +146,7 @@ QByteArray sweepCompareHtml(const SweepSide& a, const SweepSide& b, bool chinese
     const QString body = sidesPart(htmlWriter, a, b) + warningsPart(htmlWriter, found) +
                          figuresPart(htmlWriter, found) + htmlWriter.heading(2, own.steadyErrors) +
                          chartOf(htmlWriter, own.a, a) + chartOf(htmlWriter, own.b, b) +
-                         settingsPart(htmlWriter, found);
+                         settingsPart(htmlWriter, found, a);
     return page(htmlWriter, own.title, body, chinese).toUtf8();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the report about one servo.
 #include "report/bilingual.h"
+#include "report/register_names.h"
 #include "report/sweep_parts.h"
 #include "report/sweep_text.h"
 
@@ -126,17 +127,32 @@ QString placed(const QString& markup, const EmbedChart& place)
     return markup.startsWith(QStringLiteral("<svg")) ? place(markup) : markup;
 }
 
+Text areaText(catalog::Area area)
+{
+    switch (area) {
+    case catalog::Area::Feedback:
+        return translate("text", "feedback");
+    case catalog::Area::Factory:
+        return translate("text", "factory");
+    case catalog::Area::Eprom:
+    case catalog::Area::Sram:
+        break;
+    }
+    return inBoth(catalog::areaName(area));
+}
+
 QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
     const SweepTexts& words = sweepTexts();
     const snapshot::Snapshot& kept = servo.parameters;
+    const RegisterNames names(kept.servo.model, kept.servo.firmware);
     Rows rows;
     for (const snapshot::SnapshotRegister& reg : kept.registers)
         rows.push_back(
-            {QString::number(reg.address), escaped(reg.key),
+            {QString::number(reg.address), htmlWriter.htmlText(names.name(reg.key)),
              reg.raw ? QString::number(qint64(*reg.raw)) : htmlWriter.htmlText(words.notMeasured),
              reg.value && std::isfinite(*reg.value) ? exactNumber(*reg.value) : QStringLiteral("–"),
-             escaped(reg.unit), escaped(catalog::areaName(reg.area))});
+             escaped(reg.unit), htmlWriter.htmlText(areaText(reg.area))});
     return QStringLiteral("<details><summary>") + htmlWriter.htmlText(words.parameters) +
            QStringLiteral("</summary>\n<p>") + htmlWriter.htmlText(words.readAt) +
            QStringLiteral(": ") + localTime(kept.at) + QStringLiteral(", ") +

@@ -12,7 +12,6 @@ namespace {
 constexpr auto period = std::chrono::milliseconds(500);
 constexpr auto settleTime = std::chrono::seconds(3);
 constexpr auto longestPause = std::chrono::seconds(5);
-const QString deviceFolder = QStringLiteral("/dev");
 
 QString kindOf(const PortInfo& port)
 {
@@ -36,11 +35,21 @@ bool isBefore(const PortInfo& a, const PortInfo& b)
     return a.path < b.path;
 }
 
+/// When a device node was last added or removed; invalid where the system has no such folder.
+QDateTime lastPlugging()
+{
+#ifdef Q_OS_UNIX
+    return QFileInfo(QStringLiteral("/dev")).lastModified();
+#else
+    return {};
+#endif
+}
+
 /// The ports of the system, listed only when they may have changed.
 PortWatcher::PortLister systemPorts()
 {
     return [schedule = ListingSchedule(), ports = PortWatcher::PortList()]() mutable {
-        const QDateTime changed = QFileInfo(deviceFolder).lastModified();
+        const QDateTime changed = lastPlugging();
         if (schedule.isDue(changed, std::chrono::steady_clock::now()))
             ports = {transport::listPorts(), transport::adaptersClaimedByBrltty()};
         return ports;

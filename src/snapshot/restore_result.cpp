@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "snapshot/restore_result.h"
 
-#include "files/csv_text.h"
 #include "files/json_text.h"
 #include "files/text_file.h"
 
@@ -98,11 +97,12 @@ QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results)
 }
 
 base::Result<void> saveRestoreResults(const std::vector<RestoreResult>& results,
-                                      const QString& path)
+                                      const QString& path, files::CsvReader reader)
 {
     const bool csv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-    return files::saveTextFile(
-        QStringLiteral("save-result"),
-        csv ? encodeRestoreResultsCsv(results) : encodeRestoreResults(results), path);
+    return files::saveTextFile(QStringLiteral("save-result"),
+                               csv ? files::csvStart(reader) + encodeRestoreResultsCsv(results)
+                                   : encodeRestoreResults(results),
+                               path);
 }
 } // namespace snapshot

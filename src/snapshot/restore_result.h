@@ -4,6 +4,7 @@
 // with FileUnwritable, DiskFull.
 #pragma once
 
+#include "files/csv_text.h"
 #include "snapshot/snapshot.h"
 
 namespace snapshot {
@@ -39,5 +40,6 @@ QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results);
 
 /// CSV where the name ends so, JSON otherwise.
 base::Result<void> saveRestoreResults(const std::vector<RestoreResult>& results,
-                                      const QString& path);
+                                      const QString& path,
+                                      files::CsvReader reader = files::CsvReader::Program);
 } // namespace snapshot

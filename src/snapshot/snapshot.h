@@ -65,5 +65,6 @@ base::Result<Snapshot> loadSnapshot(const QString& path);
 /// label) in each, so that several exports can be put together. UTF-8, decimal points, empty cells
 /// for what is not known.
 QByteArray encodeSnapshotCsv(const Snapshot& snapshot);
+/// With a byte order mark.
 base::Result<void> saveSnapshotCsv(const Snapshot& snapshot, const QString& path);
 } // namespace snapshot

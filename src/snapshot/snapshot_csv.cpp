@@ -47,6 +47,8 @@ QByteArray encodeSnapshotCsv(const Snapshot& snapshot)
 
 base::Result<void> saveSnapshotCsv(const Snapshot& snapshot, const QString& path)
 {
-    return files::saveTextFile(QStringLiteral("save-snapshot"), encodeSnapshotCsv(snapshot), path);
+    const QByteArray text = files::csvStart(files::CsvReader::Spreadsheet);
+    return files::saveTextFile(QStringLiteral("save-snapshot"), text + encodeSnapshotCsv(snapshot),
+                               path);
 }
 } // namespace snapshot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window costs while nobody does anything: the share of a core that the program takes with
 // six servos behind a pseudo-terminal, on every page; without a connection; and after an unplug.
-// Wanted: 12 % on Operate, 5 % on the other pages, 1 % without a connection. POSIX.
+// Wanted: 12 % on Operate, 5 % on the other pages, 1 % without a connection. Linux.
 #include "support/cli_program.h"
 #include "support/test_paths.h"
 

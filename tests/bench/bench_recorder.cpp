@@ -5,6 +5,7 @@
 // no row lost, memory flat (16 MB of growth are what may wait). `bench_recorder 1000000` does so
 // with fewer rows; the folder is that of temporary files (TMPDIR).
 #include "recording/recorder.h"
+#include "session/recording/replay.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -169,7 +170,7 @@ bool benchmarkRecorder(const QString& path, int count)
 
 bool benchmarkLoading(const QString& path, int count)
 {
-    recording::SampleStore store{std::size_t(384) << 20};
+    recording::SampleStore store{session::ReplayData::budget};
     const base::StopToken stop;
     const auto start = Steady::now();
     const auto loaded = recording::loadRecording(path, store, stop);

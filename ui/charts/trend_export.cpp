@@ -77,7 +77,7 @@ QByteArray trendCsv(const TrendTable& table, const std::atomic_bool& stop)
     QStringList names{QStringLiteral("time_s")};
     for (const TrendTable::Column& column : table.columns)
         names << column.name;
-    QByteArray text = QByteArrayLiteral("\xEF\xBB\xBF") + files::csvLine(names);
+    QByteArray text = files::csvStart(files::CsvReader::Spreadsheet) + files::csvLine(names);
     std::vector<std::size_t> next(table.columns.size(), 0);
     while (!stop) {
         std::optional<base::Duration> at;

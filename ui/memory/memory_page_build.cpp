@@ -186,8 +186,15 @@ void MemoryPage::connectCommands()
     on(Command::ReadTable, [this] { read(); });
     on(Command::FindRegister, [this] { m_toolbar->focusSearch(); });
     on(Command::CloseLock, [this] { closeLock(); });
-    on(Command::CopyRows, [this] { m_output->copyRows(); });
-    on(Command::ExportTable, [this] { m_output->exportTable(); });
-    on(Command::PrintTable, [this] { m_output->printTable(); });
+    // Also from other pages, where the table is not kept up to date.
+    const auto put = [this, &on](Command command, void (MemoryOutput::*output)()) {
+        on(command, [this, output] {
+            refresh();
+            (m_output->*output)();
+        });
+    };
+    put(Command::CopyRows, &MemoryOutput::copyRows);
+    put(Command::ExportTable, &MemoryOutput::exportTable);
+    put(Command::PrintTable, &MemoryOutput::printTable);
 }
 } // namespace ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/memory/table_export.h"
 
+#include "files/csv_text.h"
+
 namespace ui {
 namespace {
 const char* const style =
@@ -10,36 +12,6 @@ const char* const style =
     "table{border-collapse:collapse;margin-top:1em}"
     "th,td{padding:3px 8px;border-bottom:1px solid #c9ced6;text-align:left;vertical-align:top}"
     "th{font-weight:600}td.n,th.n{text-align:right}";
-
-/// A spreadsheet would execute text that begins like a formula. Numbers stay as they are.
-QString withoutFormula(const QString& cell)
-{
-    static const QString formulas = QStringLiteral("=+-@");
-    if (cell.isEmpty() || !formulas.contains(cell.front()))
-        return cell;
-    bool number = false;
-    cell.toDouble(&number);
-    return number ? cell : QLatin1Char('\'') + cell;
-}
-
-QString csvCell(const QString& cell)
-{
-    QString text = withoutFormula(cell);
-    const bool quoted = text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"')) ||
-                        text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'));
-    if (!quoted)
-        return text;
-    text.replace(QLatin1Char('"'), QStringLiteral("\"\""));
-    return QLatin1Char('"') + text + QLatin1Char('"');
-}
-
-QString csvLine(const QStringList& cells)
-{
-    QStringList line;
-    for (const QString& cell : cells)
-        line << csvCell(cell);
-    return line.join(QLatin1Char(',')) + QStringLiteral("\r\n");
-}
 
 QString htmlRow(const QStringList& cells, const QString& tag, const std::vector<bool>& numeric)
 {
@@ -66,10 +38,11 @@ QString tsvLine(const QStringList& cells)
 
 QByteArray toCsv(const TableSheet& sheet)
 {
-    QString text = csvLine(sheet.headers);
+    QByteArray text =
+        files::csvStart(files::CsvReader::Spreadsheet) + files::csvLine(sheet.headers);
     for (const QStringList& row : sheet.rows)
-        text += csvLine(row);
-    return QByteArrayLiteral("\xEF\xBB\xBF") + text.toUtf8();
+        text += files::csvLine(row);
+    return text;
 }
 
 QByteArray toHtml(const TableSheet& sheet)

@@ -108,8 +108,10 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
 void OperatePage::connectAll()
 {
     connect(&m_selection, &Selection::selectedServosChanged, this, &OperatePage::select);
-    connect(m_status, &OperateStatus::acknowledgeRequested, this,
-            [this] { m_workbench.registry().acknowledgeAlarms(m_selection.current()); });
+    connect(m_status, &OperateStatus::acknowledgeRequested, this, [this] {
+        m_workbench.registry().acknowledgeAlarms(m_selection.current());
+        show();
+    });
     connect(m_dial, &PositionDial::goalRequested, m_control, &ControlPanel::setGoalFromDial);
     connect(m_control, &ControlPanel::goalStateChanged, this, [this] { showDial(entry()); });
     connect(m_trend, &TrendPanel::periodChanged, this, &OperatePage::updateSubscription);
@@ -125,6 +127,8 @@ void OperatePage::connectAll()
     const auto adaptTimer = [this] {
         const bool open = m_workbench.link().state() == session::LinkState::Open;
         m_refreshTimer.setInterval(open ? refreshInterval : idleInterval);
+        if (isVisible())
+            show();
     };
     connect(&m_workbench.link(), &session::LinkController::linkChanged, this, adaptTimer);
     adaptTimer();

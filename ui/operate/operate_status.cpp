@@ -220,6 +220,7 @@ void OperateStatus::showAge(const session::ServoEntry& entry, const session::Wor
 
 void OperateStatus::retranslate()
 {
+    m_ageOf = 0; // shown anew, in the other language
     setButtonText(m_acknowledge, tr("Acknowledge"),
                   tr("Removes cleared faults from this list; active faults stay"));
     m_age->setToolTip(tr("Age of the newest value, and number of readings in the last second"));

@@ -26,7 +26,8 @@ using base::Duration;
 
 namespace {
 const QString subscriptionName = QStringLiteral("trend");
-constexpr Duration hiddenPeriod = std::chrono::milliseconds(500);
+/// Often enough to count turns, to see short alarms, and for curves without gaps.
+constexpr Duration hiddenPeriod = std::chrono::milliseconds(100);
 } // namespace
 
 TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveData,
@@ -138,6 +139,7 @@ void TrendPanel::connectToolbar()
         m_liveData.setBudget(std::size_t(megabytes) << 20);
         samplesAdded(); // there may be fewer
     });
+    connect(&m_liveData, &session::LiveData::triggerChanged, this, &TrendPanel::updateSubscription);
     connect(m_toolbar, &TrendToolbar::rateRequested, this, [this](int hz) {
         m_settings.setRate(hz);
         setRate(hz);
@@ -235,7 +237,10 @@ void TrendPanel::updateSubscription()
         return;
     session::Subscription subscription = resolver().subscription(m_curves);
     // On other pages the curves go on, with less detail; a recording has a subscription of its own.
-    subscription.period = isVisible() ? m_period : std::max(m_period, hiddenPeriod);
+    const auto trigger = m_liveData.trigger().state();
+    const bool isAwaited =
+        trigger == recording::Trigger::State::Armed || trigger == recording::Trigger::State::Fired;
+    subscription.period = isVisible() || isAwaited ? m_period : std::max(m_period, hiddenPeriod);
     m_workbench.polling().subscribe(subscriptionName, subscription);
 }
 
@@ -362,7 +367,6 @@ void TrendPanel::changeEvent(QEvent* event)
 void TrendPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    updateSubscription();
     showCurves();
     samplesAdded();
 }

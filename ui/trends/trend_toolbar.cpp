@@ -268,6 +268,7 @@ void TrendToolbar::addMemories()
 {
     QMenu* menu = m_menu->addMenu(tr("&Memory for readings"));
     menu->setObjectName(QStringLiteral("trendMemories"));
+    menu->setEnabled(!m_replaying);
     for (const int megabytes : memories)
         addChoice(menu, tr("%1 MB").arg(megabytes), megabytes == m_memory, [this, megabytes] {
             m_memory = megabytes;

@@ -314,7 +314,8 @@ Command historyCommand()
     for (const Option& option : serverOptions())
         options.push_back(option);
     options.push_back({"--csv",
-                       QT_TRANSLATE_NOOP("cli", "write all matching entries to a CSV file instead"),
+                       QT_TRANSLATE_NOOP("cli", "write all matching entries to a CSV file for "
+                                                "programs (without a byte order mark) instead"),
                        "FILE"});
     options.push_back(
         {"--export", QT_TRANSLATE_NOOP("cli", "write all matching entries to a JSON file instead"),

@@ -131,7 +131,7 @@ Command snapshotShowCommand()
     return {"snapshot show",
             QT_TRANSLATE_NOOP("cli", "show a saved file; needs no port"),
             {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by snapshot save")}},
-            {{"--csv", QT_TRANSLATE_NOOP("cli", "output as CSV, for spreadsheets")}},
+            {{"--csv", QT_TRANSLATE_NOOP("cli", "output as CSV, without a byte order mark")}},
             runShow};
 }
 } // namespace cli

@@ -163,7 +163,8 @@ void HistoryService::exportTo(const QString& path, bool csv,
             if (kinds.size() != 1)
                 return base::fail(base::ErrorCode::BadArgument, QStringLiteral("export"),
                                   QStringLiteral("CSV takes one kind"));
-            return history::exportHistoryCsv(history, kinds.front(), filter, path);
+            return history::exportHistoryCsv(history, kinds.front(), filter, path,
+                                             files::CsvReader::Spreadsheet);
         },
         context, std::move(answer));
 }

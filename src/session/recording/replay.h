@@ -12,8 +12,9 @@
 
 namespace session {
 struct ReplayData {
+    static constexpr std::size_t budget = std::size_t(384) << 20;
     QString path;
-    recording::SampleStore store;
+    recording::SampleStore store{budget};
     recording::LoadedRecording content;
 };
 

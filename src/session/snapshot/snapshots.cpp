@@ -197,8 +197,10 @@ void Snapshots::save(SharedSnapshot snapshot, const QString& path)
 
 void Snapshots::save(std::vector<snapshot::RestoreResult> results, const QString& path)
 {
-    saveInBackground([results = std::move(results),
-                      path] { return snapshot::saveRestoreResults(results, path); },
-                     [this, path] { Q_EMIT saved(path); });
+    saveInBackground(
+        [results = std::move(results), path] {
+            return snapshot::saveRestoreResults(results, path, files::CsvReader::Spreadsheet);
+        },
+        [this, path] { Q_EMIT saved(path); });
 }
 } // namespace session

@@ -465,6 +465,7 @@ private Q_SLOTS:
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray text = file.readAll();
+        QVERIFY(text.startsWith("\xEF\xBB\xBF")); // or a spreadsheet shows no Chinese
         QVERIFY(text.contains("position_d"));
         QVERIFY(!text.contains("position_p"));
     }

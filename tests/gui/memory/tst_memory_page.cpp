@@ -66,6 +66,7 @@ private Q_SLOTS:
     void columnsCanBeHidden();
     void copiesRowsAsText();
     void exportsTheTable();
+    void otherPagesCopyPresentValues();
     void aWriteToAMissingServoEnds();
     void everyFamilyHasATable_data();
     void everyFamilyHasATable();
@@ -672,6 +673,21 @@ void TestMemoryPage::exportsTheTable()
     save(folder.filePath(QStringLiteral("no/such/folder.csv")));
     QVERIFY(banner->isVisible());
     QVERIFY(allText(banner).contains(QStringLiteral("cannot be written")));
+}
+
+/// The commands work from every page, where the table is not kept up to date.
+void TestMemoryPage::otherPagesCopyPresentValues()
+{
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.goTo(positionP);
+    fixture.page.hide();
+    fixture.workbench.writes().write(fixture.selection.current(), {{{positionP, 41}}});
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.entry().servo.raw(positionP), std::optional<std::int64_t>(41));
+    fixture.commands.action(Command::CopyRows)->trigger();
+    const QString copied = QApplication::clipboard()->text();
+    QVERIFY2(copied.contains(QStringLiteral("\t41\t")), qPrintable(copied));
 }
 
 void TestMemoryPage::aWriteToAMissingServoEnds()

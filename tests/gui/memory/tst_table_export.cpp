@@ -62,7 +62,7 @@ void TestTableExport::csvQuotes()
     const QByteArray csv = ui::toCsv(small());
     QVERIFY(csv.startsWith("\xEF\xBB\xBF"));
     QCOMPARE(QString::fromUtf8(csv.mid(3)),
-             QStringLiteral("n,name\r\n-5,\"a, \"\"b\"\"\nc\"\r\n7,<script>卸载</script>\r\n"));
+             QStringLiteral("n,name\n-5,\"a, \"\"b\"\"\nc\"\n7,<script>卸载</script>\n"));
 }
 
 void TestTableExport::csvInjectionIsPrevented()
@@ -70,7 +70,7 @@ void TestTableExport::csvInjectionIsPrevented()
     TableSheet sheet;
     sheet.headers << QStringLiteral("a") << QStringLiteral("b") << QStringLiteral("c");
     sheet.rows.push_back({QStringLiteral("=1+1"), QStringLiteral("-12.5"), QStringLiteral("@x")});
-    QVERIFY(ui::toCsv(sheet).contains("\r\n'=1+1,-12.5,'@x\r\n"));
+    QVERIFY(ui::toCsv(sheet).contains("\n'=1+1,-12.5,'@x\n"));
 }
 
 void TestTableExport::htmlIsSelfContainedAndEscaped()

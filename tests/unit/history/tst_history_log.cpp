@@ -705,6 +705,7 @@ void TestHistoryLog::exportedAsCsv()
     const QList<QByteArray> lines = file.readAll().split('\n');
     QCOMPARE(lines.size(), 4);
     QCOMPARE(lines[0].split(',').size(), lines[1].split(',').size());
+    QVERIFY(lines[0].startsWith("number,")); // for programs: no byte order mark
     QVERIFY(lines[1].contains(",min_angle_limit,21,-5,7,7,kept,"));
     QVERIFY(lines[2].contains(",\"'=left, \"\"upper\"\"\","));
     for (const auto kind : {history::HistoryKind::Servos, history::HistoryKind::Snapshots,

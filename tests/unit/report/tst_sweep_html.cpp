@@ -218,6 +218,26 @@ private Q_SLOTS:
         QCOMPARE(markup.count(QStringLiteral("class=\"zh\"")), pairs);
     }
 
+    void registersHaveTheirNames()
+    {
+        results::SweepRun run = sweep_example::run();
+        snapshot::Snapshot& table = run.servos[0].parameters;
+        table.servo.model = QStringLiteral("STS3215");
+        table.servo.firmware = QStringLiteral("3.10");
+        table.registers[0].key = QStringLiteral("position_p");
+        table.registers[0].area = catalog::Area::Feedback;
+        const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
+        const QString english = read(page, QStringLiteral("zh")).text;
+        const QString chinese = read(page, QStringLiteral("en")).text;
+        QVERIFY(english.contains(QStringLiteral("Position loop P")));
+        QVERIFY(english.contains(QStringLiteral("feedback")));
+        QVERIFY(chinese.contains(QStringLiteral("P 比例系数")));
+        QVERIFY(!english.contains(QStringLiteral("position_p")));
+        QVERIFY(!english.contains(QStringLiteral("FEEDBACK")));
+        table.registers[0].key = QStringLiteral("my_register"); // of a map of the user's own
+        QVERIFY(report::sweepHtml(run, exampleSeries(), false).contains("my_register"));
+    }
+
     /// In every column of a table, whether or not their unit has the same text in both languages.
     void numbersAreRightAligned()
     {

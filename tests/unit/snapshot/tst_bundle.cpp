@@ -221,6 +221,11 @@ private Q_SLOTS:
                                     "closed,position_p,21,40,32,32,,40,refused,refused,1"));
         QCOMPARE(lines[2].count(','), lines[0].count(','));
         QVERIFY(lines[2].startsWith("9,"));
+        QVERIFY(lines[0].startsWith("id,"));
+        table.close();
+        QVERIFY(snapshot::saveRestoreResults({result}, csv, files::CsvReader::Spreadsheet));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        QVERIFY(table.readAll().startsWith("\xEF\xBB\xBFid,"));
     }
 };
 
