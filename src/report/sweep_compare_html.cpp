@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_compare_html.h"
 
+#include "catalog/units.h"
 #include "files/text_file.h"
 #include "report/bilingual.h"
 #include "report/register_names.h"
@@ -128,8 +129,9 @@ QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepCompariso
     Rows rows;
     for (const results::SettingDifference& one : found.settings)
         rows.push_back({htmlWriter.htmlText(names.name(one.key)), htmlWriter.optional(one.a, dash),
-                        htmlWriter.optional(one.b, dash), escaped(one.unit), raw(one.rawA),
-                        raw(one.rawB)});
+                        htmlWriter.optional(one.b, dash),
+                        htmlWriter.htmlText(unitText(catalog::unitSuffix(one.unit).trimmed())),
+                        raw(one.rawA), raw(one.rawB)});
     const QString rawWord = htmlWriter.htmlText(sweepTexts().raw);
     return text + table({htmlWriter.htmlText(own.setting), htmlWriter.htmlText(own.a),
                          htmlWriter.htmlText(own.b), htmlWriter.htmlText(sweepTexts().unit),

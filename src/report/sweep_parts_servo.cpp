@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the report about one servo.
+#include "base/protocol.h"
+#include "catalog/units.h"
 #include "report/bilingual.h"
 #include "report/register_names.h"
 #include "report/sweep_parts.h"
@@ -93,6 +95,23 @@ QString metricsTable(const HtmlWriter& htmlWriter, const results::SweepServo& se
                  rows);
 }
 
+/// `name` as the file has it: "feetech".
+Text protocolText(const QString& name)
+{
+    const auto protocol = base::protocolFromName(name);
+    if (!protocol)
+        return inBoth(name);
+    switch (*protocol) {
+    case base::Protocol::Modbus:
+        return inBoth(QStringLiteral("Modbus"));
+    case base::Protocol::Lx:
+        return inBoth(QStringLiteral("LX"));
+    case base::Protocol::Feetech:
+        break;
+    }
+    return translate("BusText", "Feetech");
+}
+
 /// Who it is, and what the test meant in its steps.
 QString setupLine(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
@@ -108,7 +127,7 @@ QString setupLine(const HtmlWriter& htmlWriter, const results::SweepServo& servo
         return htmlWriter.htmlText(withUnit(number, unit));
     };
     add(words.firmware, escaped(identity.firmware));
-    add(words.protocol, escaped(identity.protocol));
+    add(words.protocol, htmlWriter.htmlText(protocolText(identity.protocol)));
     add(words.inSteps,
         inUnit(exactNumber(axis.from) + QStringLiteral(" … ") + exactNumber(axis.to), step));
     add(words.tolerance, inUnit(exactNumber(axis.tolerance), step));
@@ -152,7 +171,8 @@ QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& 
             {QString::number(reg.address), htmlWriter.htmlText(names.name(reg.key)),
              reg.raw ? QString::number(qint64(*reg.raw)) : htmlWriter.htmlText(words.notMeasured),
              reg.value && std::isfinite(*reg.value) ? exactNumber(*reg.value) : QStringLiteral("–"),
-             escaped(reg.unit), htmlWriter.htmlText(areaText(reg.area))});
+             htmlWriter.htmlText(unitText(catalog::unitSuffix(reg.unit).trimmed())),
+             htmlWriter.htmlText(areaText(reg.area))});
     return QStringLiteral("<details><summary>") + htmlWriter.htmlText(words.parameters) +
            QStringLiteral("</summary>\n<p>") + htmlWriter.htmlText(words.readAt) +
            QStringLiteral(": ") + localTime(kept.at) + QStringLiteral(", ") +

@@ -226,11 +226,17 @@ private Q_SLOTS:
         table.servo.firmware = QStringLiteral("3.10");
         table.registers[0].key = QStringLiteral("position_p");
         table.registers[0].area = catalog::Area::Feedback;
+        table.registers[0].unit = QStringLiteral("degC");
+        table.servo.protocol = QStringLiteral("feetech");
         const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
         const QString english = read(page, QStringLiteral("zh")).text;
         const QString chinese = read(page, QStringLiteral("en")).text;
         QVERIFY(english.contains(QStringLiteral("Position loop P")));
         QVERIFY(english.contains(QStringLiteral("feedback")));
+        QVERIFY(english.contains(QStringLiteral("Feetech")));
+        QVERIFY(chinese.contains(QStringLiteral("飞特")));
+        QVERIFY(english.contains(QStringLiteral("°C")) &&
+                !english.contains(QStringLiteral("degC")));
         QVERIFY(chinese.contains(QStringLiteral("P 比例系数")));
         QVERIFY(!english.contains(QStringLiteral("position_p")));
         QVERIFY(!english.contains(QStringLiteral("FEEDBACK")));
