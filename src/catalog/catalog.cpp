@@ -305,4 +305,16 @@ QStringList Catalog::mapKeys() const
         keys << key;
     return keys;
 }
+
+std::optional<Text> Catalog::registerName(const QString& mapKey, const QString& key) const
+{
+    const auto map = m_data->maps.find(mapKey);
+    if (map == m_data->maps.end())
+        return std::nullopt;
+    for (const RegisterRow& row : map->second.rows) {
+        if (row.base.reg.key == key)
+            return row.base.reg.name;
+    }
+    return std::nullopt;
+}
 } // namespace catalog

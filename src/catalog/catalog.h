@@ -69,6 +69,8 @@ public:
     /// Profile of a model at a firmware, as the servo would report it.
     ProfilePtr profileFor(const ModelEntry& model, int firmwareMajor, int firmwareMinor) const;
     QStringList mapKeys() const;
+    /// As the map itself names it, whatever the model; nullopt: no such map or register.
+    std::optional<Text> registerName(const QString& mapKey, const QString& key) const;
 
     /// A firmware of this model that is newer than what the servo runs and keeps its register map.
     /// Only for known versions and identities that were really read.

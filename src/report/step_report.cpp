@@ -4,7 +4,7 @@
 #include "files/text_file.h"
 #include "report/bilingual.h"
 #include "report/paper.h"
-#include "report/register_names.h"
+#include "report/register_name.h"
 #include "report/step_text.h"
 #include "report/sweep_text.h"
 #include "results/step_json.h"
@@ -39,20 +39,14 @@ QString head(const HtmlWriter& htmlWriter, const StepRun& run)
     return simulated + keyValueTable(rows);
 }
 
-RegisterNames namesOf(const StepRun& run)
-{
-    return {run.parameters.servo.model, run.parameters.servo.firmware};
-}
-
 QString gains(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
 {
     QStringList headings{htmlWriter.htmlText(translate("StepText", "Register"))};
     for (std::size_t i = 0; i < runs.size(); ++i)
         headings << QString::number(i + 1);
-    const RegisterNames names = namesOf(runs.front());
     std::vector<QStringList> rows;
     for (const results::StepGain& gain : runs.front().gains) {
-        QStringList row{htmlWriter.htmlText(names.name(gain.key))};
+        QStringList row{htmlWriter.htmlText(registerName(runs.front().parameters.servo, gain.key))};
         for (const StepRun& run : runs) {
             QString raw = QStringLiteral("–");
             for (const results::StepGain& one : run.gains) {
@@ -115,7 +109,7 @@ QString ends(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
     return text;
 }
 
-QString adviceList(const HtmlWriter& htmlWriter, const RegisterNames& names,
+QString adviceList(const HtmlWriter& htmlWriter, const StepRun& run,
                    const std::vector<results::StepAdvice>& advice)
 {
     if (advice.empty())
@@ -124,7 +118,8 @@ QString adviceList(const HtmlWriter& htmlWriter, const RegisterNames& names,
     for (std::size_t i = 0; i < advice.size(); ++i) {
         if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
             text += htmlWriter.heading(3, stepSymptomText(advice[i].symptom));
-        text += htmlWriter.paragraph(stepAdviceLine(advice[i], names.name(advice[i].key)));
+        text += htmlWriter.paragraph(
+            stepAdviceLine(advice[i], registerName(run.parameters.servo, advice[i].key)));
     }
     return text;
 }
@@ -146,7 +141,7 @@ QString body(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs,
                                           "steady-state errors are absolute values.")) +
            (runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
                             : single(htmlWriter, runs.front())) +
-           adviceList(htmlWriter, namesOf(runs.front()), advice);
+           adviceList(htmlWriter, runs.front(), advice);
 }
 
 QByteArray html(const std::vector<StepRun>& runs, const std::vector<results::StepAdvice>& advice,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_compare_html.h"
 
-#include "catalog/units.h"
 #include "files/text_file.h"
 #include "report/bilingual.h"
-#include "report/register_names.h"
+#include "report/register_name.h"
 #include "report/sweep_compare_text.h"
 #include "report/sweep_parts.h"
 #include "report/sweep_text.h"
@@ -115,10 +114,8 @@ QString chartOf(const HtmlWriter& htmlWriter, const Text& letter, const SweepSid
 }
 
 QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepComparison& found,
-                     const SweepSide& side)
+                     const SweepSide& a, const SweepSide& b)
 {
-    const snapshot::SnapshotServo& servo = side.servo.parameters.servo;
-    const RegisterNames names(servo.model, servo.firmware);
     const CompareTexts& own = compareTexts();
     QString text = htmlWriter.heading(2, own.settings);
     if (found.settings.empty())
@@ -128,10 +125,9 @@ QString settingsPart(const HtmlWriter& htmlWriter, const results::SweepCompariso
     };
     Rows rows;
     for (const results::SettingDifference& one : found.settings)
-        rows.push_back({htmlWriter.htmlText(names.name(one.key)), htmlWriter.optional(one.a, dash),
-                        htmlWriter.optional(one.b, dash),
-                        htmlWriter.htmlText(unitText(catalog::unitSuffix(one.unit).trimmed())),
-                        raw(one.rawA), raw(one.rawB)});
+        rows.push_back({htmlWriter.htmlText(settingName(a, b, one.key)),
+                        htmlWriter.optional(one.a, dash), htmlWriter.optional(one.b, dash),
+                        htmlWriter.htmlText(registerUnit(one.unit)), raw(one.rawA), raw(one.rawB)});
     const QString rawWord = htmlWriter.htmlText(sweepTexts().raw);
     return text + table({htmlWriter.htmlText(own.setting), htmlWriter.htmlText(own.a),
                          htmlWriter.htmlText(own.b), htmlWriter.htmlText(sweepTexts().unit),
@@ -148,7 +144,7 @@ QByteArray sweepCompareHtml(const SweepSide& a, const SweepSide& b, bool chinese
     const QString body = sidesPart(htmlWriter, a, b) + warningsPart(htmlWriter, found) +
                          figuresPart(htmlWriter, found) + htmlWriter.heading(2, own.steadyErrors) +
                          chartOf(htmlWriter, own.a, a) + chartOf(htmlWriter, own.b, b) +
-                         settingsPart(htmlWriter, found, a);
+                         settingsPart(htmlWriter, found, a, b);
     return page(htmlWriter, own.title, body, chinese).toUtf8();
 }
 

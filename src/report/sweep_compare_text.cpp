@@ -3,6 +3,7 @@
 
 #include "report/bilingual.h"
 #include "report/html_page.h"
+#include "report/register_name.h"
 #include "report/sweep_text.h"
 #include "text/text_table.h"
 
@@ -169,5 +170,12 @@ std::vector<Text> referenceLines(const results::SweepComparison& comparison, std
         lines.push_back(line);
     }
     return lines;
+}
+
+catalog::Text settingName(const results::SweepSide& a, const results::SweepSide& b,
+                          const QString& key)
+{
+    const catalog::Text name = registerName(a.servo.parameters.servo, key);
+    return name.en != key ? name : registerName(b.servo.parameters.servo, key);
 }
 } // namespace report

@@ -27,4 +27,7 @@ QString differenceText(const results::FigureDifference& figure);
 /// differs by a tenth or more, the largest difference first, at most `maxCount`.
 std::vector<Text> referenceLines(const results::SweepComparison& comparison,
                                  std::size_t maxCount = 5);
+/// Of a register that is set differently: its name, by the map of a test that has it.
+catalog::Text settingName(const results::SweepSide& a, const results::SweepSide& b,
+                          const QString& key);
 } // namespace report

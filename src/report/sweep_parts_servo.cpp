@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the report about one servo.
 #include "base/protocol.h"
-#include "catalog/units.h"
 #include "report/bilingual.h"
-#include "report/register_names.h"
+#include "report/register_name.h"
 #include "report/sweep_parts.h"
 #include "report/sweep_text.h"
 
@@ -164,15 +163,13 @@ QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& 
 {
     const SweepTexts& words = sweepTexts();
     const snapshot::Snapshot& kept = servo.parameters;
-    const RegisterNames names(kept.servo.model, kept.servo.firmware);
     Rows rows;
     for (const snapshot::SnapshotRegister& reg : kept.registers)
         rows.push_back(
-            {QString::number(reg.address), htmlWriter.htmlText(names.name(reg.key)),
+            {QString::number(reg.address), htmlWriter.htmlText(registerName(kept.servo, reg.key)),
              reg.raw ? QString::number(qint64(*reg.raw)) : htmlWriter.htmlText(words.notMeasured),
              reg.value && std::isfinite(*reg.value) ? exactNumber(*reg.value) : QStringLiteral("–"),
-             htmlWriter.htmlText(unitText(catalog::unitSuffix(reg.unit).trimmed())),
-             htmlWriter.htmlText(areaText(reg.area))});
+             htmlWriter.htmlText(registerUnit(reg.unit)), htmlWriter.htmlText(areaText(reg.area))});
     return QStringLiteral("<details><summary>") + htmlWriter.htmlText(words.parameters) +
            QStringLiteral("</summary>\n<p>") + htmlWriter.htmlText(words.readAt) +
            QStringLiteral(": ") + localTime(kept.at) + QStringLiteral(", ") +

@@ -205,7 +205,8 @@ void OperateStatus::showAge(const session::ServoEntry& entry, const session::Wor
         return;
     }
     const base::Duration now = workbench.now();
-    if (entry.ref == m_ageOf && now - m_ageShownAt < ageInterval)
+    const bool open = workbench.link().state() == session::LinkState::Open;
+    if (open && entry.ref == m_ageOf && now - m_ageShownAt < ageInterval)
         return;
     m_ageOf = entry.ref;
     m_ageShownAt = now;
@@ -220,7 +221,7 @@ void OperateStatus::showAge(const session::ServoEntry& entry, const session::Wor
 
 void OperateStatus::retranslate()
 {
-    m_ageOf = 0; // shown anew, in the other language
+    m_ageOf = 0; // worded anew
     setButtonText(m_acknowledge, tr("Acknowledge"),
                   tr("Removes cleared faults from this list; active faults stay"));
     m_age->setToolTip(tr("Age of the newest value, and number of readings in the last second"));

@@ -2,6 +2,7 @@
 #include "ui/sweep/compare_dialog.h"
 
 #include "report/html_page.h"
+#include "report/register_name.h"
 #include "report/sweep_compare_html.h"
 #include "report/sweep_compare_text.h"
 #include "text/language.h"
@@ -247,10 +248,11 @@ void CompareDialog::fillSettings()
     m_settingsTable->setRowCount(int(m_found.settings.size()));
     int row = 0;
     for (const results::SettingDifference& one : m_found.settings) {
-        setCell(m_settingsTable, row, 0, one.key);
+        setCell(m_settingsTable, row, 0,
+                in(report::settingName(sideOf(m_a), sideOf(m_b), one.key)));
         setNumber(m_settingsTable, row, 1, sweepNumber(one.a));
         setNumber(m_settingsTable, row, 2, sweepNumber(one.b));
-        setCell(m_settingsTable, row++, 3, one.unit);
+        setCell(m_settingsTable, row++, 3, in(report::registerUnit(one.unit)));
     }
     limitHeight(m_settingsTable);
 }

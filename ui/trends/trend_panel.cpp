@@ -26,7 +26,8 @@ using base::Duration;
 
 namespace {
 const QString subscriptionName = QStringLiteral("trend");
-/// Often enough to count turns, to see short alarms, and for curves without gaps.
+/// Often enough to count the turns and to see short alarms of the servos whose curves are shown,
+/// and for curves without gaps.
 constexpr Duration hiddenPeriod = std::chrono::milliseconds(100);
 } // namespace
 

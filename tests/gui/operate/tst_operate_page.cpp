@@ -155,7 +155,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.curve(QStringLiteral("*/@goal"))->unit, QStringLiteral("°"));
     }
 
-    /// Where nothing live is shown, fewer readings keep trend, turns and alarms going.
+    /// Where nothing live is shown, fewer readings keep the curves going.
     void otherPagesReadLessOften()
     {
         OperatePageFixture fixture;

@@ -222,8 +222,8 @@ private Q_SLOTS:
     {
         results::SweepRun run = sweep_example::run();
         snapshot::Snapshot& table = run.servos[0].parameters;
-        table.servo.model = QStringLiteral("STS3215");
-        table.servo.firmware = QStringLiteral("3.10");
+        table.servo.map = QStringLiteral("sts-sms");
+        table.servo.model = QStringLiteral("STS (9.99)"); // the map has the names, not the model
         table.registers[0].key = QStringLiteral("position_p");
         table.registers[0].area = catalog::Area::Feedback;
         table.registers[0].unit = QStringLiteral("degC");
@@ -240,6 +240,9 @@ private Q_SLOTS:
         QVERIFY(chinese.contains(QStringLiteral("P 比例系数")));
         QVERIFY(!english.contains(QStringLiteral("position_p")));
         QVERIFY(!english.contains(QStringLiteral("FEEDBACK")));
+        table.servo.map = QStringLiteral("lx");
+        table.registers[0].key = QStringLiteral("angle_limit_max");
+        QVERIFY(!report::sweepHtml(run, exampleSeries(), false).contains("angle_limit_max"));
         table.registers[0].key = QStringLiteral("my_register"); // of a map of the user's own
         QVERIFY(report::sweepHtml(run, exampleSeries(), false).contains("my_register"));
     }
