@@ -187,14 +187,17 @@ void MemoryPage::connectCommands()
     on(Command::FindRegister, [this] { m_toolbar->focusSearch(); });
     on(Command::CloseLock, [this] { closeLock(); });
     // Also from other pages, where the table is not kept up to date.
-    const auto put = [this, &on](Command command, void (MemoryOutput::*output)()) {
-        on(command, [this, output] {
-            refresh();
-            (m_output->*output)();
-        });
-    };
-    put(Command::CopyRows, &MemoryOutput::copyRows);
-    put(Command::ExportTable, &MemoryOutput::exportTable);
-    put(Command::PrintTable, &MemoryOutput::printTable);
+    on(Command::CopyRows, [this] {
+        refresh();
+        m_output->copyRows();
+    });
+    on(Command::ExportTable, [this] {
+        refresh();
+        m_output->exportTable();
+    });
+    on(Command::PrintTable, [this] {
+        refresh();
+        m_output->printTable();
+    });
 }
 } // namespace ui
