@@ -29,12 +29,13 @@ QString operationOf(Op op)
     }
 }
 
-/// Silence is the weakest finding: if anything came in any attempt, the user gets that error.
+/// Silence is the weakest finding: if anything came in any attempt, the user gets that error. A
+/// line that was full in one of them explains the others.
 ErrorCode errorFor(const std::vector<Fault>& faults)
 {
     ErrorCode code = ErrorCode::NoReply;
     for (const Fault& fault : faults) {
-        if (fault.kind != FaultKind::Timeout)
+        if (fault.kind != FaultKind::Timeout && code != ErrorCode::LineBusy)
             code = errorFor(fault.kind);
     }
     return code;

@@ -102,7 +102,8 @@ Result<Attempt> Exchange::receiveAttempt(const protocol::Request& request, Pendi
     pending.attempt.endedAt = m_clock.now();
     if (!isReadable)
         m_scanner.giveUp(pending, true);
-    if (before != LineState::None && !pending.attempt.missing.empty())
+    const bool isBusy = before != LineState::None || pending.isFlooded;
+    if (isBusy && !pending.attempt.missing.empty())
         pending.addFault(FaultKind::LineBusy);
     // No reply was expected, but the link broke meanwhile: the request may not have got through.
     if (replies == 0 && m_line.isReconnecting())
@@ -181,6 +182,7 @@ Result<void> Exchange::receiveReplies(PendingRequest& pending, const Interrupt& 
         if (m_line.received() >= m_line.pendingEchoBytes() + replyBytes)
             m_line.discardEcho();
         m_scanner.scan(pending, false);
+        pending.isFlooded = pending.isFlooded || m_scanner.isOverloaded();
         return pending.expected.ids.empty() || (pending.isDone() && m_line.received() == 0);
     });
     if (!received) {

@@ -47,6 +47,7 @@ struct PendingRequest {
     std::vector<int> broken; ///< answered with a wrong checksum
     /// A PING asks whether a servo is there: silence is an answer to that, not an error.
     bool isPing = false;
+    bool isFlooded = false; ///< more bytes than the line could carry came while it waited
 
     bool expects(int id) const;
     bool isDone() const;    ///< the replies that are still missing were broken

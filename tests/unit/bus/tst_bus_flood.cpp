@@ -138,6 +138,22 @@ private Q_SLOTS:
         QVERIFY(fixture.source.sent.empty());
     }
 
+    /// A busy computer hands a flood over in bursts with pauses, in which requests go out.
+    void burstsOfAFloodAreReportedAsOne()
+    {
+        for (int phase = 0; phase < 60; ++phase) {
+            FloodFixture fixture(Kind::Frames, 1'000'000, 60ms);
+            for (int i = 0; i < 2; ++i) {
+                const Bytes half = fixture.source.chunk;
+                fixture.source.chunk.insert(fixture.source.chunk.end(), half.begin(), half.end());
+            }
+            fixture.source.next = fixture.source.clock.now() + std::chrono::milliseconds(phase);
+            const auto outcome = fixture.transact(Request::read(1, 56, 2));
+            QVERIFY(!outcome);
+            QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
+        }
+    }
+
     void safetyWritesAreSentButNotTrusted()
     {
         FloodFixture fixture(Kind::Frames);
