@@ -8465,6 +8465,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <source>%1, about %2 left</source>
         <translation>%1，约剩 %2</translation>
     </message>
+    <message>
+        <source>with both angle limits at 0, the shaft is not limited</source>
+        <translation>两个角度限制均为 0 时，输出轴不受限制</translation>
+    </message>
+    <message>
+        <source>Both limits at 0 switch the servo to a mode in which the shaft can turn past any position.</source>
+        <translation>两个限制均为 0 会使舵机切换到输出轴可转过任意位置的模式。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>

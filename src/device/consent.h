@@ -4,8 +4,7 @@
 // checks where each kind may be made.
 #pragma once
 
-#include "base/error.h"
-#include "catalog/register.h"
+#include "device/transactions.h"
 
 namespace device {
 class Consent {
@@ -30,8 +29,14 @@ private:
 
     bool m_isGiven = false;
 };
+/// Whether both angle limits become 0 where that selects a mode: the shaft then turns without a
+/// limit. Against what has been read of the servo; false where that is not enough to tell.
+bool removesAngleLimits(const Servo& servo, const RegisterValues& items);
+
 /// NeedsConsent (write_meaning.h decides) where writing this value needs a consent that is not
 /// given; "turns" as detail where it also moves the shaft. `id`: of the servo, for the error.
 base::Result<void> requireConsent(const catalog::Register& reg, std::int64_t raw, Consent consent,
                                   int id);
+/// Of the whole write: also where it removes the angle limits ("free-turning" as detail).
+base::Result<void> requireConsent(const Servo& servo, const RegisterValues& items, Consent consent);
 } // namespace device

@@ -35,11 +35,12 @@ base::Result<void> checkDedicatedOperation(const Servo& servo, const catalog::Re
         if (raw != 0)
             return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("torque"));
         return {};
+    case WriteProcedure::OpenLock:
+        return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("unlock"));
     case WriteProcedure::Register:
+    case WriteProcedure::CloseLock:
         break;
     }
-    if (reg.role == Role::Lock && isLockOpen(raw))
-        return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("unlock"));
     return {};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/write_meaning.h"
 
+#include "device/persistence.h"
+
 namespace device {
 using catalog::Role;
 
@@ -18,6 +20,8 @@ WriteProcedure procedureOf(const catalog::Register& reg, std::int64_t raw)
     case Role::TorqueSwitch:
         return valueName(reg, raw) == QLatin1String("center") ? WriteProcedure::Center
                                                               : WriteProcedure::Torque;
+    case Role::Lock:
+        return isLockOpen(raw) ? WriteProcedure::OpenLock : WriteProcedure::CloseLock;
     case Role::FaultReset:
         return (raw & centerBit) != 0 ? WriteProcedure::Center : WriteProcedure::Register;
     default:

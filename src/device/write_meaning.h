@@ -11,6 +11,8 @@ enum class WriteProcedure : std::uint8_t {
     Torque,
     Center,   ///< the present position becomes the midpoint
     Register, ///< the safe write
+    CloseLock,
+    OpenLock, ///< by the safe write itself only
     BaudRate, ///< the servo replies at another baud rate afterwards
     Id,       ///< the servo replies under another ID afterwards
 };
@@ -25,10 +27,17 @@ struct WriteMeaning {
     {
         return procedure == WriteProcedure::BaudRate || procedure == WriteProcedure::Id;
     }
+    /// The safe write can do it.
+    bool isRegisterWrite() const
+    {
+        return procedure == WriteProcedure::Register || procedure == WriteProcedure::CloseLock ||
+               procedure == WriteProcedure::OpenLock;
+    }
     /// Undo excludes it: reverting a setting must not turn a shaft.
     bool isMotion() const { return moves || procedure == WriteProcedure::Torque; }
 };
 
+/// Of one value by itself; what several mean together: removesAngleLimits() in consent.h.
 WriteMeaning classify(const catalog::Register& reg, std::int64_t raw);
 
 /// Whether every value of this register needs consent; for lists that show no value yet.

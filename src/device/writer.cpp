@@ -138,6 +138,8 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     if (const auto valid = checkValues(context, servo, *checked, options.allowPreviousValues);
         !valid)
         return tl::unexpected(valid.error());
+    if (const auto allowed = requireConsent(servo, *checked, options.consent); !allowed)
+        return tl::unexpected(allowed.error());
     const auto change = modeChange(servo, *checked);
     if (change) {
         if (const auto quiet = addZeroCommand(servo, *checked); !quiet)

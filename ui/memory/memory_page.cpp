@@ -199,7 +199,7 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
     const session::ServoEntry* known = entry();
     const catalog::Register* reg =
         known != nullptr && known->servo.profile ? known->servo.profile->find(key) : nullptr;
-    if (reg == nullptr || writeByOwnAction(*known, *reg, raw))
+    if (reg == nullptr || writeByOwnAction(*reg, raw))
         return;
     clearWarning();
     const session::ServoRef ref = known->ref;
@@ -214,21 +214,18 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
     });
 }
 
-/// Registers whose value is an action of its own are written by that action.
-bool MemoryPage::writeByOwnAction(const session::ServoEntry& entry, const catalog::Register& reg,
-                                  std::int64_t raw)
+/// Values that are an action of their own are written by that action.
+bool MemoryPage::writeByOwnAction(const catalog::Register& reg, std::int64_t raw)
 {
-    const bool centers = device::classify(reg, raw).procedure == device::WriteProcedure::Center;
-    QAction* center = m_commands.action(Command::Center);
-    if (centers && center->isEnabled()) {
-        center->trigger();
-        return true;
-    }
-    if (reg.role == Role::Lock && raw != 0 && entry.isLockOpen().value_or(false)) {
-        closeLock();
-        return true;
-    }
-    return false;
+    const device::WriteProcedure procedure = device::classify(reg, raw).procedure;
+    QAction* action =
+        procedure == device::WriteProcedure::Center      ? m_commands.action(Command::Center)
+        : procedure == device::WriteProcedure::CloseLock ? m_commands.action(Command::CloseLock)
+                                                         : nullptr;
+    if (action == nullptr || !action->isEnabled())
+        return false;
+    action->trigger();
+    return true;
 }
 
 void MemoryPage::closeLock()

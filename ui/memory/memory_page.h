@@ -65,8 +65,7 @@ private:
     void explainReadOnly(const QModelIndex& index);
     void updateLive();
 
-    bool writeByOwnAction(const session::ServoEntry& entry, const catalog::Register& reg,
-                          std::int64_t raw);
+    bool writeByOwnAction(const catalog::Register& reg, std::int64_t raw);
     void closeLock();
 
     session::Workbench& m_workbench;

@@ -101,26 +101,23 @@ std::optional<std::int64_t> valueFor(const std::vector<WriteItem>& items, const 
     return item != items.end() ? std::optional(item->raw) : std::nullopt;
 }
 
-WriteProcedure procedureOf(const Servo& servo, const WriteItem& item)
+device::WriteMeaning meaningOf(const Servo& servo, const WriteItem& item)
 {
     const catalog::Register* reg = servo.profile->find(item.key);
     // The safe write refuses a register that does not exist, with the reason.
-    return reg != nullptr ? device::classify(*reg, item.raw).procedure : WriteProcedure::Register;
+    return reg != nullptr ? device::classify(*reg, item.raw) : device::WriteMeaning{};
 }
 
 /// Before the first byte of the mixture; the special procedures do not ask.
 base::Result<void> requireConsents(const Servo& servo, const std::vector<WriteItem>& items,
                                    device::Consent consent)
 {
+    device::RegisterValues values;
     for (const WriteItem& item : items) {
-        const catalog::Register* reg = servo.profile->find(item.key);
-        const auto allowed = reg != nullptr
-                                 ? device::requireConsent(*reg, item.raw, consent, servo.id)
-                                 : base::Result<void>{};
-        if (!allowed)
-            return allowed;
+        if (const catalog::Register* reg = servo.profile->find(item.key))
+            values.push_back({reg, item.raw});
     }
-    return {};
+    return device::requireConsent(servo, values, consent);
 }
 } // namespace
 
@@ -172,20 +169,21 @@ base::Result<void> writeInOrder(const Context& context, Servo& servo,
         return allowed;
     std::vector<WriteItem> ordered = items;
     std::stable_sort(ordered.begin(), ordered.end(), [&](const WriteItem& a, const WriteItem& b) {
-        return procedureOf(servo, a) < procedureOf(servo, b);
+        return meaningOf(servo, a).procedure < meaningOf(servo, b).procedure;
     });
     for (auto first = ordered.cbegin(); first != ordered.cend();) {
         if (context.stop.isRequested())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("write"), {}, servo.id);
-        const WriteProcedure procedure = procedureOf(servo, *first);
-        const bool isPlain = procedure == WriteProcedure::Register;
-        const auto last = isPlain ? std::find_if(first, ordered.cend(),
-                                                 [&](const WriteItem& item) {
-                                                     return procedureOf(servo, item) != procedure;
-                                                 })
-                                  : first + 1;
+        const device::WriteMeaning meaning = meaningOf(servo, *first);
+        const bool isPlain = meaning.isRegisterWrite();
+        const auto last = isPlain
+                              ? std::find_if(first, ordered.cend(),
+                                             [&](const WriteItem& item) {
+                                                 return !meaningOf(servo, item).isRegisterWrite();
+                                             })
+                              : first + 1;
         const auto part = isPlain ? device::write(context, servo, {first, last}, options)
-                                  : writeSpecial(context, servo, *first, procedure);
+                                  : writeSpecial(context, servo, *first, meaning.procedure);
         if (!part)
             return tl::unexpected(part.error());
         append(report, *part);

@@ -9,6 +9,8 @@
 #include <array>
 
 namespace jobs {
+using catalog::Role;
+
 namespace {
 constexpr base::EnumName<RestoreReason> reasonNames[]{
     {RestoreReason::Same, "same"},
@@ -126,6 +128,26 @@ RestoreRow unmatchedRow(const snapshot::SnapshotRegister& file, const snapshot::
     return row;
 }
 
+/// Where the file's angle limits are both 0, and that is a mode without limits here.
+void requireConsentForLimits(RestorePlan& plan, const RestoreChoice& choice)
+{
+    device::RegisterValues limits;
+    for (const RestoreRow& row : plan.rows) {
+        const catalog::Register* reg = plan.servo.profile->find(row.key);
+        if (row.newRaw && !hasReason(row, RestoreReason::Same) &&
+            (reg->role == Role::MinAngle || reg->role == Role::MaxAngle))
+            limits.push_back({reg, *row.newRaw});
+    }
+    if (!device::removesAngleLimits(plan.servo, limits))
+        return;
+    for (const device::RegisterValue& limit : limits) {
+        const auto row = std::find_if(plan.rows.begin(), plan.rows.end(),
+                                      [&](const auto& one) { return one.key == limit.reg->key; });
+        row->reasons |= RestoreReason::NeedsConsent;
+        row->selected = selectedBy(*row, choice);
+    }
+}
+
 bool isUnmapped(const RestoreRow& row)
 {
     constexpr RestoreReasons ignoredReasons = RestoreReasons(RestoreReason::Same) |
@@ -241,6 +263,7 @@ RestorePlan planRestore(const device::Servo& servo, const snapshot::Snapshot& sn
         if (!snapshot.isTemplate || snapshot.find(reg.key) != nullptr)
             plan.rows.push_back(makeRow(servo, reg, snapshot, compatibility, choice));
     }
+    requireConsentForLimits(plan, choice);
     for (const snapshot::SnapshotRegister& file : snapshot.registers) {
         if (profile.find(file.key) == nullptr)
             plan.rows.push_back(unmatchedRow(file, snapshot, choice));

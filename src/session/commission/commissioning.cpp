@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/commission/commissioning.h"
 
+#include "device/write_meaning.h"
 #include "session/commission/commission_labels.h"
 #include "session/snapshot/safety_snapshot.h"
 
@@ -213,6 +214,26 @@ void Commissioning::checkFiles(const QString& csvPath, const QString& templateFi
     });
 }
 
+namespace {
+bool isAngleLimit(const catalog::Register& reg)
+{
+    return reg.role == catalog::Role::MinAngle || reg.role == catalog::Role::MaxAngle;
+}
+
+/// Both limits of the template are 0, which is a mode of this model (device::removesAngleLimits).
+bool hasNoAngleLimits(const catalog::Profile& profile, const snapshot::Snapshot& settings)
+{
+    const bool isMode = std::any_of(profile.modes.begin(), profile.modes.end(),
+                                    [](const catalog::Mode& mode) { return mode.limitsZero; });
+    const auto limits = [&](const auto& row) {
+        const catalog::Register* reg = profile.find(row.key);
+        return reg != nullptr && isAngleLimit(*reg) && row.raw == 0;
+    };
+    return isMode &&
+           std::count_if(settings.registers.begin(), settings.registers.end(), limits) == 2;
+}
+} // namespace
+
 QStringList dangerousKeys(const catalog::Catalog& catalog, const snapshot::Snapshot& settings)
 {
     const QStringList firmware = settings.servo.firmware.split(QLatin1Char('.'));
@@ -230,9 +251,11 @@ QStringList dangerousKeys(const catalog::Catalog& catalog, const snapshot::Snaps
     QStringList keys;
     for (const snapshot::SnapshotRegister& row : settings.registers) {
         const bool dangerous =
-            std::any_of(profiles.begin(), profiles.end(), [&row](const catalog::ProfilePtr& one) {
+            std::any_of(profiles.begin(), profiles.end(), [&](const catalog::ProfilePtr& one) {
                 const catalog::Register* reg = one ? one->find(row.key) : nullptr;
-                return reg != nullptr && reg->dangerous && !reg->identity && reg->writable();
+                return reg != nullptr && !reg->identity && reg->writable() &&
+                       (device::alwaysNeedsConsent(*reg) ||
+                        (isAngleLimit(*reg) && hasNoAngleLimits(*one, settings)));
             });
         if (dangerous && row.raw)
             keys.append(row.key);

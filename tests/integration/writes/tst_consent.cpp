@@ -7,76 +7,20 @@
 #include "jobs/change/ordered_write.h"
 #include "jobs/restore/restore.h"
 #include "jobs/restore/take_snapshot.h"
+#include "support/consent_rules.h"
 #include "support/test_main.h"
 
 #include <QRegularExpression>
 
-#include <set>
-
 using base::ErrorCode;
 using jobs::SpecialRegisters;
+using support::consentFamilies;
+using support::FamilyRules;
+using support::mustAsk;
 using support::SimFixture;
+using support::specialValues;
 
 namespace {
-/// By the names of the register maps, whose addresses are those of the sheets.
-const std::set<QString> riskyKeys{QStringLiteral("id"),
-                                  QStringLiteral("secondary_id"),
-                                  QStringLiteral("baud_rate"),
-                                  QStringLiteral("response_level"),
-                                  QStringLiteral("phase"),
-                                  QStringLiteral("unload_condition"),
-                                  QStringLiteral("angle_offset"),
-                                  QStringLiteral("angle_resolution"),
-                                  QStringLiteral("return_delay"),
-                                  QStringLiteral("position_offset"),
-                                  QStringLiteral("operating_mode")};
-
-struct FamilyRules {
-    const char* servos;
-    int baud;
-    std::set<QString> harmless; ///< of riskyKeys: only delays a reply in this family
-    const char* centerKey;      ///< takes a value that sets the midpoint
-    std::int64_t centerValue;
-};
-
-/// Torque switch 40 = 128 (STS and SMS), bit 2 of the fault reset register (Modbus).
-const std::vector<FamilyRules>& families()
-{
-    static const std::vector<FamilyRules> all{
-        {"sts3215@1", 1'000'000, {QStringLiteral("return_delay")}, "torque_switch", 128},
-        {"sm40blhv@1", 115'200, {}, "torque_switch", 128},
-        {"scs15@1", 1'000'000, {QStringLiteral("return_delay")}, "", 0},
-        {"hls3606@1", 1'000'000, {QStringLiteral("return_delay")}, "", 0},
-        {"sm60-360m@1", 115'200, {}, "", 0},
-        {"scs15-2@1", 1'000'000, {QStringLiteral("return_delay")}, "", 0},
-        {"smsmb@1", 115'200, {}, "fault_reset", 4},
-        {"lx16a@1", 115'200, {}, "", 0}};
-    return all;
-}
-
-std::set<std::int64_t> specialValues(const catalog::Register& reg,
-                                     std::optional<std::int64_t> present)
-{
-    std::set<std::int64_t> values{0, 1, 2, 4, 128, 254};
-    for (const auto& bound : {reg.min, reg.max}) {
-        if (bound)
-            values.insert(*bound);
-    }
-    for (const catalog::NamedValue& named : reg.values)
-        values.insert(named.value);
-    if (present)
-        values.insert({*present - 1, *present + 1});
-    return values;
-}
-
-bool mustAsk(const FamilyRules& rules, const catalog::Register& reg, std::int64_t raw)
-{
-    if (reg.key == QLatin1String(rules.centerKey))
-        return *rules.centerKey == 'f' ? (raw & rules.centerValue) != 0 : raw == rules.centerValue;
-    return reg.area == catalog::Area::Factory ||
-           (riskyKeys.count(reg.key) > 0 && rules.harmless.count(reg.key) == 0);
-}
-
 std::vector<const catalog::Register*> writable(const device::Servo& servo)
 {
     std::vector<const catalog::Register*> found;
@@ -105,20 +49,22 @@ private Q_SLOTS:
     void noWriteWithoutConsent();
     void noRestoreWithoutConsent_data() { addFamilies(); }
     void noRestoreWithoutConsent();
+    void limitsAreNotRemovedWithoutConsent_data();
+    void limitsAreNotRemovedWithoutConsent();
 
 private:
     static void addFamilies()
     {
         QTest::addColumn<int>("family");
-        for (std::size_t i = 0; i < families().size(); ++i)
-            QTest::newRow(families()[i].servos) << int(i);
+        for (std::size_t i = 0; i < consentFamilies().size(); ++i)
+            QTest::newRow(consentFamilies()[i].servos) << int(i);
     }
 };
 
 void TestConsent::theMeaningIsThatOfTheSheets()
 {
     QFETCH(const int, family);
-    const FamilyRules& rules = families()[std::size_t(family)];
+    const FamilyRules& rules = consentFamilies()[std::size_t(family)];
     SimFixture fixture(QString::fromLatin1(rules.servos), support::atBaud(rules.baud));
     const device::Servo servo = support::identifyWithTable(fixture);
     int asked = 0;
@@ -137,7 +83,7 @@ void TestConsent::theMeaningIsThatOfTheSheets()
 void TestConsent::noWriteWithoutConsent()
 {
     QFETCH(const int, family);
-    const FamilyRules& rules = families()[std::size_t(family)];
+    const FamilyRules& rules = consentFamilies()[std::size_t(family)];
     SimFixture fixture(QString::fromLatin1(rules.servos), support::atBaud(rules.baud));
     device::Servo servo = support::identifyWithTable(fixture);
     fixture.clearFrames();
@@ -168,7 +114,7 @@ void TestConsent::noWriteWithoutConsent()
 void TestConsent::noRestoreWithoutConsent()
 {
     QFETCH(const int, family);
-    const FamilyRules& rules = families()[std::size_t(family)];
+    const FamilyRules& rules = consentFamilies()[std::size_t(family)];
     SimFixture fixture(QString::fromLatin1(rules.servos), support::atBaud(rules.baud));
     device::Servo servo = support::identifyWithTable(fixture);
     fixture.clearFrames();
@@ -201,6 +147,60 @@ void TestConsent::noRestoreWithoutConsent()
     }
     QVERIFY(refused > 0);
     QVERIFY(fixture.onlyReadsSent());
+}
+
+/// Both angle limits at 0: motor mode (SCS), or position mode without limits (STS, HLS, Modbus).
+void TestConsent::limitsAreNotRemovedWithoutConsent_data()
+{
+    QTest::addColumn<QString>("servos");
+    QTest::addColumn<int>("baud");
+    for (const char* servos : {"sts3215@1", "scs15@1", "hls3606@1", "scs15-2@1"})
+        QTest::newRow(servos) << QString::fromLatin1(servos) << 1'000'000;
+    for (const char* servos : {"sm40blhv@1", "sm60-360m@1", "smsmb@1"})
+        QTest::newRow(servos) << QString::fromLatin1(servos) << 115'200;
+}
+
+void TestConsent::limitsAreNotRemovedWithoutConsent()
+{
+    QFETCH(const QString, servos);
+    QFETCH(const int, baud);
+    SimFixture fixture(servos, support::atBaud(baud));
+    device::Servo servo = support::identifyWithTable(fixture);
+    fixture.clearFrames();
+    const QString min = servo.profile->byRole(catalog::Role::MinAngle)->key;
+    const QString max = servo.profile->byRole(catalog::Role::MaxAngle)->key;
+    for (const auto special : {SpecialRegisters::Write, SpecialRegisters::Refuse}) {
+        std::optional<device::WriteReport> report;
+        const auto done =
+            jobs::writeInOrder(fixture.context(), servo, {{min, 0}, {max, 0}}, {}, special, report);
+        QVERIFY(!done && !report);
+        QCOMPARE(done.error().code, ErrorCode::NeedsConsent);
+        QCOMPARE(done.error().detail, QStringLiteral("free-turning"));
+    }
+    snapshot::Snapshot wanted = jobs::snapshotOf(servo, {});
+    for (snapshot::SnapshotRegister& row : wanted.registers) {
+        if (row.key == min || row.key == max)
+            row.raw = 0;
+    }
+    jobs::RestorePlan plan = jobs::planRestore(servo, wanted);
+    QVERIFY(jobs::plannedWrites(plan).empty());
+    QVERIFY(plan.setSelected(min, true) || plan.setSelected(max, true));
+    plan.setSelected(max, true);
+    const auto restored = jobs::restore(fixture.context(), servo, plan, {});
+    QVERIFY(!restored && restored.error().code == ErrorCode::NeedsConsent);
+    QVERIFY(fixture.onlyReadsSent());
+
+    // The user may want it.
+    device::WriteOptions options;
+    options.consent = device::Consent::byOption(true);
+    std::optional<device::WriteReport> report;
+    QVERIFY(jobs::writeInOrder(fixture.context(), servo, {{min, 0}, {max, 0}}, options,
+                               SpecialRegisters::Refuse, report));
+    QVERIFY(report && report->isSuccessful());
+    // Limits again need none.
+    QVERIFY(jobs::writeInOrder(fixture.context(), servo, {{min, 10}, {max, 900}}, {},
+                               SpecialRegisters::Refuse, report));
+    QVERIFY(report->isSuccessful());
 }
 
 SERVODESK_GUILESS_TEST(TestConsent)
