@@ -194,8 +194,9 @@ void MainWindow::connectCommands()
     });
     on(Command::StopSearch, [this] { m_workbench.search().stop(); });
     on(Command::Diagnose, [this] {
-        showSingle<DiagnosisDialog>(
-            *this, [this] { return new DiagnosisDialog(m_workbench, m_commands, this); });
+        showSingle<DiagnosisDialog>(*this, [this] {
+            return new DiagnosisDialog(m_workbench.search(), m_workbench.link(), m_commands, this);
+        });
     });
     on(Command::StopTask, [this] { m_workbench.tasks().stop(); });
     on(Command::ReadTable,

@@ -134,7 +134,7 @@ void ControlPanel::connectControls()
     m_torqueConfirmation = std::make_unique<TorqueConfirmation>(
         m_workbench.link(), m_workbench.registry(), m_motion, *m_messages->hint());
     m_sender = new GoalSender(
-        m_workbench, m_selection, m_motion,
+        m_workbench.registry(), m_selection, m_motion,
         {*m_goal, *m_fields, *m_send, *m_messages, *m_result, *m_torqueConfirmation}, this);
     connect(m_sender, &GoalSender::controlsChanged, this, &ControlPanel::scheduleRefresh);
     connect(m_header->torque(), &ControlTorque::requested, this, &ControlPanel::requestTorque);

@@ -19,10 +19,10 @@ using namespace std::chrono_literals;
 constexpr auto dialDragTimeout = 400ms;
 } // namespace
 
-GoalSender::GoalSender(const session::Workbench& workbench, const Selection& selection,
+GoalSender::GoalSender(const session::ServoRegistry& registry, const Selection& selection,
                        session::MotionController& motion, const Controls& controls, QObject* parent)
     : QObject(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
     , m_selection(selection)
     , m_motion(motion)
     , m_controls(controls)
@@ -50,7 +50,7 @@ GoalSender::GoalSender(const session::Workbench& workbench, const Selection& sel
 
 const session::ServoEntry* GoalSender::entry() const
 {
-    return m_workbench.registry().servo(m_selection.current());
+    return m_registry.servo(m_selection.current());
 }
 
 const catalog::Register* GoalSender::goalRegister(const session::ServoEntry* entry) const
@@ -130,7 +130,7 @@ void GoalSender::onMoveSent(const session::MoveRequest& request)
     const catalog::Register* reg = goalRegister(known);
     if (reg == nullptr)
         return;
-    const base::Duration now = m_workbench.now();
+    const base::Duration now = m_registry.now();
     m_controls.fields.setSent(request, now);
     const auto raw = catalog::parseValue(request.goal, *reg, known->servo.meaning(*reg));
     if (raw && request.how != MoveMethod::Async)

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "session/motion/motion_controller.h"
-#include "session/workbench.h"
+#include "session/servos/servo_registry.h"
 #include "ui/common/selection.h"
 
 #include <QTimer>
@@ -30,7 +30,7 @@ public:
         MoveResult& result;
         TorqueConfirmation& torque;
     };
-    GoalSender(const session::Workbench& workbench, const Selection& selection,
+    GoalSender(const session::ServoRegistry& registry, const Selection& selection,
                session::MotionController& motion, const Controls& controls, QObject* parent);
 
     /// As dragging the slider there; a short rest ends the drag.
@@ -49,7 +49,7 @@ private:
     const catalog::Register* goalRegister(const session::ServoEntry* entry) const;
     const session::ServoEntry* entry() const;
 
-    const session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     const Selection& m_selection;
     session::MotionController& m_motion;
     Controls m_controls;

@@ -97,7 +97,7 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
         showGauges(entry());
     });
     m_trend = new TrendPanel(m_workbench, m_liveData, m_selection, settings, m_watch);
-    m_strip = new ServoStrip(m_workbench, m_selection, m_watch);
+    m_strip = new ServoStrip(m_workbench.registry(), m_workbench.link(), m_selection, m_watch);
     column->addWidget(m_status);
     column->addLayout(gauges);
     column->addWidget(m_trend, 1);
@@ -176,8 +176,9 @@ void OperatePage::show()
 
 void OperatePage::showDial(const session::ServoEntry* known)
 {
-    DialState view =
-        known != nullptr ? dialState(*known, isFresh(*known, m_workbench)) : DialState{};
+    DialState view = known != nullptr
+                         ? dialState(*known, isFresh(*known, m_workbench.link(), m_workbench.now()))
+                         : DialState{};
     if (known != nullptr) {
         view.isGoalMovable = m_control->isGoalMovable();
         if (const auto goal = m_control->positionGoal(); goal && view.goal)
@@ -190,7 +191,7 @@ void OperatePage::showDial(const session::ServoEntry* known)
 
 void OperatePage::showGauges(const session::ServoEntry* known)
 {
-    const bool old = known == nullptr || !isFresh(*known, m_workbench);
+    const bool old = known == nullptr || !isFresh(*known, m_workbench.link(), m_workbench.now());
     // The chart comes first where the messages below leave little room.
     const bool hasRoom = height() >= minHeightForGauges;
     m_status->setGauges(m_gaugesShown, hasRoom);

@@ -131,7 +131,7 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::Wo
                    .arg(own->second.ok)
                    .arg(own->second.timeouts)
                    .arg(own->second.badChecksums);
-    const bool fresh = isFresh(entry, workbench);
+    const bool fresh = isFresh(entry, workbench.link(), workbench.now());
     const bool unreadable = silent ? entry.garbled : isNeverReadable(entry);
     m_link->setState(silent || unreadable ? Tone::Bad
                      : fresh              ? Tone::Good
@@ -150,7 +150,7 @@ void OperateStatus::showMoving(const session::ServoEntry& entry,
     const catalog::Register* reg =
         entry.servo.profile ? entry.servo.profile->byRole(Role::Moving) : nullptr;
     const auto moving = reg != nullptr ? entry.displayedRaw(*reg) : std::nullopt;
-    if (!isFresh(entry, workbench))
+    if (!isFresh(entry, workbench.link(), workbench.now()))
         m_moving->setState(Tone::Quiet, tr("moving: unknown"));
     else if (reg == nullptr)
         m_moving->setState(Tone::Quiet, tr("no moving flag"));
@@ -187,7 +187,8 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry,
         m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
     }
     m_noAlarm->setVisible(alarms.empty());
-    const bool judged = isFresh(entry, workbench) && faultsRead(entry.servo);
+    const bool judged =
+        isFresh(entry, workbench.link(), workbench.now()) && faultsRead(entry.servo);
     m_noAlarm->setState(
         Tone::Quiet, judged ? tr("no alarm") : tr("alarms: –"), {},
         !judged ? tr("Unknown: the servo does not reply, or its fault status has not been read")

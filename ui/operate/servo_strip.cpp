@@ -14,9 +14,11 @@
 namespace ui {
 using session::ServoRef;
 
-ServoStrip::ServoStrip(session::Workbench& workbench, Selection& selection, QWidget* parent)
+ServoStrip::ServoStrip(const session::ServoRegistry& registry, const session::LinkController& link,
+                       Selection& selection, QWidget* parent)
     : QScrollArea(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
+    , m_link(link)
     , m_selection(selection)
     , m_body(new QWidget(this))
     , m_row(new QHBoxLayout(m_body))
@@ -31,20 +33,17 @@ ServoStrip::ServoStrip(session::Workbench& workbench, Selection& selection, QWid
     m_row->setSpacing(6);
     m_row->addStretch();
     setWidget(m_body);
-    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this, &ServoStrip::rebuild);
-    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this,
-            &ServoStrip::rebuild);
-    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this,
-            &ServoStrip::rebuild);
-    connect(&workbench.registry(), &session::ServoRegistry::orderChanged, this,
-            &ServoStrip::rebuild);
+    connect(&registry, &session::ServoRegistry::servoAdded, this, &ServoStrip::rebuild);
+    connect(&registry, &session::ServoRegistry::servoRemoved, this, &ServoStrip::rebuild);
+    connect(&registry, &session::ServoRegistry::servosCleared, this, &ServoStrip::rebuild);
+    connect(&registry, &session::ServoRegistry::orderChanged, this, &ServoStrip::rebuild);
     connect(&selection, &Selection::selectedServosChanged, this, &ServoStrip::refresh);
     rebuild();
 }
 
 void ServoStrip::rebuild()
 {
-    const std::vector<ServoRef>& servos = m_workbench.registry().order();
+    const std::vector<ServoRef>& servos = m_registry.order();
     const auto same = [](const auto& card, ServoRef ref) { return card.first == ref; };
     if (std::equal(m_cards.begin(), m_cards.end(), servos.begin(), servos.end(), same))
         return refresh();
@@ -86,9 +85,10 @@ void ServoStrip::refresh()
 {
     const std::vector<ServoRef>& chosen = m_selection.selected();
     for (const auto& [ref, card] : m_cards) {
-        if (const session::ServoEntry* entry = m_workbench.registry().servo(ref))
-            card->show(cardState(*entry, isFresh(*entry, m_workbench), m_workbench.now()),
-                       std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
+        if (const session::ServoEntry* entry = m_registry.servo(ref))
+            card->show(
+                cardState(*entry, isFresh(*entry, m_link, m_registry.now()), m_registry.now()),
+                std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
     }
 }
 

@@ -3,7 +3,8 @@
 // together with the others. Hidden while there are fewer than two. Owned by the page; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/link/link_controller.h"
+#include "session/servos/servo_registry.h"
 #include "ui/common/selection.h"
 
 #include <QScrollArea>
@@ -17,7 +18,8 @@ class ServoStrip final : public QScrollArea {
     Q_OBJECT
 
 public:
-    ServoStrip(session::Workbench& workbench, Selection& selection, QWidget* parent = nullptr);
+    ServoStrip(const session::ServoRegistry& registry, const session::LinkController& link,
+               Selection& selection, QWidget* parent = nullptr);
 
     void refresh(); ///< new numbers
 
@@ -28,7 +30,8 @@ private:
     void rebuild();
     void selectServo(session::ServoRef ref);
 
-    session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
+    const session::LinkController& m_link;
     Selection& m_selection;
     QWidget* m_body = nullptr;
     QHBoxLayout* m_row = nullptr;

@@ -76,9 +76,11 @@ std::optional<int> rateToConnectAt(const base::Diagnosis& diagnosis)
 }
 } // namespace
 
-DiagnosisDialog::DiagnosisDialog(session::Workbench& workbench, Commands& commands, QWidget* parent)
+DiagnosisDialog::DiagnosisDialog(session::SearchService& search, session::LinkController& link,
+                                 Commands& commands, QWidget* parent)
     : QDialog(parent)
-    , m_workbench(workbench)
+    , m_search(search)
+    , m_link(link)
     , m_commands(commands)
     , m_evidenceTitle(new QLabel(this))
     , m_evidence(new QTextBrowser(this))
@@ -97,12 +99,10 @@ DiagnosisDialog::DiagnosisDialog(session::Workbench& workbench, Commands& comman
     setAttribute(Qt::WA_DeleteOnClose);
     rememberSize(*this);
     build();
-    const session::SearchService& search = m_workbench.search();
     connect(&search, &session::SearchService::evidenceFound, this, &DiagnosisDialog::update);
     connect(&search, &session::SearchService::searchChanged, this, &DiagnosisDialog::update);
     connect(&search, &session::SearchService::searchProgress, this, &DiagnosisDialog::showProgress);
-    connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
-            &DiagnosisDialog::update);
+    connect(&m_link, &session::LinkController::linkChanged, this, &DiagnosisDialog::update);
     start();
     retranslate();
 }
@@ -129,8 +129,8 @@ void DiagnosisDialog::build()
         button->setAutoDefault(false);
     connect(m_action, &QPushButton::clicked, this, &DiagnosisDialog::act);
     connect(m_again, &QPushButton::clicked, this, [this] {
-        if (m_workbench.search().isDiagnosing())
-            m_workbench.search().stop();
+        if (m_search.isDiagnosing())
+            m_search.stop();
         else
             start();
     });
@@ -138,8 +138,8 @@ void DiagnosisDialog::build()
             [this] { QApplication::clipboard()->setText(report()); });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(this, &QDialog::finished, this, [this] {
-        if (m_workbench.search().isDiagnosing())
-            m_workbench.search().stop();
+        if (m_search.isDiagnosing())
+            m_search.stop();
     });
     resize(diagnosisWidth, diagnosisHeight);
 }
@@ -188,14 +188,14 @@ QWidget* DiagnosisDialog::buildCause()
 
 void DiagnosisDialog::start()
 {
-    m_port = m_workbench.link().lastRequest().name;
-    m_workbench.search().diagnose();
+    m_port = m_link.lastRequest().name;
+    m_search.diagnose();
     update();
 }
 
 void DiagnosisDialog::showProgress(const jobs::Progress& progress)
 {
-    if (!m_workbench.search().isDiagnosing())
+    if (!m_search.isDiagnosing())
         return;
     m_progress->setValue(int(progress.fraction * permille));
     m_state->setText(tr("Searching at %1 baud…").arg(rateText(progress.baud)) + QLatin1Char(' ') +
@@ -212,7 +212,7 @@ void DiagnosisDialog::update()
 void DiagnosisDialog::showEvidence()
 {
     QString html;
-    for (const Evidence& one : m_workbench.search().diagnosis().evidence) {
+    for (const Evidence& one : m_search.diagnosis().evidence) {
         const bool trouble = isTrouble(one);
         const QColor color =
             trouble ? tone(Tone::Warn, palette()) : palette().color(QPalette::Text);
@@ -227,10 +227,9 @@ void DiagnosisDialog::showEvidence()
 
 void DiagnosisDialog::showState()
 {
-    const session::SearchService& search = m_workbench.search();
-    const base::Diagnosis& diagnosis = search.diagnosis();
-    const bool isRunning = search.isDiagnosing();
-    const bool isOpen = m_workbench.link().state() == session::LinkState::Open;
+    const base::Diagnosis& diagnosis = m_search.diagnosis();
+    const bool isRunning = m_search.isDiagnosing();
+    const bool isOpen = m_link.state() == session::LinkState::Open;
     m_progress->setVisible(isRunning);
     m_again->setEnabled(isRunning || isOpen);
     setButtonText(m_again, isRunning ? tr("Stop") : tr("Run again"),
@@ -246,7 +245,7 @@ void DiagnosisDialog::showState()
         return;
     }
     m_state->clear();
-    if (const auto& error = search.diagnosisError()) {
+    if (const auto& error = m_search.diagnosisError()) {
         const text::Description words = text::describe(*error);
         m_cause->setText(words.message);
         m_remedy->setText(words.remedy);
@@ -265,12 +264,10 @@ void DiagnosisDialog::showState()
 /// The button does what the remedy says, where this program can do it.
 void DiagnosisDialog::showAction()
 {
-    const session::SearchService& search = m_workbench.search();
-    const Cause cause = search.diagnosis().cause;
-    const bool isDone = !search.isDiagnosing() && !search.diagnosisError() &&
-                        !search.diagnosis().stopped &&
-                        m_workbench.link().state() == session::LinkState::Open;
-    const auto rate = rateToConnectAt(search.diagnosis());
+    const Cause cause = m_search.diagnosis().cause;
+    const bool isDone = !m_search.isDiagnosing() && !m_search.diagnosisError() &&
+                        !m_search.diagnosis().stopped && m_link.state() == session::LinkState::Open;
+    const auto rate = rateToConnectAt(m_search.diagnosis());
     QString words;
     QString tip;
     if (cause == Cause::TwoServosOneId) {
@@ -290,8 +287,8 @@ void DiagnosisDialog::showAction()
 
 void DiagnosisDialog::act()
 {
-    const base::Diagnosis& diagnosis = m_workbench.search().diagnosis();
-    session::PortRequest request = m_workbench.link().lastRequest();
+    const base::Diagnosis& diagnosis = m_search.diagnosis();
+    session::PortRequest request = m_link.lastRequest();
     switch (diagnosis.cause) {
     case Cause::TwoServosOneId:
         m_commands.action(Command::PageCommission)->trigger();
@@ -299,11 +296,11 @@ void DiagnosisDialog::act()
     case Cause::WrongBaudRate:
         request.baud = rateToConnectAt(diagnosis);
         request.protocol.reset();
-        m_workbench.link().connectTo(request);
+        m_link.connectTo(request);
         break;
     case Cause::OtherProtocol:
         request.protocol.reset();
-        m_workbench.link().connectTo(request);
+        m_link.connectTo(request);
         break;
     default:
         return;
@@ -313,7 +310,7 @@ void DiagnosisDialog::act()
 
 QString DiagnosisDialog::report() const
 {
-    const base::Diagnosis& diagnosis = m_workbench.search().diagnosis();
+    const base::Diagnosis& diagnosis = m_search.diagnosis();
     QStringList lines{windowTitle(), m_port, QString()};
     for (const Evidence& one : diagnosis.evidence)
         lines << QStringLiteral("- ") + text::evidenceText(one);

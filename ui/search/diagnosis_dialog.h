@@ -4,7 +4,7 @@
 // show(); it does not block, and deletes itself. Main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/search/search_service.h"
 #include "ui/common/commands.h"
 
 #include <QDialog>
@@ -20,7 +20,8 @@ class DiagnosisDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    DiagnosisDialog(session::Workbench& workbench, Commands& commands, QWidget* parent);
+    DiagnosisDialog(session::SearchService& search, session::LinkController& link,
+                    Commands& commands, QWidget* parent);
 
     QString report() const; ///< as text, for a forum
 
@@ -40,7 +41,8 @@ private:
     void act();
     void retranslate();
 
-    session::Workbench& m_workbench;
+    session::SearchService& m_search;
+    session::LinkController& m_link;
     Commands& m_commands;
     QString m_port;
     QLabel* m_evidenceTitle;

@@ -44,7 +44,7 @@ SearchPanel::SearchPanel(session::Workbench& workbench, Commands& commands, Sele
     , m_stack(new QStackedWidget(this))
     , m_list(new QListView(this))
     , m_empty(secondaryLabel(this, "servoListEmpty"))
-    , m_model(new ServoListModel(workbench, this))
+    , m_model(new ServoListModel(workbench.registry(), workbench.catalog(), this))
     , m_delegate(new ServoDelegate(this))
     , m_findOut(new QPushButton(this))
     , m_why(new QPushButton(this))

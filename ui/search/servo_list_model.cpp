@@ -8,20 +8,17 @@
 namespace ui {
 using session::ServoRef;
 
-ServoListModel::ServoListModel(session::Workbench& workbench, QObject* parent)
+ServoListModel::ServoListModel(const session::ServoRegistry& registry,
+                               const catalog::Catalog& catalog, QObject* parent)
     : QAbstractTableModel(parent)
-    , m_workbench(workbench)
+    , m_registry(registry)
+    , m_catalog(catalog)
 {
-    connect(&workbench.registry(), &session::ServoRegistry::servoAdded, this,
-            &ServoListModel::added);
-    connect(&workbench.registry(), &session::ServoRegistry::servoChanged, this,
-            &ServoListModel::changed);
-    connect(&workbench.registry(), &session::ServoRegistry::tableChanged, this,
-            &ServoListModel::changed);
-    connect(&workbench.registry(), &session::ServoRegistry::servoRemoved, this,
-            &ServoListModel::removed);
-    connect(&workbench.registry(), &session::ServoRegistry::servosCleared, this,
-            &ServoListModel::reload);
+    connect(&registry, &session::ServoRegistry::servoAdded, this, &ServoListModel::added);
+    connect(&registry, &session::ServoRegistry::servoChanged, this, &ServoListModel::changed);
+    connect(&registry, &session::ServoRegistry::tableChanged, this, &ServoListModel::changed);
+    connect(&registry, &session::ServoRegistry::servoRemoved, this, &ServoListModel::removed);
+    connect(&registry, &session::ServoRegistry::servosCleared, this, &ServoListModel::reload);
     reload();
 }
 
@@ -112,10 +109,10 @@ int ServoListModel::rowOf(ServoRef ref) const
 
 ServoRow ServoListModel::makeRow(ServoRef ref)
 {
-    const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+    const session::ServoEntry* entry = m_registry.servo(ref);
     if (entry == nullptr)
         return {};
-    return servoRow(*entry, newerFirmware(entry->servo.profile), m_workbench.now());
+    return servoRow(*entry, newerFirmware(entry->servo.profile), m_registry.now());
 }
 
 const std::optional<catalog::KnownFirmware>&
@@ -123,13 +120,13 @@ ServoListModel::newerFirmware(const catalog::ProfilePtr& profile)
 {
     const auto [place, isNew] = m_newer.try_emplace(profile);
     if (isNew && profile)
-        place->second = m_workbench.catalog().newerFirmware(*profile);
+        place->second = m_catalog.newerFirmware(*profile);
     return place->second;
 }
 
 void ServoListModel::added(ServoRef ref)
 {
-    const auto& order = m_workbench.registry().order();
+    const auto& order = m_registry.order();
     const auto place = std::find(order.begin(), order.end(), ref);
     if (place == order.end() || rowOf(ref) >= 0)
         return;
@@ -143,14 +140,14 @@ void ServoListModel::added(ServoRef ref)
 void ServoListModel::changed(ServoRef ref)
 {
     const int row = rowOf(ref);
-    if (row < 0 || m_workbench.registry().servo(ref) == nullptr)
+    if (row < 0 || m_registry.servo(ref) == nullptr)
         return;
     ServoRow now = makeRow(ref);
     if (now != m_rows[std::size_t(row)]) {
         m_rows[std::size_t(row)] = std::move(now);
         Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     }
-    const auto& order = m_workbench.registry().order();
+    const auto& order = m_registry.order();
     const int target =
         std::min(int(std::find(order.begin(), order.end(), ref) - order.begin()), rowCount() - 1);
     if (target == row)
@@ -176,7 +173,7 @@ void ServoListModel::reload()
 {
     beginResetModel();
     m_rows.clear();
-    for (const ServoRef ref : m_workbench.registry().order())
+    for (const ServoRef ref : m_registry.order())
         m_rows.push_back(makeRow(ref));
     endResetModel();
 }
@@ -184,10 +181,9 @@ void ServoListModel::reload()
 void ServoListModel::updateAges()
 {
     for (int row = 0; row < rowCount(); ++row) {
-        const session::ServoEntry* entry =
-            m_workbench.registry().servo(m_rows[std::size_t(row)].ref);
+        const session::ServoEntry* entry = m_registry.servo(m_rows[std::size_t(row)].ref);
         const QString ago =
-            entry != nullptr ? timeAgoText(m_workbench.now() - entry->lastSeen) : QString();
+            entry != nullptr ? timeAgoText(m_registry.now() - entry->lastSeen) : QString();
         if (ago.isEmpty() || ago == m_rows[std::size_t(row)].lastSeen)
             continue;
         m_rows[std::size_t(row)] = makeRow(entry->ref); // its color may have aged as well

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The servos of the workbench as a table, one row per servo, in the order in which they are found.
+// The servos of the registry as a table, one row per servo, in the order in which they are found.
 // The tooltip of each cell contains all its text; the row as a value is under RowRole, for the
 // delegate that draws it in two lines. Owned by its panel; main thread.
 #pragma once
 
+#include "catalog/catalog.h"
+#include "session/servos/servo_registry.h"
 #include "ui/widgets/servo_row.h"
 
 #include <QAbstractTableModel>
@@ -16,7 +18,8 @@ public:
     enum Column { Id, Model, Firmware, Map, Line, Rate, Alarm, LastSeen, ColumnCount };
     enum Roles { RefRole = Qt::UserRole, RowRole };
 
-    explicit ServoListModel(session::Workbench& workbench, QObject* parent = nullptr);
+    ServoListModel(const session::ServoRegistry& registry, const catalog::Catalog& catalog,
+                   QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -40,7 +43,8 @@ private:
     ServoRow makeRow(session::ServoRef ref);
     const std::optional<catalog::KnownFirmware>& newerFirmware(const catalog::ProfilePtr& profile);
 
-    session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
+    const catalog::Catalog& m_catalog;
     std::vector<ServoRow> m_rows;
     std::map<catalog::ProfilePtr, std::optional<catalog::KnownFirmware>>
         m_newer; ///< looked up once

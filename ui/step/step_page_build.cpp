@@ -92,7 +92,8 @@ QWidget* StepPage::buildRun()
     m_switchMode = new QCheckBox(box);
     m_switchMode->setObjectName(QStringLiteral("stepSwitchMode"));
     m_switchMode->hide();
-    m_allow = new AllowMovementButton(m_workbench, *m_banner, box);
+    m_allow = new AllowMovementButton(m_workbench.emergencyStop(), m_workbench.registry(),
+                                      m_workbench.link(), *m_banner, box);
     m_allow->setObjectName(QStringLiteral("stepAllow"));
     m_run = button("stepRun", box);
     makeMainAction(m_run);

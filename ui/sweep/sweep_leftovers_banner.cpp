@@ -9,14 +9,16 @@
 #include <algorithm>
 
 namespace ui {
-SweepLeftoversBanner::SweepLeftoversBanner(session::Workbench& workbench, Banner& banner,
+SweepLeftoversBanner::SweepLeftoversBanner(session::SweepTest& test,
+                                           const session::ServoRegistry& registry,
+                                           const session::HistoryService& history, Banner& banner,
                                            QObject* parent)
     : QObject(parent)
-    , m_workbench(workbench)
-    , m_test(workbench.sweepTest())
+    , m_registry(registry)
+    , m_test(test)
     , m_banner(banner)
 {
-    connect(&workbench.history(), &session::HistoryService::runSaveFailed, this,
+    connect(&history, &session::HistoryService::runSaveFailed, this,
             &SweepLeftoversBanner::showNotSaved);
     connect(&m_test, &session::SweepTest::leftoversChanged, this, &SweepLeftoversBanner::update);
     connect(&m_banner, &Banner::dismissed, this, [this] { m_shown = false; });
@@ -44,14 +46,13 @@ QString SweepLeftoversBanner::unrevertedSettingsText() const
 {
     std::map<int, QStringList> names;
     for (const device::Notice& one : m_test.unrevertedSettings()) {
-        const auto& all = m_workbench.registry().order();
+        const auto& all = m_registry.order();
         const auto found = std::find_if(all.begin(), all.end(), [&](session::ServoRef ref) {
-            const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+            const session::ServoEntry* entry = m_registry.servo(ref);
             return entry != nullptr && entry->servo.id == one.id && entry->servo.profile;
         });
         const catalog::Profile* profile =
-            found != all.end() ? m_workbench.registry().servo(*found)->servo.profile.get()
-                               : nullptr;
+            found != all.end() ? m_registry.servo(*found)->servo.profile.get() : nullptr;
         names[one.id]
             << tr("%1 (old value %2)").arg(text::registerName(profile, one.key)).arg(one.a);
     }

@@ -13,7 +13,8 @@ class SweepLeftoversBanner final : public QObject {
     Q_OBJECT
 
 public:
-    SweepLeftoversBanner(session::Workbench& workbench, Banner& banner, QObject* parent);
+    SweepLeftoversBanner(session::SweepTest& test, const session::ServoRegistry& registry,
+                         const session::HistoryService& history, Banner& banner, QObject* parent);
 
     void hide();
     /// Of the test that has ended. Nothing if it has left nothing and did not fail.
@@ -24,7 +25,7 @@ private:
     void update();
     QString unrevertedSettingsText() const;
 
-    session::Workbench& m_workbench;
+    const session::ServoRegistry& m_registry;
     session::SweepTest& m_test;
     Banner& m_banner;
     bool m_shown = false;                 ///< what the test has left in its servos

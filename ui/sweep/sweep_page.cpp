@@ -48,7 +48,7 @@ SweepPage::SweepPage(AppContext& appContext, session::Settings& settings, QWidge
     , m_settings(settings)
 {
     setObjectName(QStringLiteral("sweepPage"));
-    m_previews = new SweepPreviews(m_workbench, this);
+    m_previews = new SweepPreviews(m_test, m_workbench.registry(), this);
     build();
     connectAll();
     retranslate();
@@ -85,11 +85,12 @@ void SweepPage::build()
     makeTransparent(m_scroll);
     left->addWidget(m_scroll, 1);
     left->addWidget(buildRun());
-    m_results = new SweepResults(m_workbench, m_test, m_settings, this);
+    m_results = new SweepResults(m_workbench.session().clock(), m_test, m_settings, this);
     row->addWidget(card);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
-    m_leftovers = new SweepLeftoversBanner(m_workbench, *m_banner, this);
+    m_leftovers = new SweepLeftoversBanner(m_test, m_workbench.registry(), m_workbench.history(),
+                                           *m_banner, this);
     new FloatingOverlay(m_banner, m_results->chartCard(), FloatingOverlay::Corner::BottomRight);
 }
 
@@ -110,7 +111,8 @@ QWidget* SweepPage::buildRun()
     m_run = new QPushButton(box);
     m_run->setObjectName(QStringLiteral("sweepRun"));
     makeMainAction(m_run);
-    m_allow = new AllowMovementButton(m_workbench, *m_banner, box);
+    m_allow = new AllowMovementButton(m_workbench.emergencyStop(), m_workbench.registry(),
+                                      m_workbench.link(), *m_banner, box);
     m_allow->setObjectName(QStringLiteral("sweepAllow"));
     m_stop = new QPushButton(box);
     m_stop->setObjectName(QStringLiteral("sweepStop"));

@@ -36,9 +36,11 @@ bool isWithoutAnswer(const session::SweepPreview& preview)
 }
 } // namespace
 
-SweepPreviews::SweepPreviews(session::Workbench& workbench, QObject* parent)
+SweepPreviews::SweepPreviews(session::SweepTest& test, const session::ServoRegistry& registry,
+                             QObject* parent)
     : QObject(parent)
-    , m_workbench(workbench)
+    , m_test(test)
+    , m_registry(registry)
 {
     m_delayTimer.setSingleShot(true);
     m_delayTimer.setInterval(previewDelay);
@@ -46,8 +48,7 @@ SweepPreviews::SweepPreviews(session::Workbench& workbench, QObject* parent)
     m_retryTimer.setSingleShot(true);
     m_retryTimer.setInterval(retryPeriod);
     connect(&m_retryTimer, &QTimer::timeout, this, &SweepPreviews::outdated);
-    connect(&workbench.sweepTest(), &session::SweepTest::previewReady, this, &SweepPreviews::take);
-    const session::ServoRegistry& registry = workbench.registry();
+    connect(&test, &session::SweepTest::previewReady, this, &SweepPreviews::take);
     connect(&registry, &session::ServoRegistry::servoChanged, this, &SweepPreviews::onServoRead);
     connect(&registry, &session::ServoRegistry::tableChanged, this, &SweepPreviews::onServoRead);
 }
@@ -62,7 +63,7 @@ bool SweepPreviews::isWrongMode(const session::SweepPreview& preview)
 void SweepPreviews::request(const session::SweepTestRequest& request)
 {
     rememberSettings(request.servos);
-    m_workbench.sweepTest().preview(request);
+    m_test.preview(request);
 }
 
 void SweepPreviews::clear(const std::vector<session::ServoRef>& servos)
@@ -75,7 +76,7 @@ void SweepPreviews::follow(const std::vector<session::ServoRef>& servos)
 {
     m_requested = servos;
     for (const session::ServoRef ref : servos)
-        m_knownSettings.try_emplace(ref, settingsOf(m_workbench.registry().servo(ref)));
+        m_knownSettings.try_emplace(ref, settingsOf(m_registry.servo(ref)));
 }
 
 void SweepPreviews::rememberSettings(const std::vector<session::ServoRef>& servos)
@@ -83,13 +84,13 @@ void SweepPreviews::rememberSettings(const std::vector<session::ServoRef>& servo
     m_requested = servos;
     m_knownSettings.clear();
     for (const session::ServoRef ref : servos)
-        m_knownSettings[ref] = settingsOf(m_workbench.registry().servo(ref));
+        m_knownSettings[ref] = settingsOf(m_registry.servo(ref));
 }
 
 void SweepPreviews::take(const std::vector<session::SweepPreview>& previews)
 {
     m_previews = previews;
-    m_receivedAt = m_workbench.now();
+    m_receivedAt = m_registry.now();
     rememberSettings(std::vector(m_requested));
     if (std::any_of(previews.begin(), previews.end(), isWithoutAnswer))
         m_retryTimer.start();
@@ -105,7 +106,7 @@ void SweepPreviews::onServoRead(session::ServoRef ref)
     const auto known = m_knownSettings.find(ref);
     if (known == m_knownSettings.end())
         return;
-    const bool changed = known->second != settingsOf(m_workbench.registry().servo(ref));
+    const bool changed = known->second != settingsOf(m_registry.servo(ref));
     if (changed)
         Q_EMIT settingsChanged();
     // Readings come faster than the timer runs, so they must not restart it.
@@ -116,11 +117,11 @@ void SweepPreviews::onServoRead(session::ServoRef ref)
 /// After a reading without an answer.
 bool SweepPreviews::isAnySilentOneHeard() const
 {
-    return std::any_of(
-        m_previews.begin(), m_previews.end(), [this](const session::SweepPreview& one) {
-            const session::ServoEntry* entry = m_workbench.registry().servo(one.servo);
-            return isWithoutAnswer(one) && entry != nullptr && !entry->silent &&
-                   entry->lastSeen - m_receivedAt > retryAfter;
-        });
+    return std::any_of(m_previews.begin(), m_previews.end(),
+                       [this](const session::SweepPreview& one) {
+                           const session::ServoEntry* entry = m_registry.servo(one.servo);
+                           return isWithoutAnswer(one) && entry != nullptr && !entry->silent &&
+                                  entry->lastSeen - m_receivedAt > retryAfter;
+                       });
 }
 } // namespace ui

@@ -13,7 +13,8 @@ class SweepPreviews final : public QObject {
     Q_OBJECT
 
 public:
-    SweepPreviews(session::Workbench& workbench, QObject* parent);
+    SweepPreviews(session::SweepTest& test, const session::ServoRegistry& registry,
+                  QObject* parent);
 
     const std::vector<session::SweepPreview>& all() const { return m_previews; }
     static bool isWrongMode(const session::SweepPreview& preview);
@@ -38,12 +39,13 @@ private:
     bool isAnySilentOneHeard() const;
     void rememberSettings(const std::vector<session::ServoRef>& servos);
 
-    session::Workbench& m_workbench;
+    session::SweepTest& m_test;
+    const session::ServoRegistry& m_registry;
     QTimer m_delayTimer;
     QTimer m_retryTimer; ///< after a reading without an answer: nothing else may read those servos
     std::vector<session::SweepPreview> m_previews;
     std::vector<session::ServoRef> m_requested;           ///< the servos of the latest request
-    base::Duration m_receivedAt{};                        ///< workbench clock
+    base::Duration m_receivedAt{};                        ///< the registry's clock
     std::map<session::ServoRef, QString> m_knownSettings; ///< mode and limits when they were read
 };
 } // namespace ui

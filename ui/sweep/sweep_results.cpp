@@ -79,10 +79,10 @@ QString reasonText(const results::SweepRun& run)
 }
 } // namespace
 
-SweepResults::SweepResults(session::Workbench& workbench, session::SweepTest& test,
+SweepResults::SweepResults(const base::Clock& clock, session::SweepTest& test,
                            session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_clock(clock)
     , m_test(test)
     , m_settings(settings)
 {
@@ -103,7 +103,7 @@ void SweepResults::connectTest()
     connect(&m_test, &session::SweepTest::progressChanged, this, &SweepResults::showVerdict);
     connect(&m_test, &session::SweepTest::samplesAdded, this, [this] {
         if (isVisible())
-            m_chart->advance(m_workbench.now());
+            m_chart->advance(m_clock.now());
     });
     connect(&m_test, &session::SweepTest::legsAdded, this, [this] {
         appendLegs();
@@ -425,7 +425,7 @@ void SweepResults::resizeEvent(QResizeEvent* event)
 void SweepResults::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_chart->advance(m_workbench.now());
+    m_chart->advance(m_clock.now());
 }
 
 void SweepResults::changeEvent(QEvent* event)

@@ -30,8 +30,8 @@ class SweepResults final : public QWidget {
 
 public:
     QWidget* chartCard() const { return m_chartCard; } ///< messages may float over it
-    SweepResults(session::Workbench& workbench, session::SweepTest& test,
-                 session::Settings& settings, QWidget* parent);
+    SweepResults(const base::Clock& clock, session::SweepTest& test, session::Settings& settings,
+                 QWidget* parent);
 
     /// Below the verdict: the result of another test of this model. Empty: nothing to compare
     /// with.
@@ -71,7 +71,7 @@ private:
     void retranslate();
     const results::SweepServo* servo() const;
 
-    session::Workbench& m_workbench;
+    const base::Clock& m_clock; ///< of the readings
     session::SweepTest& m_test;
     session::Settings& m_settings;
     SweepVerdictModel m_verdictModel;

@@ -21,19 +21,19 @@ QString clock(base::Duration span)
 }
 } // namespace
 
-RecordingControl::RecordingControl(session::LiveData& liveData, session::Settings& settings,
+RecordingControl::RecordingControl(session::LiveRecording& recording, session::Settings& settings,
                                    const Views& views, QWidget* parent)
     : QObject(parent)
-    , m_liveData(liveData)
+    , m_recording(recording)
     , m_settings(settings)
     , m_views(views)
     , m_parent(parent)
 {
-    using session::LiveData;
-    connect(&liveData, &LiveData::recordingChanged, this, &RecordingControl::showProgress);
-    connect(&liveData, &LiveData::recordingFailed, this, &RecordingControl::showFailure);
-    connect(&liveData, &LiveData::recordingEnded, this, &RecordingControl::showResult);
-    connect(&liveData, &LiveData::recordingBegan, this, [this] {
+    using session::LiveRecording;
+    connect(&m_recording, &LiveRecording::changed, this, &RecordingControl::showProgress);
+    connect(&m_recording, &LiveRecording::failed, this, &RecordingControl::showFailure);
+    connect(&m_recording, &LiveRecording::ended, this, &RecordingControl::showResult);
+    connect(&m_recording, &LiveRecording::began, this, [this] {
         if (m_dialog)
             m_dialog->close();
     });
@@ -41,8 +41,8 @@ RecordingControl::RecordingControl(session::LiveData& liveData, session::Setting
 
 void RecordingControl::toggle()
 {
-    if (m_liveData.isRecording()) {
-        m_liveData.stopRecording();
+    if (m_recording.isRunning()) {
+        m_recording.stop();
         return;
     }
     m_dialog = new RecordDialog(m_settings, m_parent);
@@ -64,7 +64,7 @@ void RecordingControl::start(const RecordRequest& request)
     const auto started = request.onlyShown && recording.channels.empty()
                              ? base::fail(base::ErrorCode::BadArgument, QStringLiteral("record"),
                                           QStringLiteral("nothing-read"))
-                             : m_liveData.startRecording(recording);
+                             : m_recording.start(recording);
     if (!started)
         showFailure(started.error());
 }
@@ -82,11 +82,11 @@ void RecordingControl::showFailure(const base::Error& error)
 
 void RecordingControl::showProgress()
 {
-    if (!m_liveData.isRecording()) {
+    if (!m_recording.isRunning()) {
         m_views.toolbar.setRecording({});
         return;
     }
-    const recording::RecorderStatus status = m_liveData.recordingStatus();
+    const recording::RecorderStatus status = m_recording.status();
     m_views.toolbar.setRecording(
         tr("%1 · %Ln row(s)", "time", rowCount(status.rows)).arg(clock(status.elapsed)));
 }

@@ -4,7 +4,7 @@
 // panel; main thread, never waits.
 #pragma once
 
-#include "session/recording/live_data.h"
+#include "session/recording/live_recording.h"
 #include "session/settings.h"
 
 #include <QPointer>
@@ -27,8 +27,8 @@ public:
         TrendToolbar& toolbar;
         Banner& banner;
     };
-    RecordingControl(session::LiveData& liveData, session::Settings& settings, const Views& views,
-                     QWidget* parent);
+    RecordingControl(session::LiveRecording& recording, session::Settings& settings,
+                     const Views& views, QWidget* parent);
 
     void toggle();
     void retranslate() { showProgress(); }
@@ -39,7 +39,7 @@ private:
     void showProgress();
     void showResult(const recording::RecorderStatus& status, const QString& path);
 
-    session::LiveData& m_liveData;
+    session::LiveRecording& m_recording;
     session::Settings& m_settings;
     Views m_views;
     QWidget* m_parent;

@@ -47,8 +47,8 @@ TrendPanel::TrendPanel(session::Workbench& workbench, session::LiveData& liveDat
     m_trigger = new TriggerControl(m_workbench.registry(), m_liveData, m_selection,
                                    {*m_chart, *m_toolbar, *m_replay}, this);
     m_export = new ExportControl(*m_chart, *m_banner, settings, this);
-    m_recording =
-        new RecordingControl(m_liveData, settings, {*m_chart, *m_toolbar, *m_banner}, this);
+    m_recording = new RecordingControl(m_liveData.recording(), settings,
+                                       {*m_chart, *m_toolbar, *m_banner}, this);
     connectToolbar();
     connectChart();
     connectLiveData();

@@ -11,10 +11,14 @@
 #include <algorithm>
 
 namespace ui {
-AllowMovementButton::AllowMovementButton(session::Workbench& workbench, Banner& banner,
+AllowMovementButton::AllowMovementButton(session::EmergencyStop& emergencyStop,
+                                         const session::ServoRegistry& registry,
+                                         const session::LinkController& link, Banner& banner,
                                          QWidget* parent)
     : QPushButton(parent)
-    , m_workbench(workbench)
+    , m_emergencyStop(emergencyStop)
+    , m_registry(registry)
+    , m_link(link)
     , m_banner(banner)
 {
     new PressGuard(this);
@@ -28,7 +32,7 @@ std::vector<session::ServoRef> AllowMovementButton::blocked() const
     std::vector<session::ServoRef> found;
     std::copy_if(m_servos.begin(), m_servos.end(), std::back_inserter(found),
                  [this](session::ServoRef ref) {
-                     const session::ServoEntry* entry = m_workbench.registry().servo(ref);
+                     const session::ServoEntry* entry = m_registry.servo(ref);
                      return entry != nullptr && entry->stopped;
                  });
     return found;
@@ -37,8 +41,8 @@ std::vector<session::ServoRef> AllowMovementButton::blocked() const
 void AllowMovementButton::showFor(const std::vector<session::ServoRef>& servos)
 {
     m_servos = servos;
-    setVisible(m_workbench.link().state() == session::LinkState::Open && !blocked().empty());
-    setEnabled(m_workbench.emergencyStop().canAllowMovement());
+    setVisible(m_link.state() == session::LinkState::Open && !blocked().empty());
+    setEnabled(m_emergencyStop.canAllowMovement());
 }
 
 void AllowMovementButton::askToAllow()
@@ -47,14 +51,14 @@ void AllowMovementButton::askToAllow()
     question.title = tr("Turn torque on?");
     question.text = tr("The emergency stop has turned torque off for %1. Torque is turned on again "
                        "at the servos' present positions; nothing moves until you start a test.")
-                        .arg(blockedByStopText(m_workbench.registry(), m_servos));
+                        .arg(blockedByStopText(m_registry, m_servos));
     question.risk = tr("Keep hands and objects away from the servos. Esc immediately turns torque "
                        "off on all servos.");
     question.acceptText = tr("Turn torque on");
     question.guard = this;
     std::vector<AskedServo> asked;
     for (const session::ServoRef ref : blocked())
-        asked.push_back({ref, m_workbench.registry().servo(ref)->stoppedAt});
+        asked.push_back({ref, m_registry.servo(ref)->stoppedAt});
     ask(this, question, [this, asked] { allow(asked); });
 }
 
@@ -64,7 +68,7 @@ void AllowMovementButton::allow(const std::vector<AskedServo>& asked)
 {
     std::vector<session::ServoRef> servos;
     for (const AskedServo& one : asked) {
-        const session::ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        const session::ServoEntry* entry = m_registry.servo(one.servo);
         if (entry != nullptr && entry->stopped && entry->stoppedAt == one.stoppedAt)
             servos.push_back(one.servo);
     }
@@ -72,8 +76,7 @@ void AllowMovementButton::allow(const std::vector<AskedServo>& asked)
         if (end.error)
             m_banner.showMessage(*end.error);
     };
-    if (servos.size() < asked.size() ||
-        !m_workbench.emergencyStop().allowMovement(servos, this, report)) {
+    if (servos.size() < asked.size() || !m_emergencyStop.allowMovement(servos, this, report)) {
         m_banner.showMessage([] {
             return BannerText{Tone::Warn,
                               tr("Torque was not turned on."),

@@ -5,7 +5,9 @@
 // the banner. Owned by its page; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/link/link_controller.h"
+#include "session/servos/servo_registry.h"
+#include "session/tasks/emergency_stop.h"
 
 #include <QPushButton>
 
@@ -16,7 +18,9 @@ class AllowMovementButton final : public QPushButton {
     Q_OBJECT
 
 public:
-    AllowMovementButton(session::Workbench& workbench, Banner& banner, QWidget* parent);
+    AllowMovementButton(session::EmergencyStop& emergencyStop,
+                        const session::ServoRegistry& registry, const session::LinkController& link,
+                        Banner& banner, QWidget* parent);
 
     /// The servos that the page would move.
     void showFor(const std::vector<session::ServoRef>& servos);
@@ -37,7 +41,9 @@ private:
     void allow(const std::vector<AskedServo>& asked);
     void retranslate();
 
-    session::Workbench& m_workbench;
+    session::EmergencyStop& m_emergencyStop;
+    const session::ServoRegistry& m_registry;
+    const session::LinkController& m_link;
     Banner& m_banner;
     std::vector<session::ServoRef> m_servos;
 };

@@ -143,11 +143,12 @@ void addKeys(const device::Servo& servo, std::initializer_list<Role> roles, QStr
 }
 } // namespace
 
-bool isFresh(const session::ServoEntry& entry, const session::Workbench& workbench)
+bool isFresh(const session::ServoEntry& entry, const session::LinkController& link,
+             base::Duration now)
 {
     return !entry.silent && !entry.linkMonitor.isLost() &&
-           workbench.link().state() == session::LinkState::Open &&
-           workbench.now() - entry.lastSeen <= session::maxReadingAge;
+           link.state() == session::LinkState::Open &&
+           now - entry.lastSeen <= session::maxReadingAge;
 }
 
 GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure)

@@ -4,7 +4,8 @@
 // functions of an entry; main thread.
 #pragma once
 
-#include "session/workbench.h"
+#include "session/link/link_controller.h"
+#include "session/servos/servo_entry.h"
 #include "ui/common/theme.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/position_dial.h"
@@ -33,7 +34,8 @@ QStringList settingKeys(const device::Servo& servo);
 DialState dialState(const session::ServoEntry& entry, bool fresh);
 
 /// It answers, the port is open and the last answer is recent: what is shown is so now.
-bool isFresh(const session::ServoEntry& entry, const session::Workbench& workbench);
+bool isFresh(const session::ServoEntry& entry, const session::LinkController& link,
+             base::Duration now);
 
 /// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
 QString faultText(const QString& key);

@@ -23,15 +23,15 @@ HistoryRecorder::HistoryRecorder(Workbench& workbench)
             [this](ServoRef ref) { m_reported.erase(ref); });
     connect(&workbench.registry(), &ServoRegistry::servosCleared, this,
             [this] { m_reported.clear(); });
-    connect(&m_liveData, &LiveData::recordingBegan, this, [this] {
+    connect(&m_liveData.recording(), &LiveRecording::began, this, [this] {
         m_recordedAt = QDateTime::currentDateTimeUtc();
         m_recorded.clear();
-        for (const ServoRef ref : m_liveData.recordedServos()) {
+        for (const ServoRef ref : m_liveData.recording().servos()) {
             if (const ServoEntry* entry = m_workbench.registry().servo(ref))
                 m_recorded.push_back(entry->servo.identity());
         }
     });
-    connect(&m_liveData, &LiveData::recordingEnded, this, &HistoryRecorder::recorded);
+    connect(&m_liveData.recording(), &LiveRecording::ended, this, &HistoryRecorder::recorded);
     connect(&workbench.sweepTest(), &SweepTest::finished, this, [this] {
         const SweepTest& test = m_workbench.sweepTest();
         m_historyService.saveRun(std::make_shared<const results::SweepRun>(*test.run()),

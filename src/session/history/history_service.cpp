@@ -156,13 +156,12 @@ void HistoryService::change(std::function<base::Result<void>(History&)> action)
 void HistoryService::list(const history::RunFilter& filter, QObject* context,
                           Answer<std::vector<history::TestRun>> answer)
 {
-    query<std::vector<history::TestRun>>(
-        [filter](History& history) { return history.runs(filter); }, context, std::move(answer));
+    query([filter](History& history) { return history.runs(filter); }, context, std::move(answer));
 }
 
 void HistoryService::load(std::int64_t number, QObject* context, Answer<SharedRun> answer)
 {
-    query<SharedRun>(
+    query(
         [number](History& history) -> base::Result<SharedRun> {
             auto run = history.sweep(number);
             if (!run)
@@ -175,9 +174,8 @@ void HistoryService::load(std::int64_t number, QObject* context, Answer<SharedRu
 void HistoryService::compareWithReference(SharedRun run, QObject* context,
                                           Answer<std::vector<ReferenceResult>> answer)
 {
-    query<std::vector<ReferenceResult>>(
-        [run = std::move(run)](History& history) { return compared(history, *run); }, context,
-        std::move(answer));
+    query([run = std::move(run)](History& history) { return compared(history, *run); }, context,
+          std::move(answer));
 }
 
 void HistoryService::setLabel(std::int64_t number, int servo, const QString& label)
@@ -193,17 +191,6 @@ void HistoryService::setNote(std::int64_t number, const QString& note)
 void HistoryService::setReference(std::int64_t number, int servo, bool reference)
 {
     change([=](History& history) { return history.setReference(number, servo, reference); });
-}
-
-void HistoryService::remove(const std::vector<std::int64_t>& numbers)
-{
-    change([numbers](History& history) -> base::Result<void> {
-        for (const std::int64_t number : numbers) {
-            if (const auto done = history.remove(number); !done)
-                return done;
-        }
-        return {};
-    });
 }
 
 void HistoryService::runInOrder(std::function<base::Result<void>()> job, QObject* context,

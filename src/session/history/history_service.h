@@ -62,12 +62,11 @@ public:
     void load(std::int64_t number, QObject* context, Answer<SharedRun> answer);
     void loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer);
 
-    /// Any other query or action: runs on the service's thread with the history open.
-    template <typename T>
-    void query(std::function<base::Result<T>(history::History&)> query, QObject* context,
-               Answer<T> answer);
+    /// Any other: `query` takes the open history, on the service's thread, and returns a Result<T>.
+    template <typename T, typename Query>
+    void query(Query query, QObject* context, Answer<T> answer);
 
-    // Pages: filter.limit rows, filter.after for the next. history_service_lists.cpp.
+    // Pages: filter.limit rows, filter.after for the next.
     void servos(const history::HistoryFilter& filter, QObject* context,
                 Answer<std::vector<history::HistoryServo>> answer);
     void writes(const history::HistoryFilter& filter, QObject* context,
@@ -144,14 +143,15 @@ private:
     std::unique_ptr<HistoryWatcher> m_watch; ///< null over a server
 };
 
-template <typename T>
-void HistoryService::query(std::function<base::Result<T>(history::History&)> query,
-                           QObject* context, Answer<T> answer)
+template <typename T, typename Query>
+void HistoryService::query(Query query, QObject* context, Answer<T> answer)
 {
     const QPointer<QObject> guard(context);
     m_source->start([post = m_post, query = std::move(query), guard,
                      answer = std::move(answer)](const base::Result<history::History*>& history) {
-        auto result = history ? query(**history) : base::Result<T>(tl::unexpected(history.error()));
+        base::Result<T> result = tl::unexpected(history ? base::Error{} : history.error());
+        if (history)
+            result = query(**history);
         post->post([guard, answer, result = std::move(result)] {
             if (guard)
                 answer(result);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The history besides the test runs, for the window: pages of lists, labels, exports.
+// The history besides the test runs, for the window: pages of lists, labels, exports, and what only
+// a history server knows.
 #include "session/history/history_service.h"
 
 namespace session {
 using history::History;
 using history::HistoryFilter;
+using history::HistoryServer;
 
 namespace {
 history::SavedRun
@@ -75,45 +77,42 @@ void HistoryService::saveHistorySnapshot(SharedSnapshot snapshot, history::Snaps
 void HistoryService::servos(const HistoryFilter& filter, QObject* context,
                             Answer<std::vector<history::HistoryServo>> answer)
 {
-    query<std::vector<history::HistoryServo>>(
-        [filter](History& history) { return history.log().servos(filter); }, context,
-        std::move(answer));
+    query([filter](History& history) { return history.log().servos(filter); }, context,
+          std::move(answer));
 }
 
 void HistoryService::writes(const HistoryFilter& filter, QObject* context,
                             Answer<std::vector<history::HistoryWrite>> answer)
 {
-    query<std::vector<history::HistoryWrite>>(
-        [filter](History& history) { return history.log().writes(filter); }, context,
-        std::move(answer));
+    query([filter](History& history) { return history.log().writes(filter); }, context,
+          std::move(answer));
 }
 
 void HistoryService::countWrites(const HistoryFilter& filter, QObject* context,
                                  Answer<std::int64_t> answer)
 {
-    query<std::int64_t>([filter](History& history) { return history.log().countWrites(filter); },
-                        context, std::move(answer));
+    query([filter](History& history) { return history.log().countWrites(filter); }, context,
+          std::move(answer));
 }
 
 void HistoryService::writtenKeys(std::optional<std::int64_t> servo, QObject* context,
                                  Answer<QStringList> answer)
 {
-    query<QStringList>([servo](History& history) { return history.log().writtenKeys(servo); },
-                       context, std::move(answer));
+    query([servo](History& history) { return history.log().writtenKeys(servo); }, context,
+          std::move(answer));
 }
 
 void HistoryService::snapshots(const HistoryFilter& filter, QObject* context,
                                Answer<std::vector<history::HistorySnapshot>> answer)
 {
-    query<std::vector<history::HistorySnapshot>>(
-        [filter](History& history) { return history.log().snapshots(filter); }, context,
-        std::move(answer));
+    query([filter](History& history) { return history.log().snapshots(filter); }, context,
+          std::move(answer));
 }
 
 void HistoryService::loadSnapshot(std::int64_t number, QObject* context,
                                   Answer<SharedSnapshot> answer)
 {
-    query<SharedSnapshot>(
+    query(
         [number](History& history) -> base::Result<SharedSnapshot> {
             auto snapshot = history.log().snapshot(number);
             if (!snapshot)
@@ -128,27 +127,23 @@ void HistoryService::tableAt(const catalog::Catalog& catalog, std::int64_t servo
                              Answer<history::TableState> answer)
 {
     // A copy shares what it was loaded with.
-    query<history::TableState>(
-        [models = catalog, servo, at](History& history) {
-            return history::tableAt(history.file(), models, servo, at);
-        },
-        context, std::move(answer));
+    query([models = catalog, servo,
+           at](History& history) { return history::tableAt(history.file(), models, servo, at); },
+          context, std::move(answer));
 }
 
 void HistoryService::alarms(const HistoryFilter& filter, QObject* context,
                             Answer<std::vector<history::HistoryAlarm>> answer)
 {
-    query<std::vector<history::HistoryAlarm>>(
-        [filter](History& history) { return history.log().alarms(filter); }, context,
-        std::move(answer));
+    query([filter](History& history) { return history.log().alarms(filter); }, context,
+          std::move(answer));
 }
 
 void HistoryService::recordings(const HistoryFilter& filter, QObject* context,
                                 Answer<std::vector<history::HistoryRecording>> answer)
 {
-    query<std::vector<history::HistoryRecording>>(
-        [filter](History& history) { return history.log().recordings(filter); }, context,
-        std::move(answer));
+    query([filter](History& history) { return history.log().recordings(filter); }, context,
+          std::move(answer));
 }
 
 void HistoryService::exportTo(const QString& path, bool csv,
@@ -156,7 +151,7 @@ void HistoryService::exportTo(const QString& path, bool csv,
                               const HistoryFilter& filter, QObject* context,
                               Answer<std::int64_t> answer)
 {
-    query<std::int64_t>(
+    query(
         [=](History& history) -> base::Result<std::int64_t> {
             if (!csv)
                 return history::exportHistoryJson(history, kinds, filter, path);
@@ -171,7 +166,7 @@ void HistoryService::exportTo(const QString& path, bool csv,
 
 void HistoryService::loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer)
 {
-    query<SharedStep>(
+    query(
         [number](History& history) -> base::Result<SharedStep> {
             auto run = history.step(number);
             if (!run)
@@ -191,10 +186,40 @@ void HistoryService::setSnapshotNote(std::int64_t number, const QString& label, 
     change([=](History& history) { return history.log().setSnapshotNote(number, label, note); });
 }
 
+void HistoryService::remove(const std::vector<std::int64_t>& numbers)
+{
+    change([numbers](History& history) {
+        return eachOf(numbers, [&](std::int64_t one) { return history.remove(one); });
+    });
+}
+
 void HistoryService::removeSnapshots(const std::vector<std::int64_t>& numbers)
 {
     change([numbers](History& history) {
         return eachOf(numbers, [&](std::int64_t one) { return history.log().removeSnapshot(one); });
     });
+}
+
+void HistoryService::benches(QObject* context, Answer<std::vector<history::HistoryBench>> answer)
+{
+    using Benches = std::vector<history::HistoryBench>;
+    query(
+        [](History& history) -> base::Result<Benches> {
+            const auto* server = dynamic_cast<const HistoryServer*>(&history.file());
+            return server == nullptr ? Benches() : server->benches();
+        },
+        context, std::move(answer));
+}
+
+void HistoryService::benchNames(const QString& table, const std::vector<std::int64_t>& numbers,
+                                QObject* context, Answer<QMap<qint64, QString>> answer)
+{
+    using Names = QMap<qint64, QString>;
+    query(
+        [table, numbers](History& history) -> base::Result<Names> {
+            const auto* server = dynamic_cast<const HistoryServer*>(&history.file());
+            return server == nullptr ? Names() : server->benchNames(table, numbers);
+        },
+        context, std::move(answer));
 }
 } // namespace session

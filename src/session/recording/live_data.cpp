@@ -2,8 +2,6 @@
 #include "session/recording/live_data.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace session {
@@ -13,12 +11,10 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr std::size_t maxMarks = 20000;
-constexpr auto recorderCheckInterval = 100ms;
 /// Without a reading for this time, although they came more often before: a gap, not a line.
 constexpr Duration minGap = 400ms;
 constexpr int gapIntervals = 5;
 constexpr Duration maxInterval = 2s;
-constexpr double missingValue = std::numeric_limits<double>::quiet_NaN();
 
 const catalog::Register* goalRegister(const catalog::Profile& profile)
 {
@@ -31,6 +27,18 @@ QString goalKey(const catalog::Profile& profile)
 {
     const catalog::Register* goal = goalRegister(profile);
     return goal != nullptr ? goal->key : QString();
+}
+
+SubscriptionItem subscriptionTo(const LiveChannel& channel)
+{
+    QStringList keys{channel.key};
+    if (channel.key == errorKey) {
+        const catalog::Register* present = channel.profile->byRole(Role::PresentPosition);
+        keys =
+            QStringList{goalKey(*channel.profile), present != nullptr ? present->key : QString()};
+        keys.removeAll(QString());
+    }
+    return {channel.servo, keys, {}};
 }
 
 struct LiveData::Slot {
@@ -53,21 +61,15 @@ struct LiveData::Source {
 LiveData::LiveData(Workbench& workbench, QObject* parent)
     : QObject(parent)
     , m_workbench(workbench)
+    , m_recording(workbench, *this)
 {
     connect(&workbench.polling(), &PollController::readingsReceived, this,
             [this](const std::vector<Reading>& batch) { process(batch); });
     connect(&workbench.polling(), &PollController::markAdded, this, &LiveData::addMark);
     connect(&workbench.registry(), &ServoRegistry::servosCleared, this, &LiveData::resetServos);
-    m_recorderTimer.setInterval(recorderCheckInterval);
-    connect(&m_recorderTimer, &QTimer::timeout, this, &LiveData::checkRecorder);
 }
 
-LiveData::~LiveData()
-{
-    flushRows();
-    if (m_recorder)
-        closeRecorder(std::move(m_recorder));
-}
+LiveData::~LiveData() = default;
 
 const LiveChannel* LiveData::find(ServoRef servo, const QString& key) const
 {
@@ -87,7 +89,7 @@ void LiveData::clear()
 
 void LiveData::resetServos()
 {
-    stopRecording(); // its curves are gone
+    m_recording.stop(); // its curves are gone
     for (const LiveChannel& channel : m_channels)
         m_store.close(channel.id);
     m_store.clear();
@@ -103,31 +105,21 @@ void LiveData::resetServos()
 void LiveData::setPeriod(Duration period)
 {
     m_period = period;
+    m_recording.setPeriod(period);
     updateSubscription();
 }
 
-/// What is recorded or waited for is read on every page and for every selection.
+/// What the trigger waits for is read on every page and for every selection.
 void LiveData::updateSubscription()
 {
-    const auto state = m_trigger.state();
-    const bool waits = state == recording::Trigger::State::Armed;
-    Subscription wish;
-    wish.period = m_period;
+    const bool waits = m_trigger.state() == recording::Trigger::State::Armed;
+    Subscription subscription;
+    subscription.period = m_period;
     for (const LiveChannel& channel : m_channels) {
-        const bool requested =
-            m_columns.count(channel.id) > 0 || (waits && m_trigger.spec().channel == channel.id);
-        if (!requested || !channel.profile)
-            continue;
-        QStringList keys{channel.key};
-        if (channel.key == errorKey) {
-            const catalog::Register* present = channel.profile->byRole(Role::PresentPosition);
-            keys = QStringList{goalKey(*channel.profile),
-                               present != nullptr ? present->key : QString()};
-            keys.removeAll(QString());
-        }
-        wish.parts.push_back({channel.servo, keys, {}});
+        if (waits && m_trigger.spec().channel == channel.id)
+            subscription.parts.push_back(subscriptionTo(channel));
     }
-    m_workbench.polling().subscribe(QStringLiteral("scope"), wish);
+    m_workbench.polling().subscribe(QStringLiteral("trigger"), subscription);
 }
 
 void LiveData::armTrigger(const recording::TriggerSpec& spec)
@@ -152,7 +144,7 @@ void LiveData::process(const std::vector<Reading>& batch)
     for (const auto& [ref, source] : m_sources)
         source->fresh = false;
     m_trigger.advanceTo(m_workbench.now());
-    flushRows();
+    m_recording.flush();
     if (std::exchange(m_newChannels, false))
         Q_EMIT channelsChanged();
     if (m_trigger.state() != stateBefore) {
@@ -233,8 +225,7 @@ void LiveData::append(Slot& slot, Duration at, double value)
     slot.lastAt = at;
     m_store.append(slot.id, at, value);
     m_trigger.sample(slot.id, at, value);
-    if (const auto column = m_columns.find(slot.id); column != m_columns.end())
-        m_row[column->second] = value;
+    m_recording.addValue(slot.id, value);
 }
 
 void LiveData::processValues(Source& source, const Reading& reading, const ServoEntry& entry)
@@ -261,9 +252,7 @@ void LiveData::process(const Reading& reading)
 {
     Source& source = sourceOf(reading);
     const ServoEntry* entry = m_workbench.registry().servo(reading.servo);
-    const auto rowSize = m_rowSizes.find(reading.servo);
-    if (rowSize != m_rowSizes.end())
-        m_row.assign(rowSize->second, missingValue);
+    m_recording.beginRow(reading.servo);
     if (reading.answered && entry != nullptr && entry->servo.profile == source.profile) {
         refresh(source, *entry);
         processValues(source, reading, *entry);
@@ -274,11 +263,7 @@ void LiveData::process(const Reading& reading)
         }
     }
     source.missing = !reading.answered;
-    // A row of nothing says that the servo was silent.
-    const bool any =
-        std::any_of(m_row.begin(), m_row.end(), [](double value) { return !std::isnan(value); });
-    if (rowSize != m_rowSizes.end() && (any || !reading.answered))
-        m_rows.push_back({reading.at, reading.servo, m_row});
+    m_recording.endRow(reading);
 }
 
 void LiveData::addMark(const recording::Mark& mark)
@@ -292,8 +277,7 @@ void LiveData::addMark(const recording::Mark& mark)
     m_marks.insert(place, mark);
     const auto before = m_trigger.state();
     m_trigger.mark(mark);
-    if (isRecording())
-        m_rowMarks.push_back(mark);
+    m_recording.addMark(mark);
     if (m_trigger.state() != before)
         Q_EMIT triggerChanged();
     Q_EMIT samplesAdded();

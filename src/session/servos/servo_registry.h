@@ -4,15 +4,12 @@
 // services of the workbench change it.
 #pragma once
 
+#include "base/clock.h"
 #include "jobs/scan/scan.h"
 #include "recording/trigger.h"
 #include "session/servos/servo_entry.h"
 
 #include <QObject>
-
-namespace base {
-class Clock;
-}
 
 namespace session {
 /// False when another servo answers there now than the one in the list. One that could not be
@@ -31,6 +28,7 @@ public:
     }                                                          ///< by ID, then protocol and rate
     const ServoEntry* servo(ServoRef ref) const;               ///< null: gone
     ServoRef findServo(base::Protocol protocol, int id) const; ///< 0: not in the list
+    base::Duration now() const { return m_clock.now(); }       ///< the clock of all times in it
 
     void acknowledgeAlarms(ServoRef ref);
 

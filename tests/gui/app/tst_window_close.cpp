@@ -192,7 +192,7 @@ private:
             return false;
         path->setText(file());
         return press("recordStart") && support::waitFor([this] {
-                   return context.workbench.liveData().recordingStatus().rows > 20;
+                   return context.workbench.liveData().recording().status().rows > 20;
                });
     }
 

@@ -90,9 +90,9 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("run.csv"));
         QTRY_VERIFY(fixture.scope.store().count() > 20);
-        QVERIFY(fixture.scope.startRecording({.path = path}));
-        QTRY_VERIFY(fixture.scope.recordingStatus().rows > 20);
-        fixture.scope.stopRecording();
+        QVERIFY(fixture.scope.recording().start({.path = path}));
+        QTRY_VERIFY(fixture.scope.recording().status().rows > 20);
+        fixture.scope.recording().stop();
         QTRY_COMPARE(fixture.recordings().size(), std::size_t(1));
         const auto kept = fixture.recordings().front();
         QCOMPARE(kept.file, path);

@@ -367,14 +367,14 @@ private Q_SLOTS:
         edit->setText(folder.filePath(QStringLiteral("nowhere/run.csv")));
         fixture.click("recordStart");
         QTRY_VERIFY(!fixture.find<QLabel>("recordTrouble")->text().isEmpty());
-        QVERIFY(!fixture.context.workbench.liveData().isRecording());
+        QVERIFY(!fixture.context.workbench.liveData().recording().isRunning());
         edit->setText(path);
         fixture.click("recordStart");
         QTRY_VERIFY(fixture.find<QLabel>("trendRecordState")->isVisible());
-        QTRY_VERIFY(fixture.context.workbench.liveData().recordingStatus().rows > 100);
+        QTRY_VERIFY(fixture.context.workbench.liveData().recording().status().rows > 100);
         fixture.action(ui::Command::Record)->trigger();
-        QTRY_VERIFY(!fixture.context.workbench.liveData().isRecording());
-        const auto rows = fixture.context.workbench.liveData().recordingStatus().rows;
+        QTRY_VERIFY(!fixture.context.workbench.liveData().recording().isRunning());
+        const auto rows = fixture.context.workbench.liveData().recording().status().rows;
 
         auto* panel = fixture.find<ui::TrendPanel>("trendPanel");
         panel->load(path);
@@ -404,9 +404,9 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.context.workbench.liveData().find(
                         first, QStringLiteral("present_voltage")) != nullptr);
         const QTemporaryDir folder;
-        QVERIFY(fixture.context.workbench.liveData().startRecording(
+        QVERIFY(fixture.context.workbench.liveData().recording().start(
             {.path = folder.filePath(QStringLiteral("run.csv"))}));
-        QTRY_VERIFY(fixture.context.workbench.liveData().recordingStatus().rows > 20);
+        QTRY_VERIFY(fixture.context.workbench.liveData().recording().status().rows > 20);
         // The channel itself moves when others come.
         const int voltage =
             fixture.context.workbench.liveData().find(first, QStringLiteral("present_voltage"))->id;
@@ -416,8 +416,8 @@ private Q_SLOTS:
         const base::Duration then = fixture.workbench().now();
         // In real time: a loaded machine may need more than the usual five seconds.
         QTRY_VERIFY(store.latest(voltage)->at > then + std::chrono::milliseconds(300));
-        fixture.context.workbench.liveData().stopRecording();
-        QTRY_VERIFY(!fixture.context.workbench.liveData().isRecording());
+        fixture.context.workbench.liveData().recording().stop();
+        QTRY_VERIFY(!fixture.context.workbench.liveData().recording().isRunning());
     }
 
     void oneRecordingAfterTheOther()
@@ -431,10 +431,10 @@ private Q_SLOTS:
         for (const char* name : {"a.csv", "b.jsonl"}) {
             const QString path = folder.filePath(QString::fromLatin1(name));
             QVERIFY(
-                fixture.context.workbench.liveData().startRecording({.path = path}).has_value());
-            QTRY_VERIFY(fixture.context.workbench.liveData().recordingStatus().rows > 50);
-            fixture.context.workbench.liveData().stopRecording();
-            QTRY_VERIFY(!fixture.context.workbench.liveData().isRecording());
+                fixture.context.workbench.liveData().recording().start({.path = path}).has_value());
+            QTRY_VERIFY(fixture.context.workbench.liveData().recording().status().rows > 50);
+            fixture.context.workbench.liveData().recording().stop();
+            QTRY_VERIFY(!fixture.context.workbench.liveData().recording().isRunning());
             panel->load(path);
             auto* slider = fixture.find<QSlider>("replaySlider");
             QTRY_VERIFY(panel->isReplaying() && slider->toolTip() == QString::fromLatin1(name));
@@ -462,12 +462,12 @@ private Q_SLOTS:
         fixture.action(ui::Command::Record)->trigger();
         fixture.find<QLineEdit>("recordPath")->setText(path);
         fixture.click("recordStart");
-        QVERIFY(!fixture.context.workbench.liveData().isRecording());
+        QVERIFY(!fixture.context.workbench.liveData().recording().isRunning());
         QCOMPARE(QFileInfo(path).size(), qint64(8));
         fixture.click("recordStart");
-        QTRY_VERIFY(fixture.context.workbench.liveData().recordingStatus().rows > 0);
-        fixture.context.workbench.liveData().stopRecording();
-        QTRY_VERIFY(!fixture.context.workbench.liveData().isRecording());
+        QTRY_VERIFY(fixture.context.workbench.liveData().recording().status().rows > 0);
+        fixture.context.workbench.liveData().recording().stop();
+        QTRY_VERIFY(!fixture.context.workbench.liveData().recording().isRunning());
     }
 
     void staleValuesLookStale()

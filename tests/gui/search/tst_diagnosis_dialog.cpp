@@ -28,7 +28,7 @@ struct Fixture : gui::WorkbenchFixture {
         if (!support::waitFor(
                 [this] { return workbench.link().state() == session::LinkState::Open; }))
             qFatal("no port");
-        dialog = new ui::DiagnosisDialog(workbench, commands, nullptr);
+        dialog = new ui::DiagnosisDialog(workbench.search(), workbench.link(), commands, nullptr);
         dialog->show();
     }
     ~Fixture() { delete dialog; }

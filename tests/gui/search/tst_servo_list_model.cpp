@@ -17,7 +17,7 @@ using ui::ServoRow;
 
 namespace {
 struct Fixture : gui::WorkbenchFixture {
-    ServoListModel model{workbench};
+    ServoListModel model{workbench.registry(), workbench.catalog()};
     QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
 
     ServoRow row(int id) const

@@ -162,17 +162,17 @@ private Q_SLOTS:
         QVERIFY(fixture.reads({position, QStringLiteral("present_voltage")}));
         const QTemporaryDir folder;
         const QString path = folder.filePath(name);
-        QSignalSpy ended(&fixture.scope, &LiveData::recordingEnded);
-        QVERIFY(fixture.scope.startRecording({.path = path}));
-        QVERIFY(!fixture.scope.startRecording({.path = path})); // one at a time
-        QTRY_VERIFY(fixture.scope.recordingStatus().rows > 60);
+        QSignalSpy ended(&fixture.scope.recording(), &session::LiveRecording::ended);
+        QVERIFY(fixture.scope.recording().start({.path = path}));
+        QVERIFY(!fixture.scope.recording().start({.path = path})); // one at a time
+        QTRY_VERIFY(fixture.scope.recording().status().rows > 60);
         fixture.workbench.writes().write(fixture.at(1),
                                          {{{QStringLiteral("position_p"), 41}}, true, {}});
         QTRY_VERIFY(!fixture.workbench.tasks().isBusy());
-        fixture.scope.stopRecording();
+        fixture.scope.recording().stop();
         QTRY_COMPARE(ended.size(), 1);
-        QVERIFY(!fixture.scope.recordingStatus().error);
-        QCOMPARE(fixture.scope.recordingStatus().lost, std::uint64_t(0));
+        QVERIFY(!fixture.scope.recording().status().error);
+        QCOMPARE(fixture.scope.recording().status().lost, std::uint64_t(0));
 
         session::Replay replay;
         std::shared_ptr<session::ReplayData> back;
@@ -180,7 +180,7 @@ private Q_SLOTS:
                 [&](const std::shared_ptr<session::ReplayData>& loaded) { back = loaded; });
         replay.load(path);
         QTRY_VERIFY(back != nullptr);
-        QCOMPARE(back->content.report.rows, fixture.scope.recordingStatus().rows);
+        QCOMPARE(back->content.report.rows, fixture.scope.recording().status().rows);
         QCOMPARE(back->content.report.badLines, std::uint64_t(0));
         QCOMPARE(back->content.head.channels.size(), std::size_t(4));
         QVERIFY(back->content.head.simulated);
@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY(fixture.search());
         const QTemporaryDir folder;
         const auto begun =
-            fixture.scope.startRecording({.path = folder.filePath(QStringLiteral("a.csv"))});
+            fixture.scope.recording().start({.path = folder.filePath(QStringLiteral("a.csv"))});
         QVERIFY(!begun);
         QCOMPARE(begun.error().code, base::ErrorCode::BadArgument);
         QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("a.csv"))));
@@ -220,13 +220,14 @@ private Q_SLOTS:
         LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.reads({position}));
         auto folder = std::make_unique<QTemporaryDir>();
-        QSignalSpy ended(&fixture.scope, &LiveData::recordingEnded);
-        QVERIFY(fixture.scope.startRecording({.path = folder->filePath(QStringLiteral("a.csv"))}));
-        QTRY_VERIFY(fixture.scope.recordingStatus().rows > 5);
+        QSignalSpy ended(&fixture.scope.recording(), &session::LiveRecording::ended);
+        QVERIFY(
+            fixture.scope.recording().start({.path = folder->filePath(QStringLiteral("a.csv"))}));
+        QTRY_VERIFY(fixture.scope.recording().status().rows > 5);
         folder.reset(); // deleted
         QTRY_COMPARE(ended.size(), 1);
-        QVERIFY(fixture.scope.recordingStatus().error);
-        QVERIFY(!fixture.scope.isRecording());
+        QVERIFY(fixture.scope.recording().status().error);
+        QVERIFY(!fixture.scope.recording().isRunning());
         // The measuring goes on.
         const auto count = fixture.scope.store().count();
         QTRY_VERIFY(fixture.scope.store().count() > count);
