@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "device/unlocked_eprom.h"
+
+#include "base/enum_names.h"
 #include "device/persistence.h"
 #include "device/transactions.h"
-#include "device/writer.h"
 
 namespace device {
 using base::ErrorCode;
 using catalog::Role;
+
+namespace {
+constexpr base::EnumName<LockState> lockNames[]{
+    {LockState::Closed, "closed"},
+    {LockState::Open, "open"},
+    {LockState::Unknown, "unknown"},
+    {LockState::None, "none"},
+};
+} // namespace
+
+QString lockName(LockState lock)
+{
+    return base::nameOf(lockNames, lock);
+}
 
 base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& servo,
                                                 const catalog::Register& reg)

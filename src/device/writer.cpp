@@ -18,13 +18,6 @@ constexpr base::EnumName<WriteOutcome> outcomeNames[]{
     {WriteOutcome::NotSent, "not-sent"},  {WriteOutcome::NoReply, "no-answer"},
     {WriteOutcome::Unknown, "unknown"},
 };
-
-constexpr base::EnumName<LockState> lockNames[]{
-    {LockState::Closed, "closed"},
-    {LockState::Open, "open"},
-    {LockState::Unknown, "unknown"},
-    {LockState::None, "none"},
-};
 } // namespace
 
 QString outcomeName(WriteOutcome outcome)
@@ -35,11 +28,6 @@ QString outcomeName(WriteOutcome outcome)
 WriteOutcome outcomeBeforeSending(const base::Error& why)
 {
     return why.code == ErrorCode::Refused ? WriteOutcome::Refused : WriteOutcome::NotSent;
-}
-
-QString lockName(LockState lock)
-{
-    return base::nameOf(lockNames, lock);
 }
 
 bool WriteReport::isSuccessful() const

@@ -8,6 +8,7 @@
 
 #include "device/consent.h"
 #include "device/reader.h"
+#include "device/unlocked_eprom.h"
 
 #include <functional>
 
@@ -32,9 +33,6 @@ inline bool isUntouched(WriteOutcome outcome)
 {
     return outcome == WriteOutcome::Refused || outcome == WriteOutcome::NotSent;
 }
-
-enum class LockState : std::uint8_t { Closed, Open, Unknown, None };
-QString lockName(LockState lock); ///< "closed", "open", "unknown", "none"
 
 struct WriteItem {
     QString key;
@@ -86,41 +84,4 @@ struct WriteOptions {
 /// every case. ID and baud rate are not written here: see jobs/change/change.h.
 base::Result<WriteReport> write(const Context& context, Servo& servo,
                                 const std::vector<WriteItem>& items, const WriteOptions& options);
-
-/// Keeps the EPROM unlocked during its lifetime, for procedures that are more than register writes.
-/// The destructor closes the lock. write() itself uses it.
-class UnlockedEprom {
-public:
-    /// Open for the area of `reg` (factory rows have a value of their own). Where writes to `reg`
-    /// are kept without a lock, there is nothing to open, and close() returns None.
-    static base::Result<UnlockedEprom> open(const Context& context, Servo& servo,
-                                            const catalog::Register& reg);
-    UnlockedEprom(UnlockedEprom&& other) noexcept;
-    UnlockedEprom(const UnlockedEprom&) = delete;
-    UnlockedEprom& operator=(const UnlockedEprom&) = delete;
-    UnlockedEprom& operator=(UnlockedEprom&&) = delete;
-    ~UnlockedEprom();
-
-    /// Locks at `servo` (whose ID may have changed meanwhile) and proves it by reading.
-    LockState close();
-
-    /// After close(): the lock was still open until then. If not, the servo has restarted meanwhile
-    /// (a brown-out closes it), and what was written may be lost at power-off.
-    bool stayedOpen() const { return m_stayedOpen; }
-
-private:
-    UnlockedEprom() = default;
-    UnlockedEprom(const Context& context, Servo& servo, std::int64_t needed)
-        : m_context(&context)
-        , m_servo(&servo)
-        , m_needed(needed)
-    {}
-    const Context* m_context = nullptr; ///< outlives this
-    Servo* m_servo = nullptr;           ///< null: there is no lock to close
-    std::int64_t m_needed = 0;          ///< what the lock register shows while open
-    bool m_stayedOpen = false;
-};
-
-/// Closes the lock if its flag reads open for any area; None where the map has no lock.
-LockState closeLock(const Context& context, Servo& servo);
 } // namespace device

@@ -96,27 +96,6 @@ void PollController::collectReadings()
         m_bench.presence().identifyReturned();
 }
 
-Communication PollController::communication(ServoRef ref) const
-{
-    Communication state;
-    const ServoEntry* known = m_bench.registry().servo(ref);
-    if (known == nullptr)
-        return state;
-    state.answering = !known->silent;
-    state.rate = pollRate(ref);
-    const base::Duration heard =
-        std::max(known->lastSeen, state.rate.lastAt.value_or(base::Duration{}));
-    state.age = m_bench.now() - heard;
-    if (known->silent)
-        state.silentSince = known->linkMonitor.silentSince().value_or(heard);
-    const bus::Statistics all = m_bench.link().statistics();
-    if (const auto own = all.byId.find(known->servo.id); own != all.byId.end()) {
-        state.timeouts = own->second.timeouts;
-        state.badChecksums = own->second.badChecksums;
-    }
-    return state;
-}
-
 void PollController::mark(recording::MarkKind kind, const ServoEntry* about, const QString& text)
 {
     Q_EMIT markAdded({m_bench.now(), kind, about != nullptr ? about->servo.id : -1, text});

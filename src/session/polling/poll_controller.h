@@ -22,7 +22,6 @@ public:
     /// one without parts ends it.
     void subscribe(const QString& user, const Subscription& subscription);
     PollRate pollRate(ServoRef ref) const { return m_polling.rate(ref); }
-    Communication communication(ServoRef ref) const;
     /// A goal was sent: shown in charts and recordings.
     void markMove(ServoRef ref, const QString& text, bool dragged = false);
 

@@ -36,14 +36,4 @@ struct PollRate {
     std::uint64_t missed = 0;
     std::optional<base::Duration> lastAt; ///< of the latest answered one, ever
 };
-
-/// How talking to one servo goes.
-struct Communication {
-    bool answering = false;
-    std::optional<base::Duration> silentSince{}; ///< workbench clock
-    base::Duration age{};                        ///< of what was heard latest
-    PollRate rate{};
-    std::uint64_t timeouts = 0;     ///< of this ID since the port was opened
-    std::uint64_t badChecksums = 0; ///< likewise
-};
 } // namespace session

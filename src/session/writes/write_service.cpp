@@ -4,7 +4,7 @@
 #include "device/write_meaning.h"
 #include "jobs/change/ordered_write.h"
 #include "jobs/recover/recover.h"
-#include "session/history/servo_journal.h"
+#include "session/history/servo_history.h"
 #include "session/workbench.h"
 
 #include <algorithm>

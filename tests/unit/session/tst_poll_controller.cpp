@@ -166,7 +166,7 @@ private Q_SLOTS:
         fixture.workbench.polling().subscribe(
             user, {{{ref, {position}}, {fixture.at(2), {position}}}, {}});
         QTRY_VERIFY(recorder.answered(ref) > 0 && recorder.answered(fixture.at(2)) > 0);
-        QVERIFY(fixture.workbench.polling().communication(ref).answering);
+        QVERIFY(!fixture.entry(ref).silent);
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
         QTRY_VERIFY(recorder.has(recording::MarkKind::LinkError, 1));
         QVERIFY(!recorder.has(recording::MarkKind::LinkError, 2));
@@ -176,15 +176,13 @@ private Q_SLOTS:
         QVERIFY(missed != recorder.all.end());
         QVERIFY(missed->values.empty());
         QCOMPARE(missed->error, base::ErrorCode::NoReply);
-        const session::Communication state = fixture.workbench.polling().communication(ref);
-        QVERIFY(!state.answering);
-        QVERIFY(state.silentSince.has_value());
-        QVERIFY(state.timeouts > 0);
+        QVERIFY(fixture.entry(ref).silent);
+        QVERIFY(fixture.entry(ref).linkMonitor.silentSince().has_value());
         const catalog::Register& reg = *fixture.entry(ref).servo.profile->find(position);
         QTRY_VERIFY(!fixture.entry(ref).displayedRaw(reg));
         fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
         QTRY_VERIFY(recorder.has(recording::MarkKind::LinkRestored, 1));
-        QTRY_VERIFY(fixture.workbench.polling().communication(ref).answering);
+        QTRY_VERIFY(!fixture.entry(ref).silent);
         QVERIFY(fixture.entry(ref).displayedRaw(reg));
     }
 

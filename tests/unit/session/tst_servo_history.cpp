@@ -3,7 +3,7 @@
 // change the mode or the ID, and nothing of another bus.
 #include "device/motion/motion.h"
 #include "jobs/change/change.h"
-#include "session/history/servo_journal.h"
+#include "session/history/servo_history.h"
 #include "support/test_main.h"
 
 #include <QRegularExpression>
@@ -27,7 +27,7 @@ QStringList keysOf(const std::vector<base::JournalEntry>& entries)
 }
 } // namespace
 
-class TestServoJournal : public QObject {
+class TestServoHistory : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -38,7 +38,7 @@ private Q_SLOTS:
     void anotherSimulatedBusIsExcluded();
 };
 
-void TestServoJournal::modeSwitchesAreIncluded()
+void TestServoHistory::modeSwitchesAreIncluded()
 {
     SessionFixture fixture(text("sim:sts3215@1"));
     QVERIFY(fixture.opened && fixture.search());
@@ -55,7 +55,7 @@ void TestServoJournal::modeSwitchesAreIncluded()
     QTRY_VERIFY(keysOf(fixture.entry(ref).history).contains(text("operating_mode")));
 }
 
-void TestServoJournal::followsTheServoToItsNewId()
+void TestServoHistory::followsTheServoToItsNewId()
 {
     SessionFixture fixture(text("sim:sts3215@1,sts3215@2"));
     QVERIFY(fixture.opened && fixture.search());
@@ -89,7 +89,7 @@ void TestServoJournal::followsTheServoToItsNewId()
                  QStringList({positionP, text("id"), positionP, text("id")}));
 }
 
-void TestServoJournal::anotherSimulatedBusIsExcluded()
+void TestServoHistory::anotherSimulatedBusIsExcluded()
 {
     SessionFixture fixture(text("sim:sts3215@1"));
     QVERIFY(fixture.opened && fixture.search());
@@ -104,5 +104,5 @@ void TestServoJournal::anotherSimulatedBusIsExcluded()
     QTRY_COMPARE(keysOf(fixture.entry(other).history), QStringList(text("position_d")));
 }
 
-SERVODESK_GUILESS_TEST(TestServoJournal)
-#include "tst_servo_journal.moc"
+SERVODESK_GUILESS_TEST(TestServoHistory)
+#include "tst_servo_history.moc"

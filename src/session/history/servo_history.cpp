@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/history/servo_journal.h"
+#include "session/history/servo_history.h"
 
 #include <algorithm>
 
