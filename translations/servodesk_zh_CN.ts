@@ -418,7 +418,7 @@
         <translation>舵机为何不应答(&amp;W)？</translation>
     </message>
     <message>
-        <source>Checks the line, tries other baud rates and protocols, and names the cause; writes nothing</source>
+        <source>Checks the bus, tries other baud rates and protocols, and names the cause; writes nothing</source>
         <translation>检查总线，尝试其他波特率和协议，并指出原因；不写入任何内容</translation>
     </message>
 </context>
@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>the line was never idle</source>
-        <translation>线路一直没有空闲</translation>
+        <translation>总线一直没有空闲</translation>
     </message>
     <message>
         <source>the servo did not accept the write</source>
@@ -939,8 +939,8 @@
         <translation>波特率不同，指令未送达：ID %1</translation>
     </message>
     <message>
-        <source>a goal may still be waiting for its start command: ID %1</source>
-        <translation>可能仍有目标在等待异步执行：ID %1</translation>
+        <source>a goal may still be waiting for the Execute command: ID %1</source>
+        <translation>可能仍有目标在等待“异步执行”指令：ID %1</translation>
     </message>
     <message>
         <source>Emergency stop confirmed: torque is off, ID %1</source>
@@ -1035,12 +1035,12 @@
         <translation>查找空闲 ID</translation>
     </message>
     <message>
-        <source>check of the stop</source>
-        <translation>检查是否停下</translation>
+        <source>confirm stop</source>
+        <translation>确认已停止</translation>
     </message>
     <message>
         <source>check for motion</source>
-        <translation>检查是否在动</translation>
+        <translation>检查是否仍在运动</translation>
     </message>
 </context>
 <context>
@@ -1114,8 +1114,8 @@
         <translation>写入</translation>
     </message>
     <message>
-        <source>change ID</source>
-        <translation>修改 ID</translation>
+        <source>set ID</source>
+        <translation>设置 ID</translation>
     </message>
     <message>
         <source>change mode</source>
@@ -1194,11 +1194,11 @@
         <translation>新值</translation>
     </message>
     <message>
-        <source>Outcome</source>
+        <source>Result</source>
         <translation>结果</translation>
     </message>
     <message>
-        <source>Kind</source>
+        <source>Type</source>
         <translation>类型</translation>
     </message>
     <message>
@@ -1238,7 +1238,7 @@
         <translation>报警</translation>
     </message>
     <message>
-        <source>Length</source>
+        <source>Duration</source>
         <translation>时长</translation>
     </message>
     <message>
@@ -1270,8 +1270,8 @@
         <translation>闪烁 LED</translation>
     </message>
     <message>
-        <source>change baud rate</source>
-        <translation>修改波特率</translation>
+        <source>set baud rate</source>
+        <translation>设置波特率</translation>
     </message>
     <message>
         <source>set midpoint</source>
@@ -1286,8 +1286,8 @@
         <translation>未写完</translation>
     </message>
     <message>
-        <source>not changed</source>
-        <translation>未更改</translation>
+        <source>abandoned</source>
+        <translation>已放弃</translation>
     </message>
     <message>
         <source>manual</source>
@@ -1298,11 +1298,11 @@
         <translation>整组保存</translation>
     </message>
     <message>
-        <source>Began</source>
+        <source>Raised</source>
         <translation>出现</translation>
     </message>
     <message>
-        <source>Ended</source>
+        <source>Cleared</source>
         <translation>解除</translation>
     </message>
     <message>
@@ -1374,7 +1374,7 @@
     </message>
     <message>
         <source>Port %1, %2 baud</source>
-        <translation>端口 %1，%2 波特</translation>
+        <translation>端口 %1，波特率 %2</translation>
     </message>
     <message>
         <source>Key</source>
@@ -1497,7 +1497,7 @@
     </message>
     <message>
         <source>Raw value converted to its unit or name</source>
-        <translation>同一数值，带单位或名称</translation>
+        <translation>原始值换算后的物理量，或其对应的名称</translation>
     </message>
     <message>
         <source>Memory area: EPROM (kept after power-off), SRAM (lost at power-off), feedback (measured) or factory (set by the manufacturer)</source>
@@ -1665,8 +1665,8 @@
         <translation>、</translation>
     </message>
     <message>
-        <source>One step: %1</source>
-        <translation>每一单位：%1</translation>
+        <source>Resolution: %1</source>
+        <translation>分辨率：%1</translation>
     </message>
     <message>
         <source>Range: %1</source>
@@ -1977,7 +1977,7 @@
     </message>
     <message>
         <source>Finish</source>
-        <translation>完成</translation>
+        <translation>继续写完</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -1985,7 +1985,7 @@
     </message>
     <message>
         <source>Forget…</source>
-        <translation>放弃…</translation>
+        <translation>放弃处理…</translation>
     </message>
     <message>
         <source>Later</source>
@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>Unfinished writes</source>
-        <translation>未写完的写入</translation>
+        <translation>未写完的更改</translation>
     </message>
     <message>
         <source>Working…</source>
@@ -2001,11 +2001,11 @@
     </message>
     <message>
         <source>Forget this change?</source>
-        <translation>放弃这次更改？</translation>
+        <translation>放弃处理这次更改？</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation>放弃</translation>
+        <translation>放弃处理</translation>
     </message>
     <message>
         <source>The change has been finished.</source>
@@ -2582,12 +2582,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
 <context>
     <name>StepText</name>
     <message>
-        <source>Time after goal, ms</source>
+        <source>Time since goal was sent, ms</source>
         <translation>发出目标后的时间，ms</translation>
     </message>
     <message>
-        <source>Position toward goal, step</source>
-        <translation>朝目标方向的位置，步</translation>
+        <source>Movement toward goal, steps</source>
+        <translation>朝目标方向的位移，步</translation>
     </message>
     <message>
         <source>Step responses</source>
@@ -2866,7 +2866,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>参数</translation>
     </message>
     <message>
-        <source>Steady-state error by move</source>
+        <source>Distribution of steady-state error</source>
         <translation>各行程静差分布</translation>
     </message>
     <message>
@@ -2966,7 +2966,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>运行时长</translation>
     </message>
     <message>
-        <source>Readings per servo</source>
+        <source>Reading rate per servo</source>
         <translation>每个舵机的采样率</translation>
     </message>
     <message>
@@ -3022,8 +3022,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>目标点</translation>
     </message>
     <message>
-        <source>Timing</source>
-        <translation>节奏</translation>
+        <source>Next goal</source>
+        <translation>下一目标</translation>
     </message>
     <message>
         <source>Cycles</source>
@@ -3047,7 +3047,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Travel time (ms)</source>
-        <translation>运动时间（ms）</translation>
+        <translation>运行时间（ms）</translation>
     </message>
     <message>
         <source>present setting of the servo</source>
@@ -3090,8 +3090,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>仅连接断开</translation>
     </message>
     <message>
-        <source>In steps</source>
-        <translation>折算为步</translation>
+        <source>Range in steps</source>
+        <translation>范围（步）</translation>
     </message>
     <message>
         <source>Goal reached within</source>
@@ -3190,15 +3190,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>时间，s</translation>
     </message>
     <message>
-        <source>Position, step</source>
+        <source>Position, steps</source>
         <translation>位置，步</translation>
     </message>
     <message>
-        <source>Steady-state error by move</source>
+        <source>Distribution of steady-state error</source>
         <translation>各行程静差分布</translation>
     </message>
     <message>
-        <source>Steady-state error, step</source>
+        <source>Steady-state error, steps</source>
         <translation>静差，步</translation>
     </message>
     <message>
@@ -3251,7 +3251,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>超调，%</translation>
     </message>
     <message>
-        <source>Error, step</source>
+        <source>Error, steps</source>
         <translation>静差，步</translation>
     </message>
     <message>
@@ -3604,7 +3604,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>delay from one goal to the next, whether or not the goal is reached</source>
-        <translation>延时（从一个目标到下一个）</translation>
+        <translation>延时（从一个目标到下一个，不论是否到位）</translation>
     </message>
     <message>
         <source>dwell after arrival</source>
@@ -3666,8 +3666,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>温度</translation>
     </message>
     <message>
-        <source>Moving</source>
-        <translation>移动</translation>
+        <source>Moving flag</source>
+        <translation>移动标志</translation>
     </message>
     <message>
         <source>ID %1 · %2</source>
@@ -3723,17 +3723,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>、</translation>
     </message>
     <message>
-        <source>“%1” is less than one step of this register and would become 0.</source>
-        <translation>“%1”不足该参数的一个单位，会变成 0。</translation>
+        <source>“%1” is below the resolution of this register and would become 0.</source>
+        <translation>“%1”小于该参数的分辨率，会变成 0。</translation>
     </message>
     <message>
         <source>Nothing was written.</source>
         <translation>没有写入任何内容。</translation>
-    </message>
-    <message>
-        <source> </source>
-        <comment>between sentences</comment>
-        <translation> </translation>
     </message>
     <message>
         <source>Select one of: %1.</source>
@@ -3767,11 +3762,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
 <context>
     <name>WriteQuestion</name>
     <message>
-        <source> </source>
-        <comment>between sentences</comment>
-        <translation> </translation>
-    </message>
-    <message>
         <source>The value is lost at power-off.</source>
         <translation>该值断电后丢失。</translation>
     </message>
@@ -3789,11 +3779,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>In this mode, the shaft turns continuously as soon as the servo receives a command. Clear the area around the mechanism first.</source>
-        <translation>在该模式下，舵机一收到指令，输出轴就会持续转动。请先清空机构周围。</translation>
+        <translation>在该模式下，舵机一收到指令，输出轴就会持续转动。请先确保机构周围无人、无障碍物。</translation>
     </message>
     <message>
         <source>In this mode, the shaft is not restricted by angle limits. Clear the area around the mechanism first.</source>
-        <translation>在该模式下，输出轴不受角度限制。请先清空机构周围。</translation>
+        <translation>在该模式下，输出轴不受角度限制。请先确保机构周围无人、无障碍物。</translation>
     </message>
     <message>
         <source>Writing %1 to %2 switches the servo from “%3” to “%4”.</source>
@@ -3837,7 +3827,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Afterwards, every position corresponds to a different angle than before. Clear the area around the mechanism before turning torque on.</source>
-        <translation>此后每个位置对应的角度都与之前不同。打开扭矩前请清空机构周围。</translation>
+        <translation>此后每个位置对应的角度都与之前不同。打开扭矩前请确保机构周围无人、无障碍物。</translation>
     </message>
     <message>
         <source>A wrong value can make the servo unreachable or dangerous. Note the old value before you continue.</source>
@@ -3907,8 +3897,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>是</translation>
     </message>
     <message>
-        <source>Protocol, line</source>
-        <translation>协议、线路</translation>
+        <source>Protocol, bus type</source>
+        <translation>协议、总线类型</translation>
     </message>
     <message>
         <source>Port, baud rate</source>
@@ -4193,7 +4183,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Old</source>
-        <translation>旧值</translation>
+        <translation>原值</translation>
     </message>
     <message>
         <source>New</source>
@@ -4204,7 +4194,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>回读</translation>
     </message>
     <message>
-        <source>Outcome</source>
+        <source>Result</source>
         <translation>结果</translation>
     </message>
     <message>
@@ -4258,7 +4248,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>lost</source>
-        <translation>已恢复原值</translation>
+        <translation>已丢失</translation>
     </message>
     <message>
         <source>Search the bus: send a PING to each of the 254 IDs; nothing is written</source>
@@ -4286,7 +4276,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Change</source>
-        <translation>修改编号</translation>
+        <translation>更改</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -4365,12 +4355,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>报告：%1</translation>
     </message>
     <message>
-        <source>write the runs to a file</source>
-        <translation>将运行结果写入文件</translation>
+        <source>write a report of the test to a file</source>
+        <translation>将测试报告写入文件</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation>记录</translation>
+        <translation>编号</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -4453,7 +4443,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>录制</translation>
     </message>
     <message>
-        <source>Length</source>
+        <source>Duration</source>
         <translation>时长</translation>
     </message>
     <message>
@@ -4529,10 +4519,6 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>行数</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
         <source>! %1: %2</source>
         <translation>! %1：%2</translation>
     </message>
@@ -4561,7 +4547,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>%1 “%2”：请给出不小于 0 的值，可为原始值或带单位的数值；方向由目标决定</translation>
     </message>
     <message>
-        <source>Kind</source>
+        <source>Type</source>
         <translation>类型</translation>
     </message>
     <message>
@@ -6529,11 +6515,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>read-only</source>
         <translation>只读</translation>
-    </message>
-    <message>
-        <source>; </source>
-        <comment>between reasons</comment>
-        <translation>； </translation>
     </message>
     <message>
         <source>the history server cannot be reached</source>
@@ -9193,7 +9174,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Write anyway</source>
-        <translation>仍然写入</translation>
+        <translation>仍要写入</translation>
     </message>
     <message>
         <source>The template cannot be read.</source>
@@ -9509,11 +9490,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>ID %1 · no reply · read %2</source>
-        <translation>ID %1 · 无应答 · 读取时间：%2</translation>
+        <translation>ID %1 · 无应答 · %2读取</translation>
     </message>
     <message>
         <source>ID %1 · read %2</source>
-        <translation>ID %1 · 读取于%2</translation>
+        <translation>ID %1 · %2读取</translation>
     </message>
     <message>
         <source>Factory default</source>
@@ -9585,16 +9566,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message>
         <source>Port: %1 at %2 baud
 Sent: %3, replies: %4
-Lost: %5, damaged: %6, foreign: %7, late: %8
+Lost: %5, damaged: %6, unexpected: %7, late: %8
 Retries: %9</source>
         <translation>端口：%1，波特率 %2
 已发送：%3，已应答：%4
-丢失：%5，损坏：%6，来源异常：%7，迟到：%8
+丢失：%5，损坏：%6，非预期：%7，迟到：%8
 重试：%9</translation>
     </message>
     <message>
-        <source>Round trip: %1 ms, slowest of 100: %2 ms</source>
-        <translation>往返时间：%1 毫秒，百次中最慢：%2 毫秒</translation>
+        <source>Round trip: median %1 ms, 99th percentile %2 ms</source>
+        <translation>往返时间：中位数 %1 毫秒，第 99 百分位 %2 毫秒</translation>
     </message>
     <message>
         <source>Baud rate of the port. Auto: the factory baud rate of servos that use the selected protocol</source>
@@ -9613,7 +9594,7 @@ Retries: %9</source>
         <translation>更多端口设置</translation>
     </message>
     <message>
-        <source>Parity, timeout, Modbus silence, retries</source>
+        <source>Parity, timeout, Modbus frame gap, retries</source>
         <translation>校验位、超时、Modbus 帧间隔、重试次数</translation>
     </message>
     <message>
@@ -9648,7 +9629,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Current 0 = no torque</source>
-        <translation>电流 0 = 没有扭矩</translation>
+        <translation>电流为 0 时无扭矩</translation>
     </message>
 </context>
 <context>
@@ -9769,7 +9750,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). A lower limit also makes the servo slower. Use this method only for parts of equal mass.</source>
-        <translation>夹持：按工件能承受的力设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。舵机也会变慢。仅适合质量相同的工件。</translation>
+        <translation>夹持：按工件能承受的力设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。限制设得越低，舵机也越慢。此方法仅适合质量相同的工件。</translation>
     </message>
     <message>
         <source>Torque limit details</source>
@@ -10011,7 +9992,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Opens the port again at this baud rate</source>
-        <translation>以此波特率重新打开串口</translation>
+        <translation>以此波特率重新打开端口</translation>
     </message>
     <message>
         <source>Connect with all protocols</source>
@@ -10019,7 +10000,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Opens the port again and detects the protocol</source>
-        <translation>重新打开串口并自动识别协议</translation>
+        <translation>重新打开端口并自动识别协议</translation>
     </message>
     <message>
         <source>Why does a servo not reply?</source>
@@ -10042,8 +10023,8 @@ Retries: %9</source>
         <translation>搜索进度</translation>
     </message>
     <message>
-        <source>How much of it is complete</source>
-        <translation>已完成的部分</translation>
+        <source>How much of the search is complete</source>
+        <translation>搜索的完成比例</translation>
     </message>
     <message>
         <source>Copy report</source>
@@ -10195,7 +10176,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Trend %1</source>
-        <translation>趋势 %1</translation>
+        <translation>曲线图 %1</translation>
     </message>
     <message>
         <source>Saved as %1</source>
@@ -10320,7 +10301,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>First day</source>
-        <translation>第一天</translation>
+        <translation>起始日期</translation>
     </message>
     <message>
         <source>Until</source>
@@ -10328,7 +10309,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Last day</source>
-        <translation>最后一天</translation>
+        <translation>结束日期</translation>
     </message>
     <message>
         <source>Only problems</source>
@@ -10526,7 +10507,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>✔ %1 is up to date</source>
-        <translation>✔ %1 已是最新</translation>
+        <translation>✔ %1：已全部发送</translation>
     </message>
 </context>
 <context>
@@ -10636,7 +10617,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Load…</source>
-        <translation>读取…</translation>
+        <translation>载入…</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -10672,7 +10653,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Load limits</source>
-        <translation>从文件读取限值</translation>
+        <translation>从文件载入限值</translation>
     </message>
     <message>
         <source>Save limits</source>
@@ -10836,7 +10817,7 @@ Retries: %9</source>
         <translation>校验位</translation>
     </message>
     <message>
-        <source>Modbus silence</source>
+        <source>Modbus frame gap</source>
         <translation>Modbus 帧间隔</translation>
     </message>
     <message>
@@ -11306,20 +11287,16 @@ Retries: %9</source>
         </translation>
     </message>
     <message>
-        <source>Derived from the limits: this servo does not report faults</source>
-        <translation>由限值推算：该舵机不上报故障</translation>
-    </message>
-    <message>
-        <source>Unknown: the servo does not reply, or its fault status has not been read</source>
-        <translation>未知：舵机没有应答，或故障状态尚未读取</translation>
+        <source>Unknown: the servo does not reply, or its alarm status has not been read</source>
+        <translation>未知：舵机没有应答，或报警状态尚未读取</translation>
     </message>
     <message>
         <source>updated %1 ago · %2 Hz</source>
         <translation>%1前更新 · %2 Hz</translation>
     </message>
     <message>
-        <source>Removes cleared faults from this list; active faults stay</source>
-        <translation>从列表中移除已解除的故障；仍存在的故障会保留</translation>
+        <source>Removes cleared alarms from this list; active alarms stay</source>
+        <translation>从列表中移除已解除的报警；尚未解除的报警会保留</translation>
     </message>
     <message>
         <source>Age of the newest value, and number of readings in the last second</source>
@@ -11336,6 +11313,10 @@ Retries: %9</source>
     <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Derived from the limits: this servo does not report alarms</source>
+        <translation>由限值推算：该舵机不报告报警</translation>
     </message>
 </context>
 <context>
@@ -11408,8 +11389,8 @@ Retries: %9</source>
         <translation>其他端口</translation>
     </message>
     <message>
-        <source>Path of a port, or address of a TCP bridge:</source>
-        <translation>端口路径或 TCP 转接器地址：</translation>
+        <source>Port path or TCP bridge address:</source>
+        <translation>端口路径或 TCP 网桥地址：</translation>
     </message>
     <message>
         <source>/dev/ttyUSB0 or tcp://192.168.1.20:4000</source>
@@ -11475,7 +11456,7 @@ Retries: %9</source>
         <translation>端口</translation>
     </message>
     <message>
-        <source>%1 (not connected now)</source>
+        <source>%1 (not plugged in)</source>
         <translation>%1（当前未接入）</translation>
     </message>
     <message>
@@ -11536,7 +11517,7 @@ Retries: %9</source>
         <translation> 秒</translation>
     </message>
     <message>
-        <source>Length</source>
+        <source>Duration</source>
         <translation>时长</translation>
     </message>
     <message>
@@ -11556,8 +11537,8 @@ Retries: %9</source>
         <translation>电子表格 (*.csv)</translation>
     </message>
     <message>
-        <source>JSON lines for programs (*.jsonl)</source>
-        <translation>供程序使用的 JSON 行 (*.jsonl)</translation>
+        <source>JSON Lines for programs (*.jsonl)</source>
+        <translation>JSON Lines，供程序读取 (*.jsonl)</translation>
     </message>
     <message>
         <source>*.csv: a table; *.jsonl: one JSON object per line</source>
@@ -11786,7 +11767,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Write anyway</source>
-        <translation>仍然写入</translation>
+        <translation>仍要写入</translation>
     </message>
     <message>
         <source>Write</source>
@@ -11848,6 +11829,10 @@ Retries: %9</source>
         <source>Save result…</source>
         <translation>保存结果…</translation>
     </message>
+    <message>
+        <source>%1: with both angle limits at 0, the shaft can turn past any position.</source>
+        <translation>%1：两个角度限制均为 0 时，输出轴可转过任意位置。</translation>
+    </message>
 </context>
 <context>
     <name>ui::RunListDialog</name>
@@ -11876,7 +11861,7 @@ Retries: %9</source>
         <translation>标签…</translation>
     </message>
     <message>
-        <source>Gives the servo in the selected test a label, because servos have no serial number</source>
+        <source>Labels the servo in the selected test; servos have no serial number to identify them</source>
         <translation>为所选测试中的舵机加标签（舵机没有序列号）</translation>
     </message>
     <message>
@@ -11896,8 +11881,8 @@ Retries: %9</source>
         <translation>关闭此窗口</translation>
     </message>
     <message>
-        <source>No tests yet. All tests from the window and the command line are stored here.</source>
-        <translation>还没有测试。窗口和命令行的测试都保存在这里。</translation>
+        <source>No tests yet. All tests run in this program or from the command line are stored here.</source>
+        <translation>还没有测试。在本程序或命令行中运行的测试都保存在这里。</translation>
     </message>
     <message>
         <source>No test matches this filter.</source>
@@ -11943,7 +11928,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Run</source>
-        <translation>记录</translation>
+        <translation>编号</translation>
     </message>
     <message>
         <source>Time</source>
@@ -12611,7 +12596,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1 vs. %2</source>
-        <translation>%1 对比 %2</translation>
+        <translation>%1 与 %2 对比</translation>
     </message>
     <message>
         <source>Snapshot of ID %1 · %2 saved: %3 registers.</source>
@@ -12646,11 +12631,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Raw value, or a value with its unit (30deg); if the value is negative, the servo first moves toward lower positions</source>
-        <translation>阶跃大小：可用步数，也可带单位（30deg）；负值表示先朝位置减小的方向运动</translation>
+        <translation>原始值，或带单位的值（30deg）；负值表示先朝位置减小的方向运动</translation>
     </message>
     <message>
         <source>Start position of the step; leave empty to use the present position, or the nearest one with enough room</source>
-        <translation>阶跃的起点；留空：使用当前位置，如果空间不足，则使用最近的可用位置</translation>
+        <translation>阶跃的起始位置；留空：使用当前位置，如果空间不足，则使用最近的可用位置</translation>
     </message>
     <message>
         <source>Number of back-and-forth steps</source>
@@ -12670,7 +12655,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>maximum</source>
-        <translation>最大</translation>
+        <translation>最大值</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -12744,7 +12729,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The old values are recorded in the journal. When the servo replies again, restore them under Port → Interrupted writes. At power-off, the servo discards the trial values.</source>
-        <translation>此情况已记入写入日志。舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
+        <translation>原值已记入写入日志。舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
     </message>
     <message>
         <source>Select a servo in the list.</source>
@@ -12776,7 +12761,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Torque is turned on for ID %1 · %2, and the servo moves by itself at maximum speed until the run has ended.</source>
-        <translation>ID %1 · %2 将打开扭矩并以最快速度自行运动，直到运行结束。</translation>
+        <translation>ID %1 · %2 将打开扭矩并以最高速度自行运动，直到运行结束。</translation>
     </message>
     <message>
         <source>Afterwards, the servo holds its position with torque on, even if you stop the run or close the window.</source>
@@ -12959,7 +12944,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Lists the stored step responses; you can open one or compare two</source>
-        <translation>列出已保存的阶跃响应；可打开其中一项，或对比两项</translation>
+        <translation>列出已保存的阶跃响应；可打开其中一次，或对比两次</translation>
     </message>
     <message>
         <source>Removes these runs from the page; the servo and the history do not change</source>
@@ -13010,11 +12995,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Shows the selected runs on the Step response page. If two runs are selected, they are compared with each other; later runs are compared with the newer one</source>
-        <translation>在“阶跃响应”页显示所选运行。两项运行互相对比；之后的运行与其中较新的一项对比</translation>
+        <translation>在“阶跃响应”页显示所选运行。如果选择了两次运行，则互相对比；之后的运行与其中较新的一次对比</translation>
     </message>
     <message>
         <source>Select one run to open it, or two to compare them.</source>
-        <translation>选择一项运行即可打开，选择两项即可对比。</translation>
+        <translation>选择一次运行即可打开，选择两次即可对比。</translation>
     </message>
     <message>
         <source>The metrics, responses and settings of these runs are deleted from the history. Report files are kept.</source>
@@ -13032,7 +13017,7 @@ Retries: %9</source>
     <name>ui::SweepEndConditions</name>
     <message>
         <source>End early on</source>
-        <translation>提前结束</translation>
+        <translation>提前结束条件</translation>
     </message>
     <message>
         <source>Alarm</source>
@@ -13527,7 +13512,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No reply from %1 for %2</source>
-        <translation>%1 已 %2 无应答</translation>
+        <translation>%1 已持续 %2 无应答</translation>
     </message>
     <message>
         <source>Warming up; not measuring yet</source>
@@ -13697,7 +13682,7 @@ Retries: %9</source>
     <name>ui::TemplateDialog</name>
     <message>
         <source>Rows of the template</source>
-        <translation>模板的行</translation>
+        <translation>模板包含的行</translation>
     </message>
     <message>
         <source>Register</source>
@@ -13787,7 +13772,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Whole recording</source>
-        <translation>整个录制</translation>
+        <translation>整段录制</translation>
     </message>
     <message>
         <source>All channels are hidden</source>
@@ -13813,6 +13798,10 @@ Retries: %9</source>
         <source>Drag: pan. Wheel: zoom time. Shift+wheel: zoom values. Ctrl+drag: zoom into a box. Double-click: show all. Backspace: previous view. Space: pause.</source>
         <translation>拖动：平移。滚轮：缩放时间。Shift+滚轮：缩放数值。Ctrl+拖动：框选放大。双击：显示全部。Backspace：上一视图。空格：暂停。</translation>
     </message>
+    <message>
+        <source>Drag up or down to move this lane</source>
+        <translation>上下拖动可移动该栏</translation>
+    </message>
 </context>
 <context>
     <name>ui::TrendPanel</name>
@@ -13829,7 +13818,7 @@ Retries: %9</source>
     <name>ui::TrendReplay</name>
     <message>
         <source>Open a recording</source>
-        <translation>打开录制</translation>
+        <translation>打开录制文件</translation>
     </message>
     <message>
         <source>Recordings (*.csv *.jsonl)</source>
@@ -14012,7 +14001,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>&amp;Memory for readings</source>
-        <translation>读数占用内存(&amp;M)</translation>
+        <translation>采样数据占用内存(&amp;M)</translation>
     </message>
     <message>
         <source>%1 MB</source>
@@ -14038,27 +14027,27 @@ Retries: %9</source>
     </message>
     <message>
         <source>The value rises through a level</source>
-        <translation>数值上升穿过电平</translation>
+        <translation>数值上升越过阈值</translation>
     </message>
     <message>
         <source>The value falls through a level</source>
-        <translation>数值下降穿过电平</translation>
+        <translation>数值下降越过阈值</translation>
     </message>
     <message>
         <source>The value is above a level</source>
-        <translation>数值高于电平</translation>
+        <translation>数值高于阈值</translation>
     </message>
     <message>
         <source>The value is below a level</source>
-        <translation>数值低于电平</translation>
+        <translation>数值低于阈值</translation>
     </message>
     <message>
         <source>The servo has stopped</source>
         <translation>舵机停止运动</translation>
     </message>
     <message>
-        <source>A fault appears</source>
-        <translation>出现故障</translation>
+        <source>An alarm occurs</source>
+        <translation>出现报警</translation>
     </message>
     <message>
         <source>A servo stops replying</source>
@@ -14070,7 +14059,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Level</source>
-        <translation>电平</translation>
+        <translation>阈值</translation>
     </message>
     <message>
         <source>Hysteresis</source>
@@ -14122,7 +14111,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>How far the value must first move to the other side of the level; prevents repeated triggering by noise</source>
-        <translation>数值须先到电平另一侧并超出此幅度，才能触发；避免噪声造成重复触发</translation>
+        <translation>数值须先到阈值另一侧并超出此幅度，才能触发；避免噪声造成重复触发</translation>
     </message>
     <message>
         <source>Time shown before the trigger</source>

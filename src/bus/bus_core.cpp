@@ -29,13 +29,14 @@ QString operationOf(Op op)
     }
 }
 
-/// Silence is the weakest finding: if anything came in any attempt, the user gets that error. A
-/// line that was full in one of them explains the others.
-ErrorCode errorFor(const std::vector<Fault>& faults)
+/// Silence is the weakest finding: if anything came in any attempt, the user gets that error. Where
+/// only something was asked, a line that was full in one of them explains the others.
+ErrorCode errorFor(const std::vector<Fault>& faults, const protocol::Request& request)
 {
     ErrorCode code = ErrorCode::NoReply;
     for (const Fault& fault : faults) {
-        if (fault.kind != FaultKind::Timeout && code != ErrorCode::LineBusy)
+        const bool isExplained = code == ErrorCode::LineBusy && request.isRead();
+        if (fault.kind != FaultKind::Timeout && !isExplained)
             code = errorFor(fault.kind);
     }
     return code;
@@ -180,7 +181,7 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
                 m_lateReplyGuard.silenceProven(request.id, m_clock.now(), request.protocol);
         }
     }
-    Error error{errorFor(outcome.faults)};
+    Error error{errorFor(outcome.faults, request)};
     if (foreignId && error.code == ErrorCode::NoReply)
         error.detail = QStringLiteral("from %1").arg(*foreignId);
     if (request.repeat == Repeat::Never && !refused) {

@@ -102,8 +102,9 @@ Result<Attempt> Exchange::receiveAttempt(const protocol::Request& request, Pendi
     pending.attempt.endedAt = m_clock.now();
     if (!isReadable)
         m_scanner.giveUp(pending, true);
-    const bool isBusy = before != LineState::None || pending.isFlooded;
-    if (isBusy && !pending.attempt.missing.empty())
+    // Whether a write got through can still be read back: that is no reason to give it up.
+    const bool isFlooded = pending.isFlooded && request.isRead();
+    if ((before != LineState::None || isFlooded) && !pending.attempt.missing.empty())
         pending.addFault(FaultKind::LineBusy);
     // No reply was expected, but the link broke meanwhile: the request may not have got through.
     if (replies == 0 && m_line.isReconnecting())

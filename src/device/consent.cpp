@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/consent.h"
 
-#include "device/write_check.h"
+#include "device/motion/mode.h"
 #include "device/write_meaning.h"
 
 #include <algorithm>
@@ -11,13 +11,11 @@ using catalog::Role;
 
 bool removesAngleLimits(const Servo& servo, const RegisterValues& items)
 {
-    const auto& modes = servo.profile->modes;
-    const auto after = [&](Role role) { return valueAfter(servo, items, role); };
-    const bool hasLimits =
-        servo.raw(Role::MinAngle).value_or(0) != 0 || servo.raw(Role::MaxAngle).value_or(0) != 0;
-    return hasLimits && after(Role::MinAngle) == 0 && after(Role::MaxAngle) == 0 &&
-           std::any_of(modes.begin(), modes.end(),
-                       [](const catalog::Mode& mode) { return mode.limitsZero; });
+    const bool concerned = std::any_of(items.begin(), items.end(), [](const RegisterValue& item) {
+        return item.reg->role == Role::MinAngle || item.reg->role == Role::MaxAngle;
+    });
+    const auto change = modeChange(servo, items);
+    return concerned && change && change->to->limitsZero;
 }
 
 base::Result<void> requireConsent(const catalog::Register& reg, std::int64_t raw, Consent consent,

@@ -29,8 +29,8 @@ private:
 
     bool m_isGiven = false;
 };
-/// Whether both angle limits become 0 where that selects a mode: the shaft then turns without a
-/// limit. Against what has been read of the servo; false where that is not enough to tell.
+/// Whether both angle limits become 0, and that selects another mode: the shaft then turns without
+/// a limit. Against what has been read of the servo; false where that is not enough to tell.
 bool removesAngleLimits(const Servo& servo, const RegisterValues& items);
 
 /// NeedsConsent (write_meaning.h decides) where writing this value needs a consent that is not

@@ -65,6 +65,9 @@ struct Request {
         return request;
     }
 
+    /// Nothing in a servo changes: it may be asked again.
+    bool isRead() const { return op == Op::Ping || op == Op::Read || op == Op::SyncRead; }
+
     static Request ping(int id);
     static Request read(int id, int address, int count);
     static Request write(int id, int address, base::Bytes data, Repeat repeat);

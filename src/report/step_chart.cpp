@@ -85,9 +85,9 @@ QString frame(const HtmlWriter& htmlWriter, const ChartAxis& x, const ChartAxis&
                  svgText(plotLeft - 6, y.at(at) + 4, "end", exactNumber(at));
     return marks +
            svgText((plotLeft + plotRight) / 2, height - 10, "middle",
-                   htmlWriter.htmlInSvg(translate("StepText", "Time after goal, ms"))) +
+                   htmlWriter.htmlInSvg(translate("StepText", "Time since goal was sent, ms"))) +
            svgText(plotLeft, plotTop - 14, "start",
-                   htmlWriter.htmlInSvg(translate("StepText", "Position toward goal, step")));
+                   htmlWriter.htmlInSvg(translate("StepText", "Movement toward goal, steps")));
 }
 
 QString legend(std::size_t runs)

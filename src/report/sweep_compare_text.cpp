@@ -89,7 +89,7 @@ const CompareTexts& compareTexts()
         translate("SweepCompareText", "Different settings"),
         translate("SweepCompareText", "All settings are the same."),
         translate("SweepCompareText", "Setting"),
-        translate("SweepCompareText", "Steady-state error by move"),
+        translate("SweepCompareText", "Distribution of steady-state error"),
     };
     return words;
 }

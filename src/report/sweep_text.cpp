@@ -23,7 +23,7 @@ void fillHeading(SweepTexts& words)
     words.note = translate("SweepText", "Note");
     words.port = translate("SweepText", "Port");
     words.length = translate("SweepText", "Duration");
-    words.sampling = translate("SweepText", "Readings per servo");
+    words.sampling = translate("SweepText", "Reading rate per servo");
     words.program = translate("SweepText", "Program");
     words.end = translate("SweepText", "End");
     words.endedBy = translate("SweepText", "Ended by servo");
@@ -43,7 +43,7 @@ void fillTest(SweepTexts& words)
     words.period = translate("SweepText", "Period");
     words.seed = translate("SweepText", "Seed");
     words.points = translate("SweepText", "Goals");
-    words.pace = translate("SweepText", "Timing");
+    words.pace = translate("SweepText", "Next goal");
     words.cycles = translate("SweepText", "Cycles");
     words.asLongAs = translate("SweepText", "unlimited");
     words.duration = translate("SweepText", "Maximum duration");
@@ -60,7 +60,7 @@ void fillTest(SweepTexts& words)
     words.stopOnStall = translate("SweepText", "a stall");
     words.stopOnFailure = translate("SweepText", "the first limit not met");
     words.onlyOnLostLink = translate("SweepText", "only a lost connection");
-    words.inSteps = translate("SweepText", "In steps");
+    words.inSteps = translate("SweepText", "Range in steps");
     words.tolerance = translate("SweepText", "Goal reached within");
 }
 
@@ -101,9 +101,9 @@ void fillCharts(SweepTexts& words)
     words.goal = translate("SweepText", "goal");
     words.position = translate("SweepText", "position");
     words.timeAxis = translate("SweepText", "Time, s");
-    words.positionAxis = translate("SweepText", "Position, step");
-    words.histogram = translate("SweepText", "Steady-state error by move");
-    words.errorAxis = translate("SweepText", "Steady-state error, step");
+    words.positionAxis = translate("SweepText", "Position, steps");
+    words.histogram = translate("SweepText", "Distribution of steady-state error");
+    words.errorAxis = translate("SweepText", "Steady-state error, steps");
     words.legsAxis = translate("SweepText", "Moves", "number");
     words.noSeries =
         translate("SweepText", "No chart is available because no readings were stored.");
@@ -128,7 +128,7 @@ void fillLegs(SweepTexts& words)
     words.timeToTarget = translate("SweepText", "Time, ms");
     words.settling = translate("SweepText", "Settling, ms");
     words.overshoot = translate("SweepText", "Overshoot, %");
-    words.steadyError = translate("SweepText", "Error, step");
+    words.steadyError = translate("SweepText", "Error, steps");
     words.meanSpeed = translate("SweepText", "Mean speed, step/s");
     words.following = translate("SweepText", "Following error, step");
     words.current = translate("SweepText", "Peak current, mA");

@@ -3,6 +3,7 @@
 
 #include "text/detail_text.h"
 #include "text/front_end.h"
+#include "text/language.h"
 #include "text/text_table.h"
 
 #include <QStringList>
@@ -224,13 +225,6 @@ constexpr std::array errorEntries{
                QT_TRANSLATE_NOOP("text", "Free some space, then try again.")},
 };
 
-QString capitalized(QString sentence)
-{
-    if (!sentence.isEmpty())
-        sentence[0] = sentence[0].toUpper();
-    return sentence;
-}
-
 QString messageFor(const base::Error& error, const ErrorEntry& entry)
 {
     const QString own = specialCase(error);
@@ -254,11 +248,12 @@ QString missingPortRemedy(const base::Error& error, const QString& remedy)
 {
     if (!error.detail.contains(QLatin1String("ttyUSB")))
         return remedy;
-    return remedy + QLatin1Char(' ') +
-           translate(
-               "text",
-               "If an adapter with a CH340 chip (1a86:7523) disappears right after it is plugged "
-               "in, the braille service has taken it over: run \"sudo apt remove brltty\".");
+    return joinSentences(
+        {remedy,
+         translate(
+             "text",
+             "If an adapter with a CH340 chip (1a86:7523) disappears right after it is plugged "
+             "in, the braille service has taken it over: run \"sudo apt remove brltty\".")});
 }
 } // namespace
 

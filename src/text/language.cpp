@@ -88,6 +88,24 @@ QString localized(const catalog::Text& text)
     return text.in(isUiChinese());
 }
 
+QString capitalized(QString sentence)
+{
+    if (!sentence.isEmpty())
+        sentence[0] = sentence[0].toUpper();
+    return sentence;
+}
+
+QString joinSentences(QStringList sentences)
+{
+    sentences.removeAll(QString());
+    return sentences.join(isUiChinese() ? QString() : QStringLiteral(" "));
+}
+
+QString joinClauses(const QStringList& clauses)
+{
+    return clauses.join(isUiChinese() ? QStringLiteral("；") : QStringLiteral("; "));
+}
+
 QString registerName(const catalog::Profile* profile, const QString& key)
 {
     const catalog::Register* reg = profile != nullptr ? profile->find(key) : nullptr;

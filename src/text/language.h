@@ -4,7 +4,7 @@
 // English.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 namespace catalog {
 class Profile;
@@ -28,6 +28,14 @@ QString inChinese(const char* context, const char* source, const char* comment =
 
 /// The text of a register map or a report in the language of the interface.
 QString localized(const catalog::Text& text);
+
+/// With a capital first letter.
+QString capitalized(QString sentence);
+
+/// One after the other; empty ones are left out. Chinese puts no space between sentences.
+QString joinSentences(QStringList sentences);
+/// Parts of one sentence, with the semicolon of the language between them.
+QString joinClauses(const QStringList& clauses);
 
 /// The name of the register `key` in the language of the interface; the key itself if `profile` is
 /// null or does not have it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/restore_text.h"
 
+#include "text/language.h"
 #include "text/text_table.h"
 
 #include <array>
@@ -123,7 +124,7 @@ QString restoreReasonText(const QStringList& names)
     QStringList all;
     for (const QString& name : names)
         all << restoreReasonText(name);
-    return all.join(translate("text", "; ", "between reasons"));
+    return joinClauses(all);
 }
 
 QString restoreReasonHelp(const QString& reason)

@@ -12,9 +12,9 @@ QString intentLabel(base::IntentKind kind, bool temporary, bool ownDefaults)
     case IntentKind::Write:
         return temporary ? translate("History", "temporary write") : translate("History", "write");
     case IntentKind::SetId:
-        return translate("History", "change ID");
+        return translate("History", "set ID");
     case IntentKind::SetBaud:
-        return translate("History", "change baud rate");
+        return translate("History", "set baud rate");
     case IntentKind::Mode:
         return translate("History", "change mode");
     case IntentKind::Calibrate:
@@ -43,7 +43,7 @@ QString writeOutcomeLabel(const QString& outcome)
     if (outcome == QLatin1StringView("failed"))
         return translate("History", "failed");
     if (outcome == QLatin1StringView("abandoned"))
-        return translate("History", "not changed");
+        return translate("History", "abandoned");
     return outcomeLabel(outcome);
 }
 } // namespace text

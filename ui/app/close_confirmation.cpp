@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/close_confirmation.h"
 
+#include "text/language.h"
 #include "ui/widgets/question_dialog.h"
 
 #include <algorithm>
@@ -112,7 +113,7 @@ Question CloseConfirmation::openWritesQuestion(const QStringList& ids, const QSt
         const QString more = tr("The EPROM of the servo with ID %1 was unlocked, and ServoDesk "
                                 "could not confirm that it was locked again.")
                                  .arg(openElsewhere.join(QStringLiteral(", ")));
-        question.risk += question.risk.isEmpty() ? more : QLatin1Char(' ') + more;
+        question.risk = text::joinSentences({question.risk, more});
     }
     if (!open.isEmpty() && connected) {
         question.acceptText = closes ? tr("Lock and close") : tr("Lock and disconnect");

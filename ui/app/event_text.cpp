@@ -109,7 +109,7 @@ EventText written(const Event& event, const session::ServoRegistry& registry)
                                                       : QStringLiteral("✗");
     eventText.message = text::translate("EventText", "ID %1 · %2")
                             .arg(event.report->id)
-                            .arg(changes.join(QStringLiteral("; ")));
+                            .arg(text::joinClauses(changes));
     if (event.isUndo)
         eventText.message = text::translate("EventText", "Undone: %1").arg(eventText.message);
     if (event.isRedo)
@@ -181,16 +181,16 @@ EventText stopChecked(const Event& event, const session::ServoRegistry& registry
         say(text::translate("EventText", "not reachable (different baud rate): ID %1"),
             stop.otherBaud) +
         say(text::translate("EventText",
-                            "a goal may still be waiting for its start command: ID %1"),
+                            "a goal may still be waiting for the Execute command: ID %1"),
             stop.stillHeld);
     if (bad.isEmpty())
         return good(text::translate("EventText", "Emergency stop confirmed: torque is off, ID %1")
                         .arg(idsOf(stop.off, registry)));
-    EventText eventText{text::translate("EventText", "Emergency stop check: %1")
-                            .arg(bad.join(QStringLiteral("; "))),
-                        {},
-                        Tone::Bad,
-                        QStringLiteral("✗")};
+    EventText eventText{
+        text::translate("EventText", "Emergency stop check: %1").arg(text::joinClauses(bad)),
+        {},
+        Tone::Bad,
+        QStringLiteral("✗")};
     if (!stop.stillOn.empty() || !stop.silent.empty())
         eventText.details << text::translate("EventText",
                                              "Keep clear. If in doubt, turn off the power supply.");
@@ -382,7 +382,7 @@ QString taskLabel(const QString& task)
         {"snapshot", QT_TRANSLATE_NOOP("EventText", "take snapshot")},
         {"dry-run", QT_TRANSLATE_NOOP("EventText", "dry run")},
         {"free-ids", QT_TRANSLATE_NOOP("EventText", "search for unused IDs")},
-        {"stop-check", QT_TRANSLATE_NOOP("EventText", "check of the stop")},
+        {"stop-check", QT_TRANSLATE_NOOP("EventText", "confirm stop")},
         {"motion", QT_TRANSLATE_NOOP("EventText", "check for motion")},
         {"lock", QT_TRANSLATE_NOOP("EventText", "lock the EPROM")},
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/stop_banner.h"
 
+#include "text/language.h"
 #include "ui/app/event_text.h"
 #include "ui/widgets/banner.h"
 
@@ -42,7 +43,7 @@ void StopBanner::show(const session::Event& event)
     m_banner.showMessage(
         [this, event] {
             const EventText words = describe(event, m_workbench.registry());
-            return BannerText{Tone::Bad, words.message, {}, words.details.join(QLatin1Char(' '))};
+            return BannerText{Tone::Bad, words.message, {}, text::joinSentences(words.details)};
         },
         actions);
 }

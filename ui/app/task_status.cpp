@@ -2,6 +2,7 @@
 #include "ui/app/task_status.h"
 
 #include "session/tasks/task_queue.h"
+#include "text/language.h"
 #include "text/progress_text.h"
 #include "ui/app/event_text.h"
 #include "ui/widgets/thin_progress.h"
@@ -17,13 +18,6 @@ namespace {
 constexpr auto shownAfter = std::chrono::seconds(1);
 constexpr int permille = 1000;
 constexpr int barWidth = 80;
-
-QString withCapital(QString words)
-{
-    if (!words.isEmpty())
-        words[0] = words[0].toUpper();
-    return words;
-}
 } // namespace
 
 TaskStatus::TaskStatus(const session::TaskQueue& tasks, QAction* stop, QWidget* parent)
@@ -85,7 +79,7 @@ void TaskStatus::showTask()
 
 void TaskStatus::showText()
 {
-    QString words = withCapital(taskLabel(m_tasks.runningName()));
+    QString words = text::capitalized(taskLabel(m_tasks.runningName()));
     if (m_progress) {
         words +=
             QStringLiteral(" · ") + text::progressText(m_progress->fraction, m_progress->remaining);

@@ -8,18 +8,10 @@ namespace {
 std::vector<Question> questionsOf(const session::ServoRegistry& registry,
                                   const session::UndoStep& step)
 {
-    std::vector<Question> all;
     const session::ServoEntry* entry = registry.servo(step.servo);
     if (entry == nullptr || !entry->servo.profile)
-        return all;
-    for (const device::WriteItem& item : step.newItems) {
-        const catalog::Register* reg = entry->servo.profile->find(item.key);
-        if (reg == nullptr)
-            continue;
-        if (auto question = writeQuestion(*entry, *reg, item.raw, step.temporary))
-            all.push_back(std::move(*question));
-    }
-    return all;
+        return {};
+    return writeQuestions(*entry, step.newItems, step.temporary);
 }
 
 bool sameStep(const session::UndoStep& a, const session::UndoStep& b)

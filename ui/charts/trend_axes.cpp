@@ -132,7 +132,7 @@ double TrendAxes::textWidth(const ValueAxis& axis) const
     return std::ceil(widest / widthStep) * widthStep;
 }
 
-/// In the order of their channels.
+/// In the order of their channels; lanes in the user's order first.
 std::vector<TrendAxes::ValueAxis*> TrendAxes::usedAxes()
 {
     std::vector<ValueAxis*> used;
@@ -140,8 +140,12 @@ std::vector<TrendAxes::ValueAxis*> TrendAxes::usedAxes()
         if (axis.used)
             used.push_back(&axis);
     }
+    const auto place = [this](const ValueAxis* axis) {
+        const auto chosen = m_lanes ? m_laneLayout.order.indexOf(axis->range.unit()) : -1;
+        return std::pair(chosen < 0 ? m_laneLayout.order.size() : chosen, axis->order);
+    };
     std::sort(used.begin(), used.end(),
-              [](const ValueAxis* a, const ValueAxis* b) { return a->order < b->order; });
+              [&](const ValueAxis* a, const ValueAxis* b) { return place(a) < place(b); });
     return used;
 }
 
@@ -151,16 +155,61 @@ void TrendAxes::setLanes(bool on)
     update();
 }
 
-void TrendAxes::setLaneHeights(QMap<QString, double> heights)
+void TrendAxes::setLaneLayout(LaneLayout layout)
 {
-    m_laneHeights = std::move(heights);
+    m_laneLayout = std::move(layout);
+    update();
+}
+
+/// As they are now, whatever moves next.
+void TrendAxes::keepLaneHeights()
+{
+    const std::vector<ValueAxis*> axes = usedAxes();
+    for (const ValueAxis* axis : axes)
+        m_laneLayout.heights[axis->range.unit()] = laneHeight(*axis, axis == axes.front());
+}
+
+TrendAxes::ValueAxis* TrendAxes::laneLabelAt(const QPointF& position)
+{
+    for (ValueAxis& axis : m_values) {
+        if (m_lanes && axis.used && position.x() > axis.area.right() &&
+            position.y() >= axis.area.top() && position.y() <= axis.area.bottom())
+            return &axis;
+    }
+    return nullptr;
+}
+
+void TrendAxes::moveLane(const QString& unit, double y)
+{
+    const std::vector<ValueAxis*> axes = usedAxes();
+    QStringList order;
+    for (const ValueAxis* axis : axes)
+        order << axis->range.unit();
+    const auto from = order.indexOf(unit);
+    if (!m_lanes || from < 0)
+        return;
+    // Beyond the middle of the other lane: a higher one that comes in its place is not passed back.
+    qsizetype to = from;
+    while (to > 0 && y < axes[std::size_t(to) - 1]->area.center().y())
+        --to;
+    while (to + 1 < order.size() && y > axes[std::size_t(to) + 1]->area.center().y())
+        ++to;
+    if (to == from)
+        return;
+    keepLaneHeights();
+    order.move(from, to);
+    for (const QString& hidden : std::as_const(m_laneLayout.order)) {
+        if (!order.contains(hidden))
+            order << hidden;
+    }
+    m_laneLayout.order = order;
     update();
 }
 
 double TrendAxes::laneHeight(const ValueAxis& axis, bool isFirst) const
 {
     const double usual = isFirst ? firstLane : 1.0;
-    return std::clamp(m_laneHeights.value(axis.range.unit(), usual), 0.2, 10.0);
+    return std::clamp(m_laneLayout.heights.value(axis.range.unit(), usual), 0.2, 10.0);
 }
 
 double TrendAxes::minLaneHeight() const
@@ -185,14 +234,13 @@ void TrendAxes::moveLaneEdge(ValueAxis& above, double y)
     const auto found = std::find(axes.begin(), axes.end(), &above);
     if (!m_lanes || found == axes.end() || found + 1 == axes.end())
         return;
-    for (const ValueAxis* axis : axes)
-        m_laneHeights[axis->range.unit()] = laneHeight(*axis, axis == axes.front());
+    keepLaneHeights();
     ValueAxis& below = **(found + 1);
     const double both = above.area.height() + below.area.height();
     const double least = std::min(minLaneHeight(), both / 2);
     const double upper = std::clamp(y - above.area.top(), least, both - least);
-    double& aboveShare = m_laneHeights[above.range.unit()];
-    double& belowShare = m_laneHeights[below.range.unit()];
+    double& aboveShare = m_laneLayout.heights[above.range.unit()];
+    double& belowShare = m_laneLayout.heights[below.range.unit()];
     const double shares = aboveShare + belowShare;
     aboveShare = shares * upper / both;
     belowShare = shares - aboveShare;

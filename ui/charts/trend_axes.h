@@ -8,11 +8,11 @@
 
 #include "ui/charts/auto_range.h"
 #include "ui/charts/time_view.h"
+#include "ui/charts/trend_channel.h"
 #include "ui/charts/trend_colors.h"
 
 #include <QFont>
 #include <QGraphicsItem>
-#include <QMap>
 
 #include <deque>
 #include <vector>
@@ -55,13 +55,16 @@ public:
     void setLanes(bool on);
     bool hasLanes() const { return m_lanes; }
     const QRectF& plot() const { return m_plot; } ///< all of it
-    /// Of lanes to each other, by unit; those that are not in it have their usual height.
-    void setLaneHeights(QMap<QString, double> heights);
-    const QMap<QString, double>& laneHeights() const { return m_laneHeights; }
+    void setLaneLayout(LaneLayout layout);
+    const LaneLayout& laneLayout() const { return m_laneLayout; }
     /// The axis of the lane above the space under this place, if another lane is below it.
     ValueAxis* laneEdgeAt(const QPointF& position);
     /// Makes this lane end here, and the next one fill what is left of both.
     void moveLaneEdge(ValueAxis& above, double y);
+    /// The axis of the lane whose name and values are under this place.
+    ValueAxis* laneLabelAt(const QPointF& position);
+    /// The lane passes each one whose middle it is dragged beyond.
+    void moveLane(const QString& unit, double y);
 
     /// The used axis whose texts are under this place.
     ValueAxis* axisAt(const QPointF& position);
@@ -78,6 +81,7 @@ private:
     void paintValues(QPainter* painter, const ValueAxis& axis, bool grid) const;
     double textWidth(const ValueAxis& axis) const;
     std::vector<ValueAxis*> usedAxes();
+    void keepLaneHeights();
     QRectF layOutBeside(const QRectF& room);
     QRectF layOutLanes(const QRectF& chart);
     double laneHeight(const ValueAxis& axis, bool isFirst) const;
@@ -92,6 +96,6 @@ private:
     AxisRange m_time{-10, 0};
     double m_timeStep = 1;
     bool m_lanes = false;
-    QMap<QString, double> m_laneHeights;
+    LaneLayout m_laneLayout;
 };
 } // namespace ui

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One curve of a trend chart: its samples and its style. A value; main thread.
+// One curve of a trend chart: its samples and its style; and how lanes are arranged. Values; main
+// thread.
 #pragma once
 
 #include "recording/trigger.h"
 
 #include <QColor>
-#include <QString>
+#include <QMap>
+#include <QStringList>
 
 #include <functional>
 
@@ -21,6 +23,13 @@ struct TrendChannel {
     bool dashed = false; ///< a goal, beside what is measured
     double scale = 1.0;  ///< drawn as value × scale + offset; cursors show the value itself
     double offset = 0.0;
+};
+
+/// How the user has arranged the lanes, by unit; those not in it have their usual place or height.
+struct LaneLayout {
+    QMap<QString, double> heights{}; ///< to each other
+    QStringList order{};
+    bool operator==(const LaneLayout&) const = default;
 };
 
 /// What a chart writes beside a mark, in the language of the moment.

@@ -235,14 +235,14 @@ bool TrendChart::hasLanes() const
     return m_private->plot->picture().axes().hasLanes();
 }
 
-QMap<QString, double> TrendChart::laneHeights() const
+LaneLayout TrendChart::laneLayout() const
 {
-    return m_private->plot->picture().axes().laneHeights();
+    return m_private->plot->picture().axes().laneLayout();
 }
 
-void TrendChart::setLaneHeights(const QMap<QString, double>& heights)
+void TrendChart::setLaneLayout(const LaneLayout& layout)
 {
-    m_private->plot->picture().axes().setLaneHeights(heights);
+    m_private->plot->picture().axes().setLaneLayout(layout);
     m_private->scheduleFrame();
 }
 

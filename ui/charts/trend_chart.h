@@ -8,7 +8,6 @@
 #include "recording/trigger.h"
 #include "ui/charts/trend_channel.h"
 
-#include <QMap>
 #include <QWidget>
 
 #include <memory>
@@ -61,9 +60,8 @@ public:
     std::vector<CursorReading> cursorReadings() const; ///< of the visible channels
 
     bool hasLanes() const;
-    /// Of lanes to each other, by unit.
-    QMap<QString, double> laneHeights() const;
-    void setLaneHeights(const QMap<QString, double>& heights);
+    LaneLayout laneLayout() const;
+    void setLaneLayout(const LaneLayout& layout);
 
     TrendTable shownTable() const; ///< of the visible channels
     bool savePng(const QString& path, QSize size, QString* errorMessage) const; ///< with legend
@@ -82,11 +80,11 @@ public Q_SLOTS:
     void setLanes(bool on); ///< each unit in a part of the plot of its own; false: overlaid
 
 Q_SIGNALS:
-    void playRequested();      ///< Space, while not live
-    void viewChanged();        ///< shown(), following(), width()
-    void laneHeightsChanged(); ///< by the user
-    void cursorsChanged();     ///< places, or what is read at them
-    void channelsChanged();    ///< others, or their looks: legend, keys, list
+    void playRequested();     ///< Space, while not live
+    void viewChanged();       ///< shown(), following(), width()
+    void laneLayoutChanged(); ///< by the user
+    void cursorsChanged();    ///< places, or what is read at them
+    void channelsChanged();   ///< others, or their looks: legend, keys, list
 
 protected:
     void changeEvent(QEvent* event) override;

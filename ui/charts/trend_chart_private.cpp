@@ -80,7 +80,11 @@ void TrendChart::Private::connectPlot()
         axes.moveLaneEdge(axes.axisOf(unit), y);
         scheduleFrame();
     });
-    QObject::connect(plot, &TrendPlot::laneEdgeReleased, q, &TrendChart::laneHeightsChanged);
+    QObject::connect(plot, &TrendPlot::laneMoved, q, [this](const QString& unit, double y) {
+        plot->picture().axes().moveLane(unit, y);
+        scheduleFrame();
+    });
+    QObject::connect(plot, &TrendPlot::laneReleased, q, &TrendChart::laneLayoutChanged);
     QObject::connect(plot, &TrendPlot::endRequested, c, &TrendControl::showEnd);
     QObject::connect(plot, &TrendPlot::pauseRequested, c, [this] {
         if (state().live)
@@ -221,6 +225,10 @@ void TrendChart::Private::showTip(const QPointF& scene, const QPoint& screen)
     const QString marks = plot->picture().overlay().marksAt(scene);
     if (!marks.isEmpty()) {
         QToolTip::showText(screen, marks, plot);
+        return;
+    }
+    if (plot->picture().axes().laneLabelAt(scene) != nullptr) {
+        QToolTip::showText(screen, TrendChart::tr("Drag up or down to move this lane"), plot);
         return;
     }
     if (!area.contains(scene) || state().store == nullptr) {

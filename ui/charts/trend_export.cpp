@@ -32,7 +32,7 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     picture.setPaper(true);
     picture.setFont(font);
     picture.setColors(TrendColors::ofPaper());
-    picture.axes().setLaneHeights(axes.laneHeights());
+    picture.axes().setLaneLayout(axes.laneLayout());
     picture.setLanes(axes.hasLanes());
     picture.refresh(TrendScene::Axes::Immediate, 1);
     for (const TrendAxes::ValueAxis& axis : axes.valueAxes())

@@ -64,6 +64,10 @@ TrendPlot::DragMode TrendPlot::dragModeFor(const QMouseEvent& event, const QPoin
         return DragMode::Pan;
     if (event.button() != Qt::LeftButton)
         return DragMode::Nothing;
+    if (TrendAxes::ValueAxis* const lane = m_scene->axes().laneLabelAt(position)) {
+        m_draggedLane = lane->range.unit();
+        return DragMode::Lane;
+    }
     if (const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(position))
         return *cursor == Cursor::A ? DragMode::CursorA : DragMode::CursorB;
     if (TrendAxes::ValueAxis* const lane = m_scene->axes().laneEdgeAt(position)) {
@@ -79,7 +83,8 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
     const double flags = m_scene->overlay().flagSize();
-    if (!m_scene->plot().adjusted(0, -flags, 0, 0).contains(position)) {
+    const bool onLabel = m_scene->axes().laneLabelAt(position) != nullptr;
+    if (!onLabel && !m_scene->plot().adjusted(0, -flags, 0, 0).contains(position)) {
         QChartView::mousePressEvent(event); // the legend
         return;
     }
@@ -95,7 +100,8 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
     }
     m_dragMode = dragModeFor(*event, position);
     m_hasMoved = false;
-    if (m_dragMode == DragMode::Pan || m_dragMode == DragMode::PanValues)
+    if (m_dragMode == DragMode::Pan || m_dragMode == DragMode::PanValues ||
+        m_dragMode == DragMode::Lane)
         viewport()->setCursor(Qt::ClosedHandCursor);
 }
 
@@ -136,6 +142,9 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
     case DragMode::LaneEdge:
         Q_EMIT laneEdgeMoved(m_draggedLane, position.y());
         break;
+    case DragMode::Lane:
+        Q_EMIT laneMoved(m_draggedLane, position.y());
+        break;
     }
     m_last = position;
     event->accept();
@@ -156,8 +165,8 @@ void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
     viewport()->unsetCursor();
     if (m_hasMoved && (held == DragMode::Pan || held == DragMode::PanValues))
         Q_EMIT panEnded();
-    if (held == DragMode::LaneEdge)
-        Q_EMIT laneEdgeReleased();
+    if (m_hasMoved && (held == DragMode::LaneEdge || held == DragMode::Lane))
+        Q_EMIT laneReleased();
     if (held != DragMode::Box)
         return;
     m_scene->overlay().setBox({});
@@ -209,6 +218,8 @@ void TrendPlot::hover(const QPointF& scene)
         viewport()->setCursor(Qt::SplitHCursor);
     else if (m_scene->offScaleChips().unitAt(scene))
         viewport()->setCursor(Qt::PointingHandCursor);
+    else if (m_scene->axes().laneLabelAt(scene) != nullptr)
+        viewport()->setCursor(Qt::OpenHandCursor);
     else if (m_scene->axes().laneEdgeAt(scene) != nullptr)
         viewport()->setCursor(Qt::SplitVCursor);
     else if (m_scene->plot().contains(scene))

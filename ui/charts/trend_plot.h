@@ -34,7 +34,8 @@ Q_SIGNALS:
     void fitRequested();
     void valuesFitRequested(const QString& unit);
     void laneEdgeMoved(const QString& unit, double y); ///< of the lane above it; scene
-    void laneEdgeReleased();
+    void laneMoved(const QString& unit, double y);     ///< it is dragged to this height; scene
+    void laneReleased();
     void pauseRequested();
     void endRequested(bool newest); ///< the oldest, or the newest there is
     void cursorMoved(ui::Cursor which, double place);
@@ -57,7 +58,16 @@ protected:
     bool viewportEvent(QEvent* event) override;
 
 private:
-    enum class DragMode : std::uint8_t { Nothing, Box, Pan, PanValues, CursorA, CursorB, LaneEdge };
+    enum class DragMode : std::uint8_t {
+        Nothing,
+        Box,
+        Pan,
+        PanValues,
+        CursorA,
+        CursorB,
+        LaneEdge,
+        Lane
+    };
 
     QPointF fraction(const QPointF& scene) const;
     QRectF boxTo(const QPointF& scene) const;
@@ -75,6 +85,6 @@ private:
     QPointF m_last;
     Qt::MouseButton m_dragButton = Qt::NoButton;
     bool m_hasMoved = false; ///< since it was pressed
-    QString m_draggedLane;   ///< the unit of the lane above the edge that is held
+    QString m_draggedLane;   ///< the unit of the lane that is held, or that above the edge
 };
 } // namespace ui

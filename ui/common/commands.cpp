@@ -52,8 +52,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::StopSearch, QT_TRANSLATE_NOOP("Commands", "S&top"),
      QT_TRANSLATE_NOOP("Commands", "Ends the search; the servos found so far stay in the list"), "process-stop", "Shift+F5", Searching},
     {Command::Diagnose, QT_TRANSLATE_NOOP("Commands", "&Why does a servo not reply?"),
-     QT_TRANSLATE_NOOP("Commands", "Checks the line, tries other baud rates and protocols, and names "
-                                   "the cause; writes nothing"), "dialog-question", "", Open | NoTest},
+     QT_TRANSLATE_NOOP("Commands", "Checks the bus, tries other baud rates and protocols, and names the cause; writes nothing"), "dialog-question", "", Open | NoTest},
     {Command::StopTask, QT_TRANSLATE_NOOP("Commands", "Stop the running &task"),
      QT_TRANSLATE_NOOP("Commands", "Ends the current task; a write in progress is completed safely first"), "process-stop", "Ctrl+.", Busy},
     {Command::ReadTable, QT_TRANSLATE_NOOP("Commands", "&Read all"),

@@ -270,8 +270,8 @@ void ConnectBar::showStatistics()
                               .arg(qRound(now.busLoad * 100));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
     const QString more =
-        tr("Port: %1 at %2 baud\nSent: %3, replies: %4\nLost: %5, damaged: %6, foreign: %7, late: "
-           "%8\nRetries: %9")
+        tr("Port: %1 at %2 baud\nSent: %3, replies: %4\nLost: %5, damaged: %6, unexpected: %7, "
+           "late: %8\nRetries: %9")
             .arg(m_workbench.link().lastRequest().name,
                  m_workbench.link().canSetBaud() ? rateText(m_workbench.link().baud())
                                                  : QStringLiteral("–"),
@@ -279,7 +279,7 @@ void ConnectBar::showStatistics()
                  figure(sum.total.badChecksums), figure(sum.total.foreign), figure(sum.total.late),
                  figure(sum.total.retried)) +
         QLatin1Char('\n') +
-        tr("Round trip: %1 ms, slowest of 100: %2 ms")
+        tr("Round trip: median %1 ms, 99th percentile %2 ms")
             .arg(double(sum.total.roundTripP50.count()) / 1000, 0, 'f', 2)
             .arg(double(sum.total.roundTripP99.count()) / 1000, 0, 'f', 2);
     m_status->setState(now.errors == 0 ? Tone::Good : Tone::Warn, words, brief, more);
@@ -302,7 +302,7 @@ void ConnectBar::retranslate()
     m_more->setToolButtonStyle(m_options->isDefault() ? Qt::ToolButtonIconOnly
                                                       : Qt::ToolButtonTextBesideIcon);
     m_more->setAccessibleName(tr("More port settings"));
-    m_more->setToolTip(tr("Parity, timeout, Modbus silence, retries") + set);
+    m_more->setToolTip(tr("Parity, timeout, Modbus frame gap, retries") + set);
     m_simulated->setState(Tone::Warn, tr("SIMULATED"), {},
                           tr("These servos are simulated on this computer"));
     showButton();

@@ -96,7 +96,7 @@ void LinkOptions::retranslate()
     name(m_replyTimeout, tr("Timeout"),
          tr("Time to wait for a reply, on top of the transmission time. Auto: adjusted to this "
             "adapter; a servo counts as silent after 500 ms"));
-    name(m_silence, tr("Modbus silence"),
+    name(m_silence, tr("Modbus frame gap"),
          tr("Pause between Modbus frames. Auto: the standard pause for the baud rate"));
     name(m_retries, tr("Retries"),
          tr("Number of times a lost request is sent again, if it is safe to repeat"));

@@ -59,7 +59,7 @@ QString PortDialog::portFrom(const QString& portEntered)
 void PortDialog::retranslate()
 {
     setWindowTitle(tr("Another port"));
-    m_label->setText(tr("Path of a port, or address of a TCP bridge:"));
+    m_label->setText(tr("Port path or TCP bridge address:"));
     m_edit->setPlaceholderText(tr("/dev/ttyUSB0 or tcp://192.168.1.20:4000"));
     m_edit->setToolTip(tr("For example /dev/ttyUSB0, /dev/serial/by-id/…, "
                           "tcp://192.168.1.20:4000, sim:sts3215@1,scs15@2"));

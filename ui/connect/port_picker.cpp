@@ -137,7 +137,7 @@ std::vector<PortPicker::Entry> PortPicker::entries() const
         entries.push_back(entryFor(info));
     const bool gone = isMissing();
     if (gone)
-        entries.push_back({m_port, tr("%1 (not connected now)").arg(m_shownAs),
+        entries.push_back({m_port, tr("%1 (not plugged in)").arg(m_shownAs),
                            tr("%1 is not plugged in; it stays selected").arg(m_port)});
     line();
     for (const QString& typed : m_typed) {

@@ -61,7 +61,7 @@ QString RegisterEditor::keyHint() const
         return tr("Enter writes, Esc cancels.");
     const QString stops =
         tr("Esc turns torque off on the whole bus and shows the present value again.");
-    return m_context.ownerHandlesEnter ? tr("Enter sends the value.") + QLatin1Char(' ') + stops
+    return m_context.ownerHandlesEnter ? text::joinSentences({tr("Enter sends the value."), stops})
                                        : stops;
 }
 

@@ -51,7 +51,7 @@ QString notUnderstoodText(const base::Error& error, const QString& inputText)
         return translate("ValueEditor", "No value entered.");
     if (error.detail.startsWith(QLatin1String("less than one step")))
         return translate("ValueEditor",
-                         "“%1” is less than one step of this register and would become 0.")
+                         "“%1” is below the resolution of this register and would become 0.")
             .arg(elided(inputText));
     return translate("ValueEditor", "“%1” is not a valid value for this register.")
         .arg(elided(inputText));
@@ -89,6 +89,6 @@ QString inputErrorText(const base::Error& error, const QString& inputText,
     }
     }
     lines << translate("ValueEditor", "Nothing was written.");
-    return lines.join(translate("ValueEditor", " ", "between sentences"));
+    return text::joinSentences(lines);
 }
 } // namespace ui

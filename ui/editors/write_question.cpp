@@ -6,11 +6,19 @@
 #include "text/translate.h"
 #include "ui/editors/register_text.h"
 
+#include <utility>
+
 namespace ui {
 using catalog::Role;
 using text::translate;
 
 namespace {
+/// The mode the servo is in, and the one it would be in after the write; null while not known.
+struct ModeTransition {
+    const catalog::Mode* from = nullptr;
+    const catalog::Mode* to = nullptr;
+};
+
 /// The value of a role's register after all pending writes.
 std::optional<std::int64_t> pendingValue(const session::ServoEntry& entry, Role role)
 {
@@ -32,12 +40,6 @@ QString nameOf(const session::ServoEntry& entry, Role role)
 {
     const catalog::Register* reg = entry.servo.profile->byRole(role);
     return reg != nullptr ? nameOf(*reg) : QString();
-}
-
-QString joinSentences(QStringList lines)
-{
-    lines.removeAll(QString());
-    return lines.join(translate("WriteQuestion", " ", "between sentences"));
 }
 
 QString persistenceSentence(bool temporary)
@@ -76,12 +78,12 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
             ? QString()
             : translate("WriteQuestion", "The command register (%1) of the new mode is set to 0.")
                   .arg(command);
-    question.text =
-        joinSentences({change,
-                       translate("WriteQuestion",
-                                 "ServoDesk turns torque off, writes the value and reads it back."),
-                       zeroed, translate("WriteQuestion", "Torque stays off until you turn it on."),
-                       persistenceSentence(temporary)});
+    question.text = text::joinSentences(
+        {change,
+         translate("WriteQuestion",
+                   "ServoDesk turns torque off, writes the value and reads it back."),
+         zeroed, translate("WriteQuestion", "Torque stays off until you turn it on."),
+         persistenceSentence(temporary)});
     question.risk = modeRisk(entry, *step.to);
     question.acceptText = translate("WriteQuestion", "Change mode");
     return question;
@@ -140,12 +142,12 @@ Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog:
         reg.torqueOff == catalog::TorqueOff::Needed
             ? translate("WriteQuestion", "Torque is turned off first and stays off.")
             : QString();
-    question.text =
-        change + QStringLiteral("\n\n") + text::localized(reg.help) +
-        (torque.isEmpty() && !temporary
-             ? QString()
-             : QStringLiteral("\n\n") + joinSentences({torque, persistenceSentence(temporary)}));
-    question.risk = joinSentences(
+    question.text = change + QStringLiteral("\n\n") + text::localized(reg.help) +
+                    (torque.isEmpty() && !temporary
+                         ? QString()
+                         : QStringLiteral("\n\n") +
+                               text::joinSentences({torque, persistenceSentence(temporary)}));
+    question.risk = text::joinSentences(
         {device::classify(reg, raw).moves
              ? translate(
                    "WriteQuestion",
@@ -155,15 +157,19 @@ Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog:
     question.acceptText = translate("WriteQuestion", "Write");
     return question;
 }
-} // namespace
 
-ModeTransition modeTransition(const session::ServoEntry& entry, const catalog::Register& reg,
-                              std::int64_t raw)
+ModeTransition modeTransition(const session::ServoEntry& entry,
+                              const std::vector<device::WriteItem>& items)
 {
-    const auto after = [&](Role role) {
-        return reg.role == role ? std::optional(raw) : pendingValue(entry, role);
-    };
     const catalog::Profile& profile = *entry.servo.profile;
+    const auto after = [&](Role role) {
+        const catalog::Register* reg = profile.byRole(role);
+        for (const device::WriteItem& item : items) {
+            if (reg != nullptr && item.key == reg->key)
+                return std::optional(item.raw);
+        }
+        return pendingValue(entry, role);
+    };
     return {device::modeFor(profile, pendingValue(entry, Role::OperatingMode),
                             pendingValue(entry, Role::MinAngle),
                             pendingValue(entry, Role::MaxAngle)),
@@ -171,19 +177,39 @@ ModeTransition modeTransition(const session::ServoEntry& entry, const catalog::R
                             after(Role::MaxAngle))};
 }
 
+bool decidesMode(const catalog::Register& reg)
+{
+    return reg.role == Role::OperatingMode || reg.role == Role::MinAngle ||
+           reg.role == Role::MaxAngle;
+}
+} // namespace
+
+std::vector<Question> writeQuestions(const session::ServoEntry& entry,
+                                     const std::vector<device::WriteItem>& items, bool temporary)
+{
+    const ModeTransition step = modeTransition(entry, items);
+    const bool changesMode = step.to != nullptr && step.to != step.from;
+    bool isModeAsked = false;
+    std::vector<Question> questions;
+    for (const device::WriteItem& item : items) {
+        const catalog::Register* reg = entry.servo.profile->find(item.key);
+        if (reg == nullptr)
+            continue;
+        if (changesMode && decidesMode(*reg)) {
+            if (!std::exchange(isModeAsked, true))
+                questions.push_back(modeQuestion(entry, *reg, item.raw, step, temporary));
+        } else if (device::classify(*reg, item.raw).needsConsent) {
+            questions.push_back(dangerousWriteQuestion(entry, *reg, item.raw, temporary));
+        }
+    }
+    return questions;
+}
+
 std::optional<Question> writeQuestion(const session::ServoEntry& entry,
                                       const catalog::Register& reg, std::int64_t raw,
                                       bool temporary)
 {
-    const bool decides =
-        reg.role == Role::OperatingMode || reg.role == Role::MinAngle || reg.role == Role::MaxAngle;
-    if (decides) {
-        const ModeTransition step = modeTransition(entry, reg, raw);
-        if (step.to != nullptr && step.to != step.from)
-            return modeQuestion(entry, reg, raw, step, temporary);
-    }
-    if (!device::classify(reg, raw).needsConsent)
-        return std::nullopt;
-    return dangerousWriteQuestion(entry, reg, raw, temporary);
+    std::vector<Question> questions = writeQuestions(entry, {{reg.key, raw}}, temporary);
+    return questions.empty() ? std::nullopt : std::optional(std::move(questions.front()));
 }
 } // namespace ui

@@ -4,20 +4,16 @@
 // about the servo; main thread.
 #pragma once
 
+#include "device/writer.h"
 #include "session/servos/servo_entry.h"
 #include "ui/widgets/question_dialog.h"
 
 namespace ui {
-/// Nullopt: nothing to ask. Writes that are still on their way count as done.
+/// What to ask before these are written together, one after the other; empty: nothing. Writes that
+/// are still on their way count as done.
+std::vector<Question> writeQuestions(const session::ServoEntry& entry,
+                                     const std::vector<device::WriteItem>& items, bool temporary);
 std::optional<Question> writeQuestion(const session::ServoEntry& entry,
                                       const catalog::Register& reg, std::int64_t raw,
                                       bool temporary);
-
-/// The mode the servo is in, and the one it would be in after the write; null while not known.
-struct ModeTransition {
-    const catalog::Mode* from = nullptr;
-    const catalog::Mode* to = nullptr;
-};
-ModeTransition modeTransition(const session::ServoEntry& entry, const catalog::Register& reg,
-                              std::int64_t raw);
 } // namespace ui

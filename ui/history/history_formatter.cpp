@@ -121,8 +121,8 @@ QStringList HistoryFormatter::headers(HistoryKind kind)
                 translate("History", "Register"),
                 translate("History", "From"),
                 translate("History", "To"),
-                translate("History", "Outcome"),
-                translate("History", "Kind"),
+                translate("History", "Result"),
+                translate("History", "Type"),
                 translate("History", "Port")};
     case HistoryKind::Snapshots:
         return {time,
@@ -140,10 +140,10 @@ QStringList HistoryFormatter::headers(HistoryKind kind)
                 translate("History", "Operator"),
                 note};
     case HistoryKind::Alarms:
-        return {translate("History", "Began"), translate("History", "Ended"), servo,
+        return {translate("History", "Raised"), translate("History", "Cleared"), servo,
                 translate("History", "Alarm"), translate("History", "Port")};
     case HistoryKind::Recordings:
-        return {time, translate("History", "Servos"), translate("History", "Length"),
+        return {time, translate("History", "Servos"), translate("History", "Duration"),
                 translate("History", "Rows"), translate("History", "File")};
     case HistoryKind::Servos:
         return {servo, translate("History", "Firmware"), translate("History", "Label"),

@@ -44,7 +44,7 @@ QString unitFact(const MemoryRow& row)
     if (unit.isEmpty())
         return {};
     const QString step = physicalText(1, *row.reg, row.meaning);
-    return translate("RegisterHelp", "One step: %1").arg(step);
+    return translate("RegisterHelp", "Resolution: %1").arg(step);
 }
 
 QString rangeFact(const MemoryRow& row)

@@ -183,7 +183,7 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry,
             tr("First seen %1, %n time(s) in total", nullptr, int(alarm.count)).arg(first);
         if (alarm.what.derived)
             more += QLatin1Char('\n') +
-                    tr("Derived from the limits: this servo does not report faults");
+                    tr("Derived from the limits: this servo does not report alarms");
         m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
     }
     m_noAlarm->setVisible(alarms.empty());
@@ -191,10 +191,10 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry,
         isFresh(entry, workbench.link(), workbench.now()) && faultsRead(entry.servo);
     m_noAlarm->setState(
         Tone::Quiet, judged ? tr("no alarm") : tr("alarms: –"), {},
-        !judged ? tr("Unknown: the servo does not reply, or its fault status has not been read")
+        !judged ? tr("Unknown: the servo does not reply, or its alarm status has not been read")
         : reportsFaults(entry.servo)
             ? QString()
-            : tr("Derived from the limits: this servo does not report faults"));
+            : tr("Derived from the limits: this servo does not report alarms"));
     m_acknowledge->setVisible(!alarms.empty());
 }
 
@@ -224,7 +224,7 @@ void OperateStatus::retranslate()
 {
     m_ageOf = 0; // worded anew
     setButtonText(m_acknowledge, tr("Acknowledge"),
-                  tr("Removes cleared faults from this list; active faults stay"));
+                  tr("Removes cleared alarms from this list; active alarms stay"));
     m_age->setToolTip(tr("Age of the newest value, and number of readings in the last second"));
     m_age->setAccessibleName(tr("Age and rate"));
     setAccessText(m_gauges, tr("Gauges"), tr("Shows or hides the gauges"));

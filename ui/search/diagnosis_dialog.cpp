@@ -3,6 +3,7 @@
 
 #include "text/diagnosis_text.h"
 #include "text/error_text.h"
+#include "text/language.h"
 #include "text/progress_text.h"
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/theme.h"
@@ -198,8 +199,9 @@ void DiagnosisDialog::showProgress(const jobs::Progress& progress)
     if (!m_search.isDiagnosing())
         return;
     m_progress->setValue(int(progress.fraction * permille));
-    m_state->setText(tr("Searching at %1 baud…").arg(rateText(progress.baud)) + QLatin1Char(' ') +
-                     text::progressText(progress.fraction, progress.remaining));
+    m_state->setText(
+        text::joinSentences({tr("Searching at %1 baud…").arg(rateText(progress.baud)),
+                             text::progressText(progress.fraction, progress.remaining)}));
 }
 
 void DiagnosisDialog::update()
@@ -328,7 +330,8 @@ void DiagnosisDialog::retranslate()
     setAccessibleName(windowTitle());
     m_evidenceTitle->setText(tr("Checks"));
     setAccessText(m_evidence, tr("Checks"), tr("What was found; nothing is written to a servo"));
-    setAccessText(m_progress, tr("Progress of the search"), tr("How much of it is complete"));
+    setAccessText(m_progress, tr("Progress of the search"),
+                  tr("How much of the search is complete"));
     setButtonText(m_copy, tr("Copy report"), tr("Copies checks and cause as text"));
     setButtonText(m_close, tr("Close"), tr("Closes this window"));
     update();

@@ -46,8 +46,27 @@ bool isTransferable(const jobs::RestoreRow& row)
     return row.selected || (row.reasons.testFlag(RestoreReason::Same) && !(row.reasons & special));
 }
 
+bool isAngleLimit(const jobs::RestorePlan& plan, const QString& key)
+{
+    const catalog::Register* reg = plan.servo.profile->find(key);
+    return reg != nullptr &&
+           (reg->role == catalog::Role::MinAngle || reg->role == catalog::Role::MaxAngle);
+}
+
+/// Other servos lose their angle limits; this one may have none already.
+bool removesAngleLimits(const jobs::RestorePlan& plan)
+{
+    const auto isZero = [&](catalog::Role role) {
+        const catalog::Register* reg = plan.servo.profile->byRole(role);
+        const jobs::RestoreRow* row = reg != nullptr ? plan.find(reg->key) : nullptr;
+        return row != nullptr && isTransferable(*row) && row->newRaw == 0;
+    };
+    return isZero(catalog::Role::MinAngle) && isZero(catalog::Role::MaxAngle);
+}
+
 void addRows(ApplySource& source, const jobs::RestorePlan& plan)
 {
+    source.dangerous = source.dangerous || removesAngleLimits(plan);
     for (const jobs::RestoreRow& row : plan.rows) {
         if (!isTransferable(row))
             continue;
@@ -215,6 +234,9 @@ QStringList RestorePanel::risks() const
         if (row->reasons.testFlag(RestoreReason::OtherModelLimit))
             lines
                 << tr("%1: this limit comes from another model (%2).").arg(name, plan.sourceModel);
+        else if (row->reasons.testFlag(RestoreReason::NeedsConsent) && isAngleLimit(plan, one.key))
+            lines << tr("%1: with both angle limits at 0, the shaft can turn past any position.")
+                         .arg(name);
         else if (row->reasons.testFlag(RestoreReason::NeedsConsent))
             lines << tr("%1: a wrong value can make the servo unreachable or dangerous.").arg(name);
         if (row->reasons.testFlag(RestoreReason::WouldAlarm))

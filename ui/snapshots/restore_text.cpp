@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/restore_text.h"
 
+#include "text/language.h"
 #include "text/restore_text.h"
 #include "text/translate.h"
 
@@ -40,8 +41,7 @@ BannerText restoreOutcomeText(const jobs::RestoreOutcome& outcome, const Registe
         cause << translate("RestoreText", "Not written or not confirmed: %1.")
                      .arg(others.join(QStringLiteral(", ")));
     cause << notRolledBackText(outcome, names) << openLockText(outcome.lock);
-    cause.removeAll(QString());
-    message.cause = cause.join(QLatin1Char(' '));
+    message.cause = text::joinSentences(cause);
     if (outcome.verdict == RestoreVerdict::Failed)
         message.remedy = restoreRemedy(outcome);
     return message;

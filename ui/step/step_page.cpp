@@ -303,8 +303,8 @@ std::function<BannerText()> StepPage::endMessage() const
             left << unreleasedTorqueText(torque);
             remedies << unreleasedTorqueRemedy();
         }
-        message.cause = left.join(QLatin1Char(' '));
-        message.remedy = remedies.join(QLatin1Char(' '));
+        message.cause = text::joinSentences(left);
+        message.remedy = text::joinSentences(remedies);
         return message;
     };
 }

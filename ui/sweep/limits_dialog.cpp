@@ -2,6 +2,7 @@
 #include "ui/sweep/limits_dialog.h"
 
 #include "text/error_text.h"
+#include "text/language.h"
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/theme.h"
@@ -283,7 +284,7 @@ void LimitsDialog::save(const QString& path)
 void LimitsDialog::onFileError(const base::Error& error)
 {
     const text::Description words = text::describe(error);
-    showResult(words.message + QLatin1Char(' ') + words.remedy, true);
+    showResult(text::joinSentences({words.message, words.remedy}), true);
 }
 
 void LimitsDialog::retranslate()

@@ -206,6 +206,6 @@ QString referenceText(const session::ReferenceResult& result)
             lines << text::localized(line);
     if (lines.isEmpty())
         lines << RunsDialog::tr("no metric differs by 10 % or more");
-    return head + QLatin1Char(' ') + lines.join(QStringLiteral("; "));
+    return text::joinSentences({head, text::joinClauses(lines)});
 }
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "results/sweep_points.h"
 #include "text/error_text.h"
+#include "text/language.h"
 #include "ui/common/file_dialog.h"
 
 #include <QFileInfo>
@@ -35,7 +36,7 @@ void SweepGoalList::read(const QString& path)
     m_error.clear();
     if (!points) {
         const text::Description description = text::describe(points.error());
-        m_error = description.message + QLatin1Char(' ') + description.remedy;
+        m_error = text::joinSentences({description.message, description.remedy});
     }
     retranslate();
     Q_EMIT changed();

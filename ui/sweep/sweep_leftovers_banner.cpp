@@ -59,7 +59,7 @@ QString SweepLeftoversBanner::unrevertedSettingsText() const
     QStringList servos;
     for (const auto& [id, registers] : names)
         servos << QStringLiteral("ID %1: %2").arg(id).arg(registers.join(QStringLiteral(", ")));
-    return servos.join(QStringLiteral("; "));
+    return text::joinClauses(servos);
 }
 
 void SweepLeftoversBanner::show(const std::optional<base::Error>& error)
@@ -85,8 +85,8 @@ void SweepLeftoversBanner::show(const std::optional<base::Error>& error)
         if (m_failure)
             what.prepend(text::describe(*m_failure).message);
         const QString first = what.isEmpty() ? QString() : what.takeFirst();
-        return BannerText{Tone::Bad, first, what.join(QLatin1Char(' ')),
-                          remedies.join(QLatin1Char(' '))};
+        return BannerText{Tone::Bad, first, text::joinSentences(what),
+                          text::joinSentences(remedies)};
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "jobs/sweep/sweep_path.h"
 #include "text/error_text.h"
+#include "text/language.h"
 #include "text/progress_text.h"
 #include "ui/sweep/sweep_page.h"
 
@@ -62,20 +63,19 @@ PreviewText durationCheckText(const session::SweepPreview& preview, const result
     const QString who =
         entry != nullptr ? SweepPage::tr("ID %1: ").arg(entry->servo.id) : QString();
     if (estimate.tooShort && sine)
-        return {
-            Tone::Warn,
-            who +
-                SweepPage::tr(
-                    "the sine wave is faster than the servo can move. Use a period of at least %1.")
-                    .arg(durationText(estimate.proposedDelay)) +
-                QLatin1Char(' ') + link};
+        return {Tone::Warn,
+                who + text::joinSentences(
+                          {SweepPage::tr("the sine wave is faster than the servo can move. Use a "
+                                         "period of at least %1.")
+                               .arg(durationText(estimate.proposedDelay)),
+                           link})};
     if (estimate.tooShort)
         return {Tone::Warn,
-                who +
-                    SweepPage::tr("the longest move takes %1 at this speed: the servo would "
-                                  "turn back before it arrives.")
-                        .arg(durationText(*estimate.travel)) +
-                    QLatin1Char(' ') + link};
+                who + text::joinSentences(
+                          {SweepPage::tr("the longest move takes %1 at this speed: the servo "
+                                         "would turn back before it arrives.")
+                               .arg(durationText(*estimate.travel)),
+                           link})};
     if (estimate.minMove > 0)
         return {Tone::Warn,
                 who +
@@ -111,7 +111,8 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
         const text::Description words = text::describe(*preview.error);
         const QString who =
             preview.error->id >= 0 ? SweepPage::tr("ID %1: ").arg(preview.error->id) : QString();
-        return {Tone::Bad, (who + words.message + QLatin1Char(' ') + words.remedy).toHtmlEscaped()};
+        return {Tone::Bad,
+                (who + text::joinSentences({words.message, words.remedy})).toHtmlEscaped()};
     }
     PreviewText worst;
     Duration whole{};
@@ -125,8 +126,8 @@ PreviewText previewText(const std::vector<session::SweepPreview>& previews,
         whole = std::max(whole, totalDuration(preview, spec));
     }
     if (whole > Duration::zero())
-        worst.text +=
-            QLatin1Char(' ') + SweepPage::tr("About %1 in total.").arg(text::durationText(whole));
+        worst.text = text::joinSentences(
+            {worst.text, SweepPage::tr("About %1 in total.").arg(text::durationText(whole))});
     return worst;
 }
 

@@ -75,7 +75,7 @@ QString reasonText(const results::SweepRun& run)
         worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id) +
                      (reason.isEmpty() ? QString() : QStringLiteral(" — ") + reason));
     }
-    return worst.join(QStringLiteral("; "));
+    return text::joinClauses(worst);
 }
 } // namespace
 
@@ -374,7 +374,7 @@ void SweepResults::retranslate()
     m_all->setAccessibleName(m_all->text());
     if (m_saveError) {
         const text::Description trouble = text::describe(*m_saveError);
-        m_saved->setText((trouble.message + QLatin1Char(' ') + trouble.remedy).toHtmlEscaped());
+        m_saved->setText(text::joinSentences({trouble.message, trouble.remedy}).toHtmlEscaped());
     } else {
         const QString link = QStringLiteral("<a href=\"%1\">%2</a>")
                                  .arg(QUrl::fromLocalFile(m_savedPath).toString(QUrl::FullyEncoded),

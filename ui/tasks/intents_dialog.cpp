@@ -195,9 +195,10 @@ QString IntentsDialog::explanation() const
                       "changes are listed again at the next connection.");
     if (underWay == 0)
         return interrupted;
-    return interrupted + QLatin1Char(' ') +
-           translate("ServoTasks", "If another program is still making a change, ServoDesk leaves "
-                                   "the change to that program.");
+    return text::joinSentences(
+        {interrupted,
+         translate("ServoTasks", "If another program is still making a change, ServoDesk leaves "
+                                 "the change to that program.")});
 }
 
 void IntentsDialog::retranslate()

@@ -144,7 +144,7 @@ void RecordDialog::browse()
     askForSavePath(this,
                    {QStringLiteral("recordFileDialog"),
                     tr("Record to"),
-                    {tr("Table for spreadsheets (*.csv)"), tr("JSON lines for programs (*.jsonl)")},
+                    {tr("Table for spreadsheets (*.csv)"), tr("JSON Lines for programs (*.jsonl)")},
                     request().path},
                    [this](const QString& path) {
                        m_path->setText(QDir::toNativeSeparators(path));
@@ -165,7 +165,7 @@ void RecordDialog::retranslate()
     setButtonText(m_limited, tr("Stop automatically after"),
                   tr("If not selected, recording continues until you stop it"));
     m_seconds->setSuffix(tr(" s"));
-    setAccessText(m_seconds, tr("Length"), tr("Duration in seconds from the first row"));
+    setAccessText(m_seconds, tr("Duration"), tr("Duration in seconds from the first row"));
     setButtonText(m_start, tr("Record"), tr("Starts recording now"));
     setButtonText(m_cancel, tr("Cancel"), tr("Closes without recording"));
 }

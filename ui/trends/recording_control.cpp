@@ -2,6 +2,7 @@
 #include "ui/trends/recording_control.h"
 
 #include "text/error_text.h"
+#include "text/language.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/trends/record_dialog.h"
 #include "ui/trends/row_count.h"
@@ -73,7 +74,7 @@ void RecordingControl::showFailure(const base::Error& error)
 {
     const text::Description words = text::describe(error);
     if (m_dialog)
-        m_dialog->showError(words.message + QLatin1Char(' ') + words.remedy);
+        m_dialog->showError(text::joinSentences({words.message, words.remedy}));
     else
         m_views.banner.showMessage([words] {
             return BannerText{Tone::Bad, words.message, {}, words.remedy};

@@ -30,7 +30,7 @@ constexpr std::array builtInCurves{
     BuiltInCurve{"@voltage", Role::PresentVoltage, QT_TRANSLATE_NOOP("Trend", "Voltage")},
     BuiltInCurve{"@temperature", Role::PresentTemperature,
                  QT_TRANSLATE_NOOP("Trend", "Temperature")},
-    BuiltInCurve{"@moving", Role::Moving, QT_TRANSLATE_NOOP("Trend", "Moving")},
+    BuiltInCurve{"@moving", Role::Moving, QT_TRANSLATE_NOOP("Trend", "Moving flag")},
 };
 
 const BuiltInCurve* findBuiltIn(const QString& key)

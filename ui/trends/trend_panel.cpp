@@ -96,7 +96,7 @@ void TrendPanel::build()
         [this](const recording::Mark& mark) { return markText(m_workbench.registry(), mark); });
     m_chart->setWidth(m_settings.width());
     m_toolbar->setShownWidth(m_chart->width());
-    m_chart->setLaneHeights(m_settings.laneHeights());
+    m_chart->setLaneLayout(m_settings.laneLayout());
     m_chart->setLanes(m_settings.hasLanes());
     m_toolbar->setLanes(m_settings.hasLanes());
     m_toolbar->setMemory(m_settings.memory());
@@ -159,8 +159,8 @@ void TrendPanel::connectChart()
         m_toolbar->setCursorsShown(m_chart->areCursorsVisible());
         m_cursors->setVisible(m_chart->areCursorsVisible());
     });
-    connect(m_chart, &TrendChart::laneHeightsChanged, this,
-            [this] { m_settings.setLaneHeights(m_chart->laneHeights()); });
+    connect(m_chart, &TrendChart::laneLayoutChanged, this,
+            [this] { m_settings.setLaneLayout(m_chart->laneLayout()); });
     connect(m_chart, &TrendChart::playRequested, this, &TrendPanel::toggleFollowing);
     connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::applyLegend);
     connect(m_replay, &TrendReplay::shown, this, &TrendPanel::replayShown);

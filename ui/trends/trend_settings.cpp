@@ -8,6 +8,7 @@ const QString widthKey = QStringLiteral("trend/width_s");
 const QString rateKey = QStringLiteral("trend/rate_hz");
 const QString memoryKey = QStringLiteral("trend/memory_mb");
 const QString lanesKey = QStringLiteral("trend/lanes");
+const QString laneOrderKey = QStringLiteral("trend/lane_order");     ///< units
 const QString laneHeightsKey = QStringLiteral("trend/lane_heights"); ///< one text each: "°;2.5"
 constexpr int defaultWidth = 10;                                     ///< in seconds
 constexpr int defaultRate = 50;                                      ///< Hz
@@ -96,21 +97,23 @@ void TrendSettings::setLanes(bool on)
     m_settings.setPageValue(lanesKey, on);
 }
 
-QMap<QString, double> TrendSettings::laneHeights() const
+LaneLayout TrendSettings::laneLayout() const
 {
-    QMap<QString, double> heights;
+    LaneLayout layout;
+    layout.order = m_settings.pageValue(laneOrderKey, QStringList()).toStringList();
     for (const QString& text : m_settings.pageValue(laneHeightsKey, QStringList()).toStringList()) {
         const double height = text.section(QLatin1Char(';'), -1).toDouble();
         if (height > 0)
-            heights[text.section(QLatin1Char(';'), 0, -2)] = height;
+            layout.heights[text.section(QLatin1Char(';'), 0, -2)] = height;
     }
-    return heights;
+    return layout;
 }
 
-void TrendSettings::setLaneHeights(const QMap<QString, double>& heights)
+void TrendSettings::setLaneLayout(const LaneLayout& layout)
 {
+    m_settings.setPageValue(laneOrderKey, layout.order);
     QStringList texts;
-    for (auto it = heights.begin(); it != heights.end(); ++it)
+    for (auto it = layout.heights.begin(); it != layout.heights.end(); ++it)
         texts << it.key() + QLatin1Char(';') + QString::number(*it, 'f', 3);
     m_settings.setPageValue(laneHeightsKey, texts);
 }

@@ -25,8 +25,8 @@ public:
     void setMemory(int megabytes);
     bool hasLanes() const;
     void setLanes(bool on);
-    QMap<QString, double> laneHeights() const; ///< as TrendChart has them
-    void setLaneHeights(const QMap<QString, double>& heights);
+    LaneLayout laneLayout() const;
+    void setLaneLayout(const LaneLayout& layout);
 
 private:
     session::Settings& m_settings;

@@ -201,7 +201,7 @@ void TriggerDialog::retranslate()
     m_kind->addItems({tr("The value rises through a level"), tr("The value falls through a level"),
                       tr("The value is above a level"), tr("The value is below a level"),
                       tr("The servo starts to move"), tr("The servo has stopped"),
-                      tr("A fault appears"), tr("A value is written"),
+                      tr("An alarm occurs"), tr("A value is written"),
                       tr("A servo stops replying")});
     m_kind->setCurrentIndex(kind);
     setFieldText(m_form, m_kind, tr("Wait until"), tr("Event that the chart waits for"));

@@ -105,7 +105,7 @@ void RunListDialog::retranslate()
     m_table->setToolTip(tr("One row for each servo in a test, newest first"));
     setButtonText(
         m_label, tr("Label…"),
-        tr("Gives the servo in the selected test a label, because servos have no serial number"));
+        tr("Labels the servo in the selected test; servos have no serial number to identify them"));
     setButtonText(m_delete, tr("Delete…"), tr("Deletes the selected tests from the history"));
     setButtonText(m_close, tr("Close"), tr("Closes this window"));
     m_model->retranslate();
@@ -168,10 +168,10 @@ void RunListDialog::updateButtons()
 void RunListDialog::showHint(const QString& hint)
 {
     const bool empty = m_hasList && m_model->rowCount() == 0;
-    const QString why =
-        m_filter->text().trimmed().isEmpty()
-            ? tr("No tests yet. All tests from the window and the command line are stored here.")
-            : tr("No test matches this filter.");
+    const QString why = m_filter->text().trimmed().isEmpty()
+                            ? tr("No tests yet. All tests run in this program or from the command "
+                                 "line are stored here.")
+                            : tr("No test matches this filter.");
     m_table->setVisible(!empty);
     m_hint->setText(empty ? why : hint);
     m_hint->setAlignment(empty ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);

@@ -102,7 +102,7 @@ QString unreleasedTorqueText(const std::vector<jobs::UnreleasedTorque>& left)
     if (!moving.isEmpty())
         sentences << text::translate("ui::SweepPage", "Movement could not be stopped: %1.")
                          .arg(moving.join(comma));
-    return sentences.join(QLatin1Char(' '));
+    return text::joinSentences(sentences);
 }
 
 QString unreleasedTorqueRemedy()

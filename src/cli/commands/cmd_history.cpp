@@ -56,8 +56,8 @@ Table tableOf(const std::vector<history::HistoryWrite>& writes,
 {
     Table table({translate("cli", "Write"), translate("cli", "Time"), translate("cli", "ID"),
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Register"),
-                 translate("cli", "Old"), translate("cli", "New"), translate("cli", "Outcome"),
-                 translate("cli", "Kind"), translate("cli", "Port")});
+                 translate("cli", "Old"), translate("cli", "New"), translate("cli", "Result"),
+                 translate("cli", "Type"), translate("cli", "Port")});
     table.alignRight({0, 2, 6, 7});
     for (const history::HistoryWrite& write : writes)
         table.add({shown(write.number), formatTime(write.at), QString::number(write.servoId),
@@ -92,7 +92,7 @@ Table tableOf(const std::vector<history::HistoryAlarm>& alarms)
 {
     Table table({translate("cli", "Alarm"), translate("cli", "Time"), translate("cli", "Cleared"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
-                 translate("cli", "Kind")});
+                 translate("cli", "Type")});
     table.alignRight({0, 3});
     for (const history::HistoryAlarm& alarm : alarms)
         table.add({shown(alarm.number), formatTime(alarm.at), formatTime(alarm.clearedAt),
@@ -104,7 +104,7 @@ Table tableOf(const std::vector<history::HistoryAlarm>& alarms)
 Table tableOf(const std::vector<history::HistoryRecording>& recordings)
 {
     Table table({translate("cli", "Recording"), translate("cli", "Time"),
-                 translate("cli", "Length"), translate("cli", "ID"), translate("cli", "Readings"),
+                 translate("cli", "Duration"), translate("cli", "ID"), translate("cli", "Readings"),
                  translate("cli", "File")});
     table.alignRight({0, 2, 4});
     for (const history::HistoryRecording& recording : recordings) {

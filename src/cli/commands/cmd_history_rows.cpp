@@ -114,7 +114,7 @@ base::Result<Exit> showWrite(Run& run, const Values& values)
     if (const auto known = loadProfiles(**history, profiles); !known)
         return tl::unexpected(known.error());
     Table table({translate("cli", "Register"), translate("cli", "Old"), translate("cli", "New"),
-                 translate("cli", "Read back"), translate("cli", "Outcome")});
+                 translate("cli", "Read back"), translate("cli", "Result")});
     table.alignRight({1, 2, 3});
     Json::Array rows;
     for (const history::HistoryWrite& write : *writes) {

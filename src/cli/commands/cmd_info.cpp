@@ -85,7 +85,7 @@ QString infoText(const device::Servo& servo)
     row(translate("cli", "Family, register map"),
         profile.series.isEmpty() ? profile.mapKey
                                  : QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
-    row(translate("cli", "Protocol, line"),
+    row(translate("cli", "Protocol, bus type"),
         QStringLiteral("%1, %2").arg(base::protocolName(profile.protocol),
                                      text::lineLabel(profile.line)));
     row(translate("cli", "Port, baud rate"),

@@ -265,7 +265,7 @@ Command stepResponseCommand()
          {"--switch-mode",
           QT_TRANSLATE_NOOP(
               "cli", "switch servos in other modes to position mode for the test, then back")},
-         {"--report", QT_TRANSLATE_NOOP("cli", "write the runs to a file"),
+         {"--report", QT_TRANSLATE_NOOP("cli", "write a report of the test to a file"),
           "FILE.html|pdf|json|csv"}},
         runStepResponse};
 }

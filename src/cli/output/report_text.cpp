@@ -21,9 +21,9 @@ QString remedyFor(const base::Error& error, const QString& remedy)
 {
     if (error.code != base::ErrorCode::NeedsConsent)
         return remedy;
-    return remedy + QLatin1Char(' ') +
-           translate("cli", "On the command line, use the option %1 to confirm.")
-               .arg(consentOption(error));
+    return text::joinSentences(
+        {remedy, translate("cli", "On the command line, use the option %1 to confirm.")
+                     .arg(consentOption(error))});
 }
 
 /// The next command, which the text layer does not know.
@@ -179,7 +179,7 @@ QString writeText(const device::Servo& servo, const device::WriteReport& report)
 {
     Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
-                 translate("cli", "Outcome")});
+                 translate("cli", "Result")});
     table.alignRight({0, 2, 3, 4});
     const auto shown = [&servo](const QString& key, const std::optional<std::int64_t>& raw) {
         const catalog::Register* reg = servo.profile->find(key);

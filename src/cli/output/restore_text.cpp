@@ -343,7 +343,7 @@ QString notPutBackText(const jobs::RestoreOutcome& outcome)
             ? translate("cli", "The change is still unfinished. To see it: servodesk-cli recover")
             : translate("cli", "The table shows the values now in the servo. The snapshot taken "
                                "before the first write contains the old values.");
-    return translate("cli", "Could not be restored: %1.").arg(keys) + QLatin1Char(' ') + next +
+    return text::joinSentences({translate("cli", "Could not be restored: %1.").arg(keys), next}) +
            QLatin1Char('\n');
 }
 } // namespace
@@ -354,7 +354,7 @@ QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& se
         return translate("cli", "Nothing had to be written.") + QLatin1Char('\n');
     Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
-                 translate("cli", "Outcome")});
+                 translate("cli", "Result")});
     table.alignRight({0, 2, 3, 4});
     QString why;
     for (const jobs::RestoreRowResult& row : outcome.rows) {

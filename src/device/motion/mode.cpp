@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion/mode.h"
 
-#include "device/consent.h"
 #include "device/motion/motion.h"
 #include "device/motion/saved_speed.h"
 #include "device/transactions.h"
@@ -60,10 +59,20 @@ base::Result<void> addZeroCommand(const Servo& servo, RegisterValues& items)
     return {};
 }
 
+namespace {
+bool limitsVanish(const Servo& servo, const RegisterValues& items)
+{
+    const bool hasLimits =
+        servo.raw(Role::MinAngle).value_or(0) != 0 || servo.raw(Role::MaxAngle).value_or(0) != 0;
+    return hasLimits && valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
+           valueAfter(servo, items, Role::MaxAngle).value_or(0) == 0;
+}
+} // namespace
+
 base::Result<void> saveForReturn(const Context& context, const Servo& servo,
                                  const ModeChange& change, const RegisterValues& items)
 {
-    if (removesAngleLimits(servo, items)) {
+    if (limitsVanish(servo, items)) {
         const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
         const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
         const auto kept =

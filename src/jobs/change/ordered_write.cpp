@@ -108,7 +108,8 @@ device::WriteMeaning meaningOf(const Servo& servo, const WriteItem& item)
     return reg != nullptr ? device::classify(*reg, item.raw) : device::WriteMeaning{};
 }
 
-/// Before the first byte of the mixture; the special procedures do not ask.
+/// Before the first byte of the mixture, by what has been read; the special procedures do not ask,
+/// and the safe write asks again with fresh limits.
 base::Result<void> requireConsents(const Servo& servo, const std::vector<WriteItem>& items,
                                    device::Consent consent)
 {

@@ -134,8 +134,9 @@ void requireConsentForLimits(RestorePlan& plan, const RestoreChoice& choice)
     device::RegisterValues limits;
     for (const RestoreRow& row : plan.rows) {
         const catalog::Register* reg = plan.servo.profile->find(row.key);
-        if (row.newRaw && !hasReason(row, RestoreReason::Same) &&
-            (reg->role == Role::MinAngle || reg->role == Role::MaxAngle))
+        const bool isWritten = row.newRaw && !hasReason(row, RestoreReason::Same) &&
+                               !hasReason(row, RestoreReason::NotChosen);
+        if (isWritten && (reg->role == Role::MinAngle || reg->role == Role::MaxAngle))
             limits.push_back({reg, *row.newRaw});
     }
     if (!device::removesAngleLimits(plan.servo, limits))

@@ -220,17 +220,18 @@ bool isAngleLimit(const catalog::Register& reg)
     return reg.role == catalog::Role::MinAngle || reg.role == catalog::Role::MaxAngle;
 }
 
-/// Both limits of the template are 0, which is a mode of this model (device::removesAngleLimits).
-bool hasNoAngleLimits(const catalog::Profile& profile, const snapshot::Snapshot& settings)
+/// No limit of the template is other than 0, and both at 0 are a mode of this model
+/// (device::removesAngleLimits). One that is not in the template may be 0 in the servo.
+bool canRemoveAngleLimits(const catalog::Profile& profile, const snapshot::Snapshot& settings)
 {
     const bool isMode = std::any_of(profile.modes.begin(), profile.modes.end(),
                                     [](const catalog::Mode& mode) { return mode.limitsZero; });
-    const auto limits = [&](const auto& row) {
-        const catalog::Register* reg = profile.find(row.key);
-        return reg != nullptr && isAngleLimit(*reg) && row.raw == 0;
-    };
-    return isMode &&
-           std::count_if(settings.registers.begin(), settings.registers.end(), limits) == 2;
+    return isMode && std::none_of(settings.registers.begin(), settings.registers.end(),
+                                  [&](const snapshot::SnapshotRegister& row) {
+                                      const catalog::Register* reg = profile.find(row.key);
+                                      return reg != nullptr && isAngleLimit(*reg) &&
+                                             row.raw.value_or(0) != 0;
+                                  });
 }
 } // namespace
 
@@ -255,7 +256,7 @@ QStringList dangerousKeys(const catalog::Catalog& catalog, const snapshot::Snaps
                 const catalog::Register* reg = one ? one->find(row.key) : nullptr;
                 return reg != nullptr && !reg->identity && reg->writable() &&
                        (device::alwaysNeedsConsent(*reg) ||
-                        (isAngleLimit(*reg) && hasNoAngleLimits(*one, settings)));
+                        (isAngleLimit(*reg) && canRemoveAngleLimits(*one, settings)));
             });
         if (dangerous && row.raw)
             keys.append(row.key);

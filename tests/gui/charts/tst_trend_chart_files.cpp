@@ -158,21 +158,22 @@ void TestTrendChartFiles::lanesAreRemembered()
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(q("s.ini"));
-    const QMap<QString, double> heights{{q("°"), 2.25}, {q("rpm"), 0.5}, {q(";"), 1.0}, {{}, 3.0}};
+    const ui::LaneLayout layout{{{q("°"), 2.25}, {q("rpm"), 0.5}, {q(";"), 1.0}, {{}, 3.0}},
+                                {q("rpm"), q("°"), {}, q(";")}};
     {
         session::Settings settings(file);
         ui::TrendSettings trend(settings);
         QVERIFY(!trend.hasLanes());
-        QVERIFY(trend.laneHeights().isEmpty());
+        QCOMPARE(trend.laneLayout(), ui::LaneLayout{});
         trend.setLanes(true);
-        trend.setLaneHeights(heights);
+        trend.setLaneLayout(layout);
     }
     session::Settings settings(file);
     const ui::TrendSettings trend(settings);
     QVERIFY(trend.hasLanes());
-    QCOMPARE(trend.laneHeights(), heights);
+    QCOMPARE(trend.laneLayout(), layout);
     settings.setPageValue(q("trend/lane_heights"), QStringList{q("rpm;-1"), q("x"), q("V;nan")});
-    QVERIFY(trend.laneHeights().isEmpty());
+    QVERIFY(trend.laneLayout().heights.isEmpty());
 }
 
 void TestTrendChartFiles::presets()

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void valuesAreBesideTheLanes();
     void edgesAreDragged();
     void heightsAreKept();
+    void lanesAreReordered();
     void wheelWithShiftZoomsOneLane();
     void draggingChangesOneLane();
     void hiddenChannelsLeaveNoLane();
@@ -147,7 +148,7 @@ void TestTrendLanes::valuesAreBesideTheLanes()
 void TestTrendLanes::edgesAreDragged()
 {
     LanesFixture fixture;
-    QSignalSpy changed(&fixture.chart, &ui::TrendChart::laneHeightsChanged);
+    QSignalSpy changed(&fixture.chart, &ui::TrendChart::laneLayoutChanged);
     const QRectF before = fixture.laneOf("°");
     fixture.dragEdge(-60);
     QCOMPARE(changed.count(), 1);
@@ -164,13 +165,45 @@ void TestTrendLanes::heightsAreKept()
     LanesFixture fixture;
     fixture.dragEdge(-60);
     LanesFixture other;
-    other.chart.setLaneHeights(fixture.chart.laneHeights());
+    other.chart.setLaneLayout(fixture.chart.laneLayout());
     other.waitForFrames();
     QCOMPARE(other.laneOf("°"), fixture.laneOf("°"));
-    other.chart.setLaneHeights({{QStringLiteral("°"), -3}, {QStringLiteral("rpm"), 1e9}});
+    other.chart.setLaneLayout({{{QStringLiteral("°"), -3}, {QStringLiteral("rpm"), 1e9}}, {}});
     other.waitForFrames(); // of a broken file
     QVERIFY(other.laneOf("°").height() >= 1);
     QVERIFY(other.area().contains(other.laneOf("rpm")));
+}
+
+/// By the name and values at its right edge; each lane keeps its height.
+void TestTrendLanes::lanesAreReordered()
+{
+    LanesFixture fixture;
+    QSignalSpy changed(&fixture.chart, &ui::TrendChart::laneLayoutChanged);
+    const double height = fixture.laneOf("°").height();
+    const auto dragLane = [&](const char* from, const char* to) {
+        const auto share = [&](double y) {
+            return (fixture.area().bottom() - y) / fixture.area().height();
+        };
+        const QPointF start = fixture.laneOf(from).center();
+        const QPointF middle = fixture.laneOf(to).center();
+        const double beside = 1 + 12 / fixture.area().width();
+        const double beyond = middle.y() < start.y() ? -8 : 8;
+        fixture.drag(Qt::LeftButton, Qt::NoModifier, {beside, share(start.y())},
+                     {beside, share(middle.y() + beyond)});
+        fixture.waitForFrames();
+    };
+    dragLane("rpm", "°");
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(fixture.laneOf("rpm").bottom() < fixture.laneOf("°").top());
+    QVERIFY(std::abs(fixture.laneOf("°").height() - height) < 8);
+    QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{0s, 10s})); // not panned
+
+    LanesFixture other;
+    other.chart.setLaneLayout(fixture.chart.laneLayout());
+    other.waitForFrames();
+    QCOMPARE(other.laneOf("°"), fixture.laneOf("°"));
+    dragLane("rpm", "°");
+    QVERIFY(fixture.laneOf("°").bottom() < fixture.laneOf("rpm").top());
 }
 
 void TestTrendLanes::wheelWithShiftZoomsOneLane()

@@ -333,6 +333,22 @@ private Q_SLOTS:
         QVERIFY(context.ends());
     }
 
+    /// One that is not in the template may be 0 in the servo, as the lower one is when new.
+    void templatesWithoutAngleLimitsNeedConsent()
+    {
+        CommissionPageFixture context;
+        const catalog::Catalog& catalog = context.workbench().catalog();
+        const auto keys = [&](const std::vector<std::pair<const char*, std::int64_t>>& rows) {
+            return session::dangerousKeys(catalog, support::templateOf("sts3215", rows));
+        };
+        const QString min = QStringLiteral("min_angle_limit");
+        const QString max = QStringLiteral("max_angle_limit");
+        QCOMPARE(keys({{"max_angle_limit", 0}}), QStringList{max});
+        QCOMPARE(keys({{"min_angle_limit", 0}, {"max_angle_limit", 0}}), (QStringList{min, max}));
+        QVERIFY(keys({{"min_angle_limit", 0}, {"max_angle_limit", 4095}}).isEmpty());
+        QVERIFY(keys({{"position_p", 0}}).isEmpty());
+    }
+
     void closingThePortEndsTheBatch()
     {
         CommissionPageFixture context;

@@ -129,13 +129,13 @@ void TestPortPicker::aMissingSelectedAdapterStays()
     fixture.portList.unplug(usb0);
     QTRY_VERIFY(fixture.picker.isMissing());
     QCOMPARE(fixture.picker.port(), usb0);
-    QVERIFY2(fixture.picker.currentText().contains(QStringLiteral("not connected now")),
+    QVERIFY2(fixture.picker.currentText().contains(QStringLiteral("not plugged in")),
              qPrintable(fixture.picker.currentText()));
     QVERIFY(fixture.picker.currentText().contains(QStringLiteral("USB Serial"))); // still known
     fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
     QTRY_VERIFY(!fixture.picker.isMissing());
     QCOMPARE(fixture.picker.port(), usb0);
-    QVERIFY(!fixture.picker.currentText().contains(QStringLiteral("not connected now")));
+    QVERIFY(!fixture.picker.currentText().contains(QStringLiteral("not plugged in")));
 }
 
 void TestPortPicker::theSameAdapterAtAnotherPathIsFollowed()

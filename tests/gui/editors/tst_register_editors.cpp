@@ -329,7 +329,7 @@ void TestRegisterEditors::errorMessagesSayWhatToDo_data()
                           << "0–254";
     QTest::newRow("less than a step") << "protection_current"
                                       << "1 mA"
-                                      << "less than one step"
+                                      << "below the resolution"
                                       << "unit";
 }
 

@@ -19,13 +19,17 @@ using support::consentFamilies;
 using ui::Command;
 using ui::MemoryModel;
 
+Q_DECLARE_METATYPE(std::vector<device::WriteItem>)
+
 class TestTableConsent : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void everyRiskyValueAsks_data();
     void everyRiskyValueAsks();
+    void redoAsksAgain_data();
     void redoAsksAgain();
+    void limitsInSpeedModeAskNothing();
 };
 
 namespace {
@@ -112,15 +116,28 @@ void TestTableConsent::everyRiskyValueAsks()
     QVERIFY(fixture.workbench.session().journal().open()->empty());
 }
 
+void TestTableConsent::redoAsksAgain_data()
+{
+    using Items = std::vector<device::WriteItem>;
+    QTest::addColumn<Items>("items");
+    QTest::newRow("dangerous register") << Items{{QStringLiteral("unload_condition"), 32}};
+    QTest::newRow("both limits, neither a mode by itself")
+        << Items{{QStringLiteral("min_angle_limit"), 0}, {QStringLiteral("max_angle_limit"), 0}};
+}
+
 void TestTableConsent::redoAsksAgain()
 {
+    QFETCH(const std::vector<device::WriteItem>, items);
     Fixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
-    const QString key = QStringLiteral("unload_condition");
-    const auto before = fixture.entry().servo.raw(key);
     session::WriteService& writes = fixture.workbench.writes();
-    writes.write(fixture.selection.current(), {{{key, 32}}, false, device::Consent::confirmed()});
-    QTRY_COMPARE(fixture.entry().servo.raw(key), 32);
+    writes.write(fixture.selection.current(),
+                 {{{QStringLiteral("min_angle_limit"), 100}}, false, {}});
+    QTRY_COMPARE(fixture.entry().servo.raw(QStringLiteral("min_angle_limit")), 100);
+    const QString key = items.back().key;
+    const auto before = fixture.entry().servo.raw(key);
+    writes.write(fixture.selection.current(), {items, false, device::Consent::confirmed()});
+    QTRY_COMPARE(fixture.entry().servo.raw(key), items.back().raw);
     QTRY_VERIFY(writes.undoStep() != nullptr);
     ui::undo(writes, fixture.selection);
     QTRY_COMPARE(fixture.entry().servo.raw(key), before);
@@ -133,6 +150,25 @@ void TestTableConsent::redoAsksAgain()
     writes.redo();
     QTRY_VERIFY(!fixture.workbench.tasks().isBusy() && !fixture.entry().writing());
     QCOMPARE(fixture.entry().servo.raw(key), before);
+}
+
+void TestTableConsent::limitsInSpeedModeAskNothing()
+{
+    Fixture fixture;
+    QVERIFY(fixture.isReady(consentFamilies().front()));
+    const auto written = [&](const char* key, std::int64_t raw) {
+        return support::waitFor([&] {
+            return fixture.entry().servo.raw(QLatin1String(key)) == raw &&
+                   !fixture.workbench.tasks().isBusy() && !fixture.entry().writing();
+        });
+    };
+    fixture.workbench.writes().write(
+        fixture.selection.current(),
+        {{{QStringLiteral("operating_mode"), 1}}, false, device::Consent::confirmed()});
+    QVERIFY(written("operating_mode", 1));
+    fixture.enter(QStringLiteral("max_angle_limit"), 0);
+    QVERIFY(!fixture.question());
+    QVERIFY(written("max_angle_limit", 0));
 }
 
 SERVODESK_TEST(TestTableConsent)

@@ -51,6 +51,7 @@ private Q_SLOTS:
     void noRestoreWithoutConsent();
     void limitsAreNotRemovedWithoutConsent_data();
     void limitsAreNotRemovedWithoutConsent();
+    void limitsThatSelectNoModeNeedNone();
 
 private:
     static void addFamilies()
@@ -201,6 +202,38 @@ void TestConsent::limitsAreNotRemovedWithoutConsent()
     QVERIFY(jobs::writeInOrder(fixture.context(), servo, {{min, 10}, {max, 900}}, {},
                                SpecialRegisters::Refuse, report));
     QVERIFY(report->isSuccessful());
+}
+
+void TestConsent::limitsThatSelectNoModeNeedNone()
+{
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    device::Servo servo = support::identifyWithTable(fixture);
+    const QString min = servo.profile->byRole(catalog::Role::MinAngle)->key;
+    const QString max = servo.profile->byRole(catalog::Role::MaxAngle)->key;
+    const auto write = [&](const std::vector<device::WriteItem>& items, device::Consent consent) {
+        std::optional<device::WriteReport> report;
+        device::WriteOptions options;
+        options.consent = consent;
+        const auto done = jobs::writeInOrder(fixture.context(), servo, items, options,
+                                             SpecialRegisters::Write, report);
+        return done && report && report->isSuccessful();
+    };
+    // One of the two is no mode.
+    QVERIFY(write({{min, 100}}, {}));
+    snapshot::Snapshot wanted = jobs::snapshotOf(servo, {});
+    for (snapshot::SnapshotRegister& row : wanted.registers) {
+        if (row.key == min || row.key == max)
+            row.raw = 0;
+    }
+    jobs::RestoreChoice onlyMin;
+    onlyMin.only = {min};
+    const auto writes = jobs::plannedWrites(jobs::planRestore(servo, wanted, onlyMin));
+    QCOMPARE(writes.size(), std::size_t(1));
+    QCOMPARE(writes.front().key, min);
+    // Speed mode has no limits; going back to a position mode without them asks again.
+    QVERIFY(write({{QStringLiteral("operating_mode"), 1}}, device::Consent::byOption(true)));
+    QVERIFY(write({{min, 0}, {max, 0}}, {}));
+    QVERIFY(!write({{QStringLiteral("operating_mode"), 0}}, {}));
 }
 
 SERVODESK_GUILESS_TEST(TestConsent)
