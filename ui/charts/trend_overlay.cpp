@@ -267,9 +267,13 @@ void TrendOverlay::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
 void TrendOverlay::paintMarks(QPainter* painter) const
 {
     const std::vector<MarkGroup> all = groups();
+    double painted = 0; // up to here, from the left
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const double next = i + 1 < all.size() ? all[i + 1].x - m_flagSize / 2 : m_plot.width();
-        paintMark(painter, all[i], next - all[i].x - m_flagSize / 2 - 2 * textSpace);
+        const bool isLast = i + 1 == all.size();
+        const double next = isLast ? m_plot.width() : all[i + 1].x - m_flagSize / 2;
+        const double around = m_flagSize / 2 + 2 * textSpace;
+        painted = paintMark(painter, all[i], next - all[i].x - around,
+                            isLast ? all[i].x - around - painted : 0);
     }
 }
 
@@ -300,7 +304,10 @@ void TrendOverlay::paintFlag(QPainter* painter, const QRectF& place, MarkKind ki
     painter->drawText(place, Qt::AlignCenter, symbolFor(kind));
 }
 
-void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double room) const
+/// With its text to the right, or to the left where only there is room for all of it. Returns how
+/// far to the right it reaches.
+double TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double room,
+                               double roomLeft) const
 {
     const QColor color = colorOf(group.highestSeverity);
     const double x = m_plot.left() + std::round(group.x);
@@ -311,17 +318,24 @@ void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double r
         painter->drawPixmap(flag.topLeft(), flagOf(group.highestSeverity, *painter));
     else
         paintFlag(painter, flag, group.highestSeverity);
-    if (room < minTextWidth && group.count == 1)
-        return; // words do not fit; measuring them for each mark would take its time
+    const double flagEnd = group.x + m_flagSize / 2;
+    if (room < minTextWidth && roomLeft < minTextWidth && group.count == 1)
+        return flagEnd; // words do not fit; measuring them for each mark would take its time
     const QFontMetricsF metrics(m_font);
     const QString text =
         group.count > 1 ? QStringLiteral("+%1").arg(group.count - 1) : markText(group.first);
-    const bool fits = metrics.horizontalAdvance(text) <= room;
-    if (!fits && room < minTextWidth)
-        return;
+    const double width = metrics.horizontalAdvance(text);
+    const double baseline = m_plot.top() - textSpace;
     painter->setPen(color);
-    painter->drawText(QPointF(flag.right() + textSpace, m_plot.top() - textSpace),
-                      fits ? text : metrics.elidedText(text, Qt::ElideRight, room));
+    if (width > room && width <= roomLeft) {
+        painter->drawText(QPointF(flag.left() - textSpace - width, baseline), text);
+        return flagEnd;
+    }
+    if (width > room && room < minTextWidth)
+        return flagEnd;
+    painter->drawText(QPointF(flag.right() + textSpace, baseline),
+                      width <= room ? text : metrics.elidedText(text, Qt::ElideRight, room));
+    return flagEnd + textSpace + std::min(width, room);
 }
 
 void TrendOverlay::paintCursor(QPainter* painter, Cursor which, base::Duration at) const

@@ -52,7 +52,7 @@ private:
     std::vector<MarkGroup> groups() const;
     QString markText(std::size_t mark) const;
     void paintMarks(QPainter* painter) const;
-    void paintMark(QPainter* painter, const MarkGroup& group, double room) const;
+    double paintMark(QPainter* painter, const MarkGroup& group, double room, double roomLeft) const;
     const QPixmap& flagOf(recording::MarkKind kind, const QPainter& painter) const;
     void paintFlag(QPainter* painter, const QRectF& place, recording::MarkKind kind) const;
     void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;

@@ -41,6 +41,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin)"))); }
     void nothingOverlaps_data();
     void nothingOverlaps();
+    void aMarkAtTheRightEdgeShowsAllOfItsText();
 
 private:
     void show(const std::vector<Channel>& channels);
@@ -153,6 +154,28 @@ void TestTrendChartTexts::nothingOverlaps()
     check("banner");
     chart.show({0s, 300ms});
     check("other time");
+    m_fixture.reset();
+}
+
+/// The newest one, as a rule: its text goes to the left of it.
+void TestTrendChartTexts::aMarkAtTheRightEdgeShowsAllOfItsText()
+{
+    m_fixture = std::make_unique<gui::TrendChartFixture>();
+    const QString text = QStringLiteral("ID 6 · Voltage out of range");
+    m_marks = {{1s, recording::MarkKind::Write, 1, QStringLiteral("ID 1 · P gain 32 → 40")},
+               {9900ms, recording::MarkKind::Fault, 6, text}};
+    m_fixture->chart.setMarks(&m_marks);
+    m_fixture->chart.resize(900, 460);
+    m_fixture->chart.show({0s, 10s});
+    show(servos.front());
+    check("mark at the right edge");
+    QWidget* const viewport = m_fixture->plot->viewport();
+    gui::RecordedPainting painting(viewport->size());
+    QPainter painter(&painting);
+    m_fixture->plot->render(&painter, QRectF(viewport->rect()), viewport->rect());
+    painter.end();
+    QVERIFY(std::any_of(painting.texts().begin(), painting.texts().end(),
+                        [&](const gui::PaintedText& one) { return one.text == text; }));
     m_fixture.reset();
 }
 
