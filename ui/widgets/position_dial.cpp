@@ -58,7 +58,7 @@ QSize PositionDial::sizeHint() const
 
 QSize PositionDial::minimumSizeHint() const
 {
-    return {150, 140};
+    return {126, 110};
 }
 
 /// The middle of the range is at the top: 2048 of 4096, 512 of 1024, 500 of 1000.
@@ -244,10 +244,14 @@ void PositionDial::paintTexts(QPainter& painter) const
     QFont big = font();
     big.setPointSizeF(font().pointSizeF() * 1.9);
     big.setBold(true);
-    const int bigLine = QFontMetrics(big).height();
-    const double middle = round.center().y() - bigLine * 0.25;
     const double rim = round.width() / 2 * (1 - textRadius);
     const QRectF inner = round.adjusted(rim, rim, -rim, -rim);
+    // A long value, or a small dial.
+    if (const double width = QFontMetricsF(big).horizontalAdvance(m_view.value);
+        width > inner.width())
+        big.setPointSizeF(big.pointSizeF() * inner.width() / width);
+    const int bigLine = QFontMetrics(big).height();
+    const double middle = round.center().y() - bigLine * 0.25;
     painter.setPen(m_view.isStale ? tone(Tone::Quiet, palette())
                                   : palette().color(QPalette::WindowText));
     painter.setFont(big);

@@ -290,6 +290,26 @@ private Q_SLOTS:
                  "the toolbar of the memory page has a second row");
     }
 
+    /// The dial gives way.
+    void theMotionPanelFitsASmallWindow_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << "en";
+        QTest::newRow("Chinese") << "zh_CN";
+    }
+    void theMotionPanelFitsASmallWindow()
+    {
+        QFETCH(QString, language);
+        gui::MainWindowFixture fixture(language);
+        fixture.page = QStringLiteral("operate");
+        fixture.window->resize(1024, 700);
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:demo")));
+        QTRY_VERIFY(fixture.find<QPushButton>("setGoal")->isVisible());
+        QVERIFY(fixture.waitUntilIdle()); // the fields are there when the table has been read
+        QTRY_VERIFY(fixture.find<QWidget>("speed")->isVisible());
+        QTRY_COMPARE(fixture.find<QScrollArea>("controlScroll")->verticalScrollBar()->maximum(), 0);
+    }
+
     /// Every dialog that opens without a change to a servo.
     void dialogsFit_data()
     {
