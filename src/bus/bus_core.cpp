@@ -29,14 +29,12 @@ QString operationOf(Op op)
     }
 }
 
-/// Silence is the weakest finding: if anything came in any attempt, the user gets that error. Where
-/// only something was asked, a line that was full in one of them explains the others.
-ErrorCode errorFor(const std::vector<Fault>& faults, const protocol::Request& request)
+/// Silence is the weakest finding: if anything came in any attempt, the user gets that error.
+ErrorCode errorFor(const std::vector<Fault>& faults)
 {
     ErrorCode code = ErrorCode::NoReply;
     for (const Fault& fault : faults) {
-        const bool isExplained = code == ErrorCode::LineBusy && request.isRead();
-        if (fault.kind != FaultKind::Timeout && !isExplained)
+        if (fault.kind != FaultKind::Timeout)
             code = errorFor(fault.kind);
     }
     return code;
@@ -181,7 +179,7 @@ Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, bas
                 m_lateReplyGuard.silenceProven(request.id, m_clock.now(), request.protocol);
         }
     }
-    Error error{errorFor(outcome.faults, request)};
+    Error error{errorFor(outcome.faults)};
     if (foreignId && error.code == ErrorCode::NoReply)
         error.detail = QStringLiteral("from %1").arg(*foreignId);
     if (request.repeat == Repeat::Never && !refused) {

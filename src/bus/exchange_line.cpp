@@ -16,6 +16,8 @@ constexpr int maxSilentProbes = 2; ///< the first transaction after opening may 
 
 /// Where it has not fallen silent before, or more comes than a line could carry.
 constexpr Duration shortWait = 5ms;
+/// With less of the time taken by bytes the line has pauses.
+constexpr double minLoad = 0.05;
 
 /// Room for the shortest reply after a stop frame, and for a servo that is slow to begin.
 constexpr std::size_t minReplySize = 6;
@@ -50,13 +52,16 @@ Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
     const Duration start = m_clock.now();
     const Duration limit = start + (m_lineBusy ? shortWait : m_scanner.noiseTolerance());
     Duration span{};
+    Duration carried{}; // by the line, meanwhile
     for (;;) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
+        const std::size_t before = m_line.received();
         const auto hasData = m_line.receive(span);
         if (!hasData)
             return tl::unexpected(hasData.error());
         if (*hasData) {
+            carried += m_line.wireTime(m_line.received() - before);
             m_scanner.scanUnexpected(false);
             m_awaitingSilence = true;
         }
@@ -66,7 +71,8 @@ Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
         const Duration silentAt = std::min({quietFrom, limit, timeout});
         const bool frameOpen = !m_line.pending().empty();
         if ((!m_awaitingSilence && !frameOpen) || now >= silentAt) {
-            m_lineBusy = m_awaitingSilence && now < quietFrom;
+            // A busy computer does not see the pauses between single bytes.
+            m_lineBusy = m_awaitingSilence && now < quietFrom && carried >= minLoad * (now - start);
             break;
         }
         span = std::min(silentAt - now, waitSlice);

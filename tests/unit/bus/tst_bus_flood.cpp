@@ -24,6 +24,7 @@ public:
         base::ManualClock clock;
         Bytes chunk;
         Duration every = 1ms;
+        Duration stall{}; ///< of a computer that is busy with other things
         int baud = 1'000'000;
         bool flows = true;
         Duration next{};
@@ -59,7 +60,8 @@ public:
         const bool comes = m_source.flows && m_source.next <= until;
         m_source.clock.sleepUntil(comes ? std::max(m_source.next, m_source.clock.now() + 10us)
                                         : until);
-        return comes;
+        m_source.clock.sleepUntil(m_source.clock.now() + m_source.stall);
+        return comes || (m_source.flows && m_source.next <= m_source.clock.now());
     }
 
     base::Result<void> setBaud(int baud) override
@@ -198,6 +200,18 @@ private Q_SLOTS:
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Garbled);
         QVERIFY(fixture.source.clock.now() - start < 400ms);
+    }
+
+    /// A busy computer does not see the pauses between them.
+    void aByteEachMillisecondIsNoiseToABusyComputer()
+    {
+        FloodFixture fixture(Kind::Noise);
+        fixture.source.chunk = {0x55};
+        QVERIFY(fixture.core->listen(400ms));
+        fixture.source.stall = 3ms;
+        const auto outcome = fixture.transact(Request::ping(1));
+        QVERIFY(!outcome);
+        QCOMPARE(outcome.error().code, ErrorCode::Garbled);
     }
 
     void recoversWhenItEnds()
