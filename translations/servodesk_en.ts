@@ -179,10 +179,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n byte(s) came after a query to all servos at %1 baud: %2</source>
+        <source>%n byte(s) received after a query to all servos at %1 baud: %2</source>
         <translation>
-            <numerusform>%n byte came after a query to all servos at %1 baud: %2</numerusform>
-            <numerusform>%n bytes came after a query to all servos at %1 baud: %2</numerusform>
+            <numerusform>%n byte received after a query to all servos at %1 baud: %2</numerusform>
+            <numerusform>%n bytes received after a query to all servos at %1 baud: %2</numerusform>
         </translation>
     </message>
     <message numerus="yes">

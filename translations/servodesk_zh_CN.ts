@@ -5090,7 +5090,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Unreadable data was received, but no servo could be confirmed. Possible causes: another baud rate, two servos with the same ID, or noise.</source>
-        <translation>收到无法识别的信号，但不能确认有舵机。可能的原因：波特率不同、ID 重复，或有干扰。</translation>
+        <translation>收到无法识别的数据，但不能确认有舵机。可能的原因：波特率不同、ID 重复，或有干扰。</translation>
     </message>
     <message>
         <source>Several servos replied late, so others may have been missed. Try again with --slow.</source>
@@ -5174,7 +5174,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>start position (default: present position, if there is enough room)</source>
-        <translation>起点（默认：行程余量足够时为当前位置）</translation>
+        <translation>起始位置（默认：行程余量足够时为当前位置）</translation>
     </message>
     <message>
         <source>number of back-and-forth movements (default: 3)</source>
@@ -5584,11 +5584,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>start position: raw value (1024), or value with its unit (90deg)</source>
-        <translation>起点：原始值（1024），或带单位的数值（90deg）</translation>
+        <translation>起始位置：原始值（1024），或带单位的数值（90deg）</translation>
     </message>
     <message>
         <source>end position: raw or with its unit</source>
-        <translation>终点：原始值，或带单位的数值</translation>
+        <translation>结束位置：原始值，或带单位的数值</translation>
     </message>
     <message>
         <source>time from one goal to the next, whether or not the goal is reached</source>
@@ -5910,9 +5910,9 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>
-Totals: servos found %1, requests %2, replies %3, retries %4; half of the replies took less than %5 ms.</source>
+Totals: servos found %1, requests %2, replies %3, retries %4; median reply time below %5 ms.</source>
         <translation>
-总计：找到舵机 %1 个；请求 %2 次，应答 %3 次，重试 %4 次；半数应答用时不到 %5 毫秒。</translation>
+总计：找到舵机 %1 个；请求 %2 次，应答 %3 次，重试 %4 次；应答用时中位数小于 %5 毫秒。</translation>
     </message>
     <message>
         <source>Change two values: one kept after power-off, one lost at power-off</source>
@@ -5948,7 +5948,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>A snapshot before any change</source>
-        <translation>修改之前先保存参数快照</translation>
+        <translation>修改之前先保存快照</translation>
     </message>
     <message>
         <source>Alarms and how to clear them</source>
@@ -6050,7 +6050,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters; a servo counts as silent after 500)</source>
-        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；500 毫秒内无应答才判定舵机无应答）</translation>
+        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；超过 500 毫秒才判定舵机无应答）</translation>
     </message>
     <message>
         <source>Examples:</source>
@@ -6098,11 +6098,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Comparing with the servos</source>
-        <translation>正在与舵机比较</translation>
+        <translation>正在与舵机对比</translation>
     </message>
     <message>
         <source>write all matching entries to a CSV file for programs (without a byte order mark) instead</source>
-        <translation>改为把全部匹配的条目写入供程序读取的 CSV 文件（不带 BOM）</translation>
+        <translation>改为把所有符合条件的内容写入供程序读取的 CSV 文件（不带 BOM）</translation>
     </message>
     <message>
         <source>output as CSV, without a byte order mark</source>
@@ -6157,7 +6157,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>port not found</source>
-        <translation>没有这个端口</translation>
+        <translation>找不到端口</translation>
     </message>
     <message>
         <source>the port is in use</source>
@@ -6201,7 +6201,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>file not found</source>
-        <translation>没有这个文件</translation>
+        <translation>找不到文件</translation>
     </message>
     <message>
         <source>Check the path.</source>
@@ -7120,7 +7120,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>the turn count of this servo is unknown</source>
-        <translation>不知道此舵机转了多少圈</translation>
+        <translation>此舵机的圈数未知</translation>
     </message>
     <message>
         <source>A multi-turn servo loses its turn count at power-off, and this one reports only the position within one turn.</source>
@@ -7528,7 +7528,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>this setting is always kept after power-off</source>
-        <translation>此参数总是断电保存</translation>
+        <translation>此参数断电后总会保留</translation>
     </message>
     <message>
         <source>The servo stores the value immediately and has no lock to prevent this.</source>
@@ -7608,7 +7608,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>start and end are the same position</source>
-        <translation>起点与终点相同</translation>
+        <translation>起始位置与结束位置相同</translation>
     </message>
     <message>
         <source>There would be no travel to measure.</source>
@@ -7620,7 +7620,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>The end would never be reached.</source>
-        <translation>这样永远到不了终点。</translation>
+        <translation>这样永远到不了结束位置。</translation>
     </message>
     <message>
         <source>Enter a step of 1 or more.</source>
@@ -7628,23 +7628,23 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>The path runs in both directions, so the step has no sign.</source>
-        <translation>路径往返都走，步长不分正负。</translation>
+        <translation>往返都按此步长运动，步长不分正负。</translation>
     </message>
     <message>
         <source>Enter a step of 1 or more; to reverse the direction, swap start and end.</source>
-        <translation>请输入不小于 1 的步长；若要反方向，请对调起点和终点。</translation>
+        <translation>请输入不小于 1 的步长；若要反方向，请对调起始位置和结束位置。</translation>
     </message>
     <message>
         <source>the step is larger than the distance from start to end</source>
-        <translation>步长大于起点到终点的距离</translation>
+        <translation>步长大于起始位置到结束位置的距离</translation>
     </message>
     <message>
         <source>Start and end are closer together than one step.</source>
-        <translation>起点与终点的距离比步长还小。</translation>
+        <translation>起始位置与结束位置的距离比步长还小。</translation>
     </message>
     <message>
         <source>Use a smaller step, or move start and end farther apart.</source>
-        <translation>请减小步长，或加大起点与终点的距离。</translation>
+        <translation>请减小步长，或加大起始位置与结束位置的距离。</translation>
     </message>
     <message>
         <source>the list has fewer than two goals</source>
@@ -7687,12 +7687,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <translation>请输入周期（秒）。</translation>
     </message>
     <message>
-        <source>There would be no step to respond to.</source>
-        <translation>没有可响应的阶跃。</translation>
+        <source>With a step of 0, there is no response to measure.</source>
+        <translation>阶跃为 0 时没有可测量的响应。</translation>
     </message>
     <message>
         <source>Enter a nonzero step; it may be negative.</source>
-        <translation>请输入不为 0 的阶跃量，可为负数。</translation>
+        <translation>请输入不为 0 的阶跃大小，可为负数。</translation>
     </message>
     <message>
         <source>the time between goals is out of range</source>
@@ -7708,7 +7708,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>the number of repeats is out of range</source>
-        <translation>重复次数超出范围</translation>
+        <translation>往返次数超出范围</translation>
     </message>
     <message>
         <source>All readings are stored, so a run is limited to fifty steps in each direction.</source>
@@ -7768,7 +7768,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Torque was turned off on the whole bus and has not been turned on again.</source>
-        <translation>整条总线已卸力，此后尚未重新打开扭矩。</translation>
+        <translation>总线上的所有舵机已卸力，此后尚未重新打开扭矩。</translation>
     </message>
     <message>
         <source>Make sure that nothing can move unexpectedly, turn torque on, then start again.</source>
@@ -7844,7 +7844,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>the servo did not reach the start position of the test</source>
-        <translation>舵机没有到达测试起点</translation>
+        <translation>舵机没有到达测试的起始位置</translation>
     </message>
     <message>
         <source>The servo is blocked, too weak or too slow, or its limits prevent the movement.</source>
@@ -7852,7 +7852,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>Remove the obstacle, then check the torque limit, speed and alarms.</source>
-        <translation>请清除阻挡，再检查扭矩限制、速度和报警。</translation>
+        <translation>请清除障碍物，再检查扭矩限制、速度和报警。</translation>
     </message>
     <message>
         <source>the servo rebooted before its first step</source>
@@ -7920,11 +7920,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>The firmware ignores this command, or all settings already had their default values.</source>
-        <translation>固件忽略该指令，或所有设置原本就是出厂值。</translation>
+        <translation>固件忽略该指令，或所有设置原本就是出厂默认值。</translation>
     </message>
     <message>
         <source>Compare the servo&apos;s memory table with the defaults, and write the values that differ.</source>
-        <translation>请将内存表与出厂值对比，并把有差异的参数改为出厂值。</translation>
+        <translation>请将内存表与出厂默认值对比，并把有差异的参数改为出厂默认值。</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -7944,7 +7944,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>live value: never restored</source>
-        <translation>瞬时值：恢复时一律跳过</translation>
+        <translation>实时值：从不恢复</translation>
     </message>
     <message>
         <source>Torque, goals and the lock are saved for reference only, because writing them back could turn the shaft.</source>
@@ -7952,7 +7952,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>lost at power-off: not written by default</source>
-        <translation>掉电丢失：默认不写</translation>
+        <translation>断电丢失：默认不写</translation>
     </message>
     <message>
         <source>The servo resets this value at each power-on.</source>
@@ -8248,7 +8248,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>The servos found reply reliably.</source>
-        <translation>找到的舵机均可靠应答。</translation>
+        <translation>找到的舵机应答均正常。</translation>
     </message>
     <message>
         <source>No servo is connected, or the servos have no power.</source>
@@ -8275,7 +8275,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <translation>请用找到这些舵机时的波特率连接。如需统一波特率，请逐个修改舵机的设置。</translation>
     </message>
     <message>
-        <source>Servos use another protocol than the one selected.</source>
+        <source>Servos use a different protocol from the one selected.</source>
         <translation>舵机使用的协议与所选协议不同。</translation>
     </message>
     <message>
@@ -8287,16 +8287,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <translation>多个舵机的 ID 相同。</translation>
     </message>
     <message>
-        <source>Disconnect all of them but one, give this one an unused ID, then connect the next one. Commissioning guides you through it.</source>
+        <source>Disconnect all but one of these servos, give it an unused ID, then connect the next one. Commissioning guides you through the steps.</source>
         <translation>只保留其中一个，为它设置一个未使用的 ID，再接下一个。“批量设置”页会引导您完成。</translation>
     </message>
     <message>
-        <source>The adapter passes replies on late.</source>
+        <source>The adapter delivers replies late.</source>
         <translation>适配器转发应答较慢。</translation>
     </message>
     <message>
         <source>ServoDesk waits for them, but other programs may find no servo: set their timeout above this time. For an FTDI adapter, set the latency timer to 1 ms: in /sys/bus/usb-serial/devices/ttyUSB0/latency_timer on Linux, in the device manager on Windows. Use a wired connection to a network bridge.</source>
-        <translation>ServoDesk 会等待这些应答，但其他程序可能找不到舵机：请把它们的超时设得比此时间长。FTDI 适配器请把延迟定时器设为 1 ms：Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置。网络转接器请使用有线连接。</translation>
+        <translation>ServoDesk 会等待这些应答，但其他程序可能找不到舵机：请把它们的超时设得比此时间长。FTDI 适配器请把延迟定时器设为 1 毫秒：Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置。网桥请使用有线连接。</translation>
     </message>
     <message>
         <source>Servos do not acknowledge writes (response level 0).</source>
@@ -8311,20 +8311,20 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         <translation>应答在线路上损坏或丢失。</translation>
     </message>
     <message>
-        <source>Check plugs and leads, connect the grounds of adapter and supply, and use short leads. Then disconnect the servos one after another: a faulty one can disturb the whole line. If it only happens while servos move, the supply is too weak.</source>
+        <source>Check the connectors and cables, connect the grounds of the adapter and the power supply, and keep cables short. Then disconnect the servos one after another: a single faulty servo can disturb the whole bus. If this happens only while servos move, the power supply is too weak.</source>
         <translation>请检查插头和导线，将适配器与电源共地，并使用较短的导线。然后逐个拔下舵机：一个有故障的舵机就可能干扰整条总线。如果只在舵机转动时出现，说明电源功率不足。</translation>
     </message>
     <message>
-        <source>A program&apos;s text comes from the port, not servo data.</source>
-        <translation>从该串口收到的是某个程序的文本，而不是舵机数据。</translation>
+        <source>The port sends program text instead of servo data.</source>
+        <translation>从该端口收到的是某个程序的文本，而不是舵机数据。</translation>
     </message>
     <message>
-        <source>The port belongs to a board that runs a program of its own. Load a program onto it that passes the bytes on to the servos, or use a servo adapter.</source>
-        <translation>该串口属于一块运行自身程序的开发板。请在板上烧录透传程序，或使用舵机适配器。</translation>
+        <source>The port belongs to a board that runs its own firmware. Load a pass-through program onto it that forwards all bytes to the servos, or use a servo adapter.</source>
+        <translation>该端口属于一块运行自身程序的开发板。请在板上烧录透传程序，或使用舵机适配器。</translation>
     </message>
     <message>
         <source>%1 opens at %2 baud.</source>
-        <translation>%1 能以 %2 波特打开。</translation>
+        <translation>%1 能以波特率 %2 打开。</translation>
     </message>
     <message>
         <source>The adapter returns what is sent (echo). This is filtered out.</source>
@@ -8341,18 +8341,18 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n byte(s) came after a query to all servos at %1 baud: %2</source>
+        <source>%n byte(s) received after a query to all servos at %1 baud: %2</source>
         <translation>
-            <numerusform>以 %1 波特查询所有舵机后收到 %n 个字节：%2</numerusform>
+            <numerusform>以波特率 %1 查询所有舵机后收到 %n 个字节：%2</numerusform>
         </translation>
     </message>
     <message>
         <source>Text received at %1 baud: %2</source>
-        <translation>以 %1 波特收到文本：%2</translation>
+        <translation>以波特率 %1 收到文本：%2</translation>
     </message>
     <message>
         <source>At %1 baud the line is never idle: a device is sending continuously.</source>
-        <translation>以 %1 波特监听时总线从不空闲：有设备在不停发送。</translation>
+        <translation>波特率 %1 下线路一直没有空闲：有设备在不停发送。</translation>
     </message>
     <message>
         <source>The adapter does not support these baud rates: %1</source>
@@ -8365,27 +8365,27 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message numerus="yes">
         <source>%n servo(s) found at %1 baud (%2): ID %3</source>
         <translation>
-            <numerusform>以 %1 波特（%2）找到 %n 个舵机：ID %3</numerusform>
+            <numerusform>以波特率 %1（%2）找到 %n 个舵机：ID %3</numerusform>
         </translation>
     </message>
     <message>
         <source>The slowest servo (ID %1) replies after %2 ms.</source>
-        <translation>应答最慢的舵机（ID %1）用时 %2 ms。</translation>
+        <translation>应答最慢的舵机（ID %1）用时 %2 毫秒。</translation>
     </message>
     <message>
         <source>ID %1: %2 of %3 replies were lost.</source>
-        <translation>ID %1：%3 次应答中丢失 %2 次。</translation>
+        <translation>ID %1：%3 个应答中丢失 %2 个。</translation>
     </message>
     <message>
         <source>ID %1: %2 of %3 replies were damaged.</source>
-        <translation>ID %1：%3 次应答中损坏 %2 次。</translation>
+        <translation>ID %1：%3 个应答中损坏 %2 个。</translation>
     </message>
     <message>
         <source>ID %1: %2 of %3 readings were damaged.</source>
-        <translation>ID %1：%3 次读取中损坏 %2 次。</translation>
+        <translation>ID %1：%3 次读取中有 %2 次数据损坏。</translation>
     </message>
     <message>
-        <source>ID %1: several replies came to one request.</source>
+        <source>ID %1: one request received several replies.</source>
         <translation>ID %1：一次请求收到多个应答。</translation>
     </message>
     <message>
@@ -8399,12 +8399,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     <message numerus="yes">
         <source>No reply to %n test query(s) was lost or damaged.</source>
         <translation>
-            <numerusform>%n 次测试查询全部得到完好的应答。</numerusform>
+            <numerusform>%n 次测试查询的应答均无丢失或损坏。</numerusform>
         </translation>
     </message>
     <message>
         <source>Another program uses the port at the same time.</source>
-        <translation>另一个程序正在同时使用该串口。</translation>
+        <translation>另一个程序正在同时使用该端口。</translation>
     </message>
     <message>
         <source>Close the other program: each takes replies that belong to the other one.</source>
@@ -8412,18 +8412,18 @@ Totals: servos found %1, requests %2, replies %3, retries %4; half of the replie
     </message>
     <message>
         <source>The port is also open in %1.</source>
-        <translation>该串口同时被 %1 打开。</translation>
+        <translation>该端口同时被 %1 打开。</translation>
     </message>
     <message>
         <source>The latency timer of the adapter is set to %1 ms.</source>
-        <translation>适配器的延迟定时器设为 %1 ms。</translation>
+        <translation>适配器的延迟定时器设为 %1 毫秒。</translation>
     </message>
     <message>
-        <source>Every servo replies at once.</source>
+        <source>All servos reply without noticeable delay.</source>
         <translation>每个舵机都立即应答。</translation>
     </message>
     <message>
-        <source>If one is missing, connect it alone and run the diagnosis again: it tries more baud rates and protocols while none replies. Check its lead and supply first.</source>
+        <source>If a servo is missing, check its cable and power supply first. Then connect only that servo and run the diagnosis again: as long as no servo replies, the diagnosis tries more baud rates and protocols.</source>
         <translation>如果缺少某个舵机，请先检查它的导线和供电，然后只接这一个舵机重新诊断：没有舵机应答时会尝试更多波特率和协议。</translation>
     </message>
     <message>

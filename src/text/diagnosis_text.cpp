@@ -25,10 +25,10 @@ struct CauseEntry {
 /// A port that could not be opened has the texts of its error.
 constexpr std::array causes{
     CauseEntry{Cause::Found, QT_TRANSLATE_NOOP("text", "The servos found reply reliably."),
-               QT_TRANSLATE_NOOP("text",
-                                 "If one is missing, connect it alone and run the diagnosis "
-                                 "again: it tries more baud rates and protocols while "
-                                 "none replies. Check its lead and supply first.")},
+               QT_TRANSLATE_NOOP(
+                   "text", "If a servo is missing, check its cable and power supply first. Then "
+                           "connect only that servo and run the diagnosis again: as long as no "
+                           "servo replies, the diagnosis tries more baud rates and protocols.")},
     CauseEntry{Cause::PortBusy,
                QT_TRANSLATE_NOOP("text", "Another program uses the port at the same time."),
                QT_TRANSLATE_NOOP("text",
@@ -55,17 +55,16 @@ constexpr std::array causes{
                                          "use one rate for all servos, change it in each of "
                                          "them.")},
     CauseEntry{Cause::OtherProtocol,
-               QT_TRANSLATE_NOOP("text", "Servos use another protocol than the one selected."),
+               QT_TRANSLATE_NOOP("text", "Servos use a different protocol from the one selected."),
                QT_TRANSLATE_NOOP("text",
                                  "Select the protocol in which they were found, or automatic "
                                  "selection.")},
     CauseEntry{Cause::TwoServosOneId, QT_TRANSLATE_NOOP("text", "Several servos have the same ID."),
-               QT_TRANSLATE_NOOP("text",
-                                 "Disconnect all of them but one, give this one an unused ID, "
-                                 "then connect the next one. Commissioning guides you through "
-                                 "it.")},
+               QT_TRANSLATE_NOOP(
+                   "text", "Disconnect all but one of these servos, give it an unused ID, then "
+                           "connect the next one. Commissioning guides you through the steps.")},
     CauseEntry{
-        Cause::LateAdapter, QT_TRANSLATE_NOOP("text", "The adapter passes replies on late."),
+        Cause::LateAdapter, QT_TRANSLATE_NOOP("text", "The adapter delivers replies late."),
         QT_TRANSLATE_NOOP(
             "text",
             "ServoDesk waits for them, but other programs may find no servo: set their timeout "
@@ -79,17 +78,18 @@ constexpr std::array causes{
                                  "that the servo does not reply: set the response level to 1.")},
     CauseEntry{
         Cause::Noise, QT_TRANSLATE_NOOP("text", "Replies are damaged or get lost on the line."),
+        QT_TRANSLATE_NOOP("text",
+                          "Check the connectors and cables, connect the grounds of the adapter and "
+                          "the power supply, and keep cables short. Then disconnect the servos one "
+                          "after another: a single faulty servo can disturb the whole bus. If this "
+                          "happens only while servos move, the power supply is too weak.")},
+    CauseEntry{
+        Cause::BoardNotAdapter,
+        QT_TRANSLATE_NOOP("text", "The port sends program text instead of servo data."),
         QT_TRANSLATE_NOOP(
             "text",
-            "Check plugs and leads, connect the grounds of adapter and supply, and use short "
-            "leads. Then disconnect the servos one after another: a faulty one can disturb the "
-            "whole line. If it only happens while servos move, the supply is too weak.")},
-    CauseEntry{Cause::BoardNotAdapter,
-               QT_TRANSLATE_NOOP("text", "A program's text comes from the port, not servo data."),
-               QT_TRANSLATE_NOOP(
-                   "text",
-                   "The port belongs to a board that runs a program of its own. Load a program "
-                   "onto it that passes the bytes on to the servos, or use a servo adapter.")},
+            "The port belongs to a board that runs its own firmware. Load a pass-through program "
+            "onto it that forwards all bytes to the servos, or use a servo adapter.")},
 };
 
 QString counted(const char* words, const Evidence& evidence)
@@ -113,7 +113,7 @@ QString idList(const Evidence& evidence)
 QString replyTimeText(const Evidence& evidence)
 {
     if (evidence.time < shortestTime)
-        return translate("text", "Every servo replies at once.");
+        return translate("text", "All servos reply without noticeable delay.");
     return translate("text", "The slowest servo (ID %1) replies after %2 ms.")
         .arg(evidence.id)
         .arg(milliseconds(evidence.time), 0, 'f', 1);
@@ -138,7 +138,7 @@ QString lineText(const Evidence& evidence)
         return translate("text", "Nothing was received at any of %n baud rate(s).", nullptr,
                          evidence.count);
     case EvidenceKind::BytesReceived:
-        return translate("text", "%n byte(s) came after a query to all servos at %1 baud: %2",
+        return translate("text", "%n byte(s) received after a query to all servos at %1 baud: %2",
                          nullptr, evidence.count)
             .arg(evidence.baud)
             .arg(evidence.text);
@@ -196,7 +196,7 @@ QString evidenceText(const Evidence& evidence)
         return counted(QT_TRANSLATE_NOOP("text", "ID %1: %2 of %3 readings were damaged."),
                        evidence);
     case EvidenceKind::SecondReply:
-        return counted(QT_TRANSLATE_NOOP("text", "ID %1: several replies came to one request."),
+        return counted(QT_TRANSLATE_NOOP("text", "ID %1: one request received several replies."),
                        evidence);
     case EvidenceKind::DifferentValues:
         return counted(QT_TRANSLATE_NOOP("text", "ID %1: the readings cannot come from one servo."),

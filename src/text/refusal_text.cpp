@@ -140,7 +140,7 @@ constexpr std::array badArgument{
                 QT_TRANSLATE_NOOP("text", "The speed of the movement is undefined."),
                 QT_TRANSLATE_NOOP("text", "Enter the period in seconds.")},
     RefusalText{"no-size", QT_TRANSLATE_NOOP("text", "the step is 0"),
-                QT_TRANSLATE_NOOP("text", "There would be no step to respond to."),
+                QT_TRANSLATE_NOOP("text", "With a step of 0, there is no response to measure."),
                 QT_TRANSLATE_NOOP("text", "Enter a nonzero step; it may be negative.")},
     RefusalText{
         "no-hold", QT_TRANSLATE_NOOP("text", "the time between goals is out of range"),

@@ -78,8 +78,8 @@ base::Result<void> Tour::summarize()
         found.push_back(one.servo.id);
     const bus::Statistics statistics = ready->bus.statistics();
     const bus::Counters& total = statistics.total;
-    print(translate("cli", "\nTotals: servos found %1, requests %2, replies %3, retries %4; half "
-                           "of the replies took less than %5 ms.")
+    print(translate("cli", "\nTotals: servos found %1, requests %2, replies %3, retries %4; median "
+                           "reply time below %5 ms.")
               .arg(m_found.found.size())
               .arg(total.sent)
               .arg(total.ok)

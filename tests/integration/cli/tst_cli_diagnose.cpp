@@ -81,7 +81,7 @@ void TestCliDiagnose::allIsWell()
     QVERIFY(document[QLatin1String("also")].toArray().isEmpty());
     QVERIFY(document[QLatin1String("evidence")].toArray().size() > 3);
     QVERIFY(document[QLatin1String("remedy")].toString().startsWith(
-        QLatin1String("If one is missing")));
+        QLatin1String("If a servo is missing")));
 }
 
 void TestCliDiagnose::aPortThatIsMissingIsACause()
