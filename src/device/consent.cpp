@@ -9,13 +9,29 @@
 namespace device {
 using catalog::Role;
 
+namespace {
+bool isAngleLimit(const RegisterValue& item)
+{
+    return item.reg->role == Role::MinAngle || item.reg->role == Role::MaxAngle;
+}
+} // namespace
+
 bool removesAngleLimits(const Servo& servo, const RegisterValues& items)
 {
-    const bool concerned = std::any_of(items.begin(), items.end(), [](const RegisterValue& item) {
-        return item.reg->role == Role::MinAngle || item.reg->role == Role::MaxAngle;
-    });
     const auto change = modeChange(servo, items);
-    return concerned && change && change->to->limitsZero;
+    return std::any_of(items.begin(), items.end(), isAngleLimit) && change &&
+           change->to->limitsZero;
+}
+
+bool canRemoveAngleLimits(const catalog::Profile& profile, const RegisterValues& items)
+{
+    const bool isMode = std::any_of(profile.modes.begin(), profile.modes.end(),
+                                    [](const catalog::Mode& mode) { return mode.limitsZero; });
+    const auto keepsLimit = [](const RegisterValue& item) {
+        return isAngleLimit(item) && item.raw != 0;
+    };
+    return isMode && std::any_of(items.begin(), items.end(), isAngleLimit) &&
+           std::none_of(items.begin(), items.end(), keepsLimit);
 }
 
 base::Result<void> requireConsent(const catalog::Register& reg, std::int64_t raw, Consent consent,

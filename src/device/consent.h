@@ -15,7 +15,7 @@ public:
     static constexpr Consent confirmed() { return Consent(true); }
     /// An option of the command line.
     static constexpr Consent byOption(bool given) { return Consent(given); }
-    /// Given for the change that is now finished, undone or rolled back.
+    /// Given for the change that was interrupted or failed, and is now finished or rolled back.
     static constexpr Consent ofEarlierChange() { return Consent(true); }
     /// The task itself names the risk: changing the mode, clearing an alarm.
     static constexpr Consent byTask(bool given = true) { return Consent(given); }
@@ -32,6 +32,9 @@ private:
 /// Whether both angle limits become 0, and that selects another mode: the shaft then turns without
 /// a limit. Against what has been read of the servo; false where that is not enough to tell.
 bool removesAngleLimits(const Servo& servo, const RegisterValues& items);
+/// The same of servos of this model whose values are not known: a limit that is not written may be
+/// 0 there.
+bool canRemoveAngleLimits(const catalog::Profile& profile, const RegisterValues& items);
 
 /// NeedsConsent (write_meaning.h decides) where writing this value needs a consent that is not
 /// given; "turns" as detail where it also moves the shaft. `id`: of the servo, for the error.

@@ -7,9 +7,6 @@ namespace device {
 using catalog::Role;
 
 namespace {
-/// Bit of the fault reset register: "the present position becomes the middle" (Modbus sheet).
-constexpr std::int64_t centerBit = 4;
-
 WriteProcedure procedureOf(const catalog::Register& reg, std::int64_t raw)
 {
     switch (reg.role) {

@@ -6,6 +6,9 @@
 #include "catalog/register.h"
 
 namespace device {
+/// Bit of the fault reset register: "the present position becomes the middle" (Modbus sheet).
+inline constexpr std::int64_t centerBit = 4;
+
 /// How a value is written; a mixture is written in this order.
 enum class WriteProcedure : std::uint8_t {
     Torque,

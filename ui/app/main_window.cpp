@@ -54,7 +54,8 @@ void showSingle(QWidget& parent, Make make)
 }
 
 /// What could not be used of the user's own files: it never prevents the start.
-std::vector<base::Error> startupErrors(const session::Session& session, session::Settings& settings)
+std::vector<base::Error> startupErrors(const session::Session& session,
+                                       const session::Settings& settings)
 {
     std::vector<base::Error> errors;
     const auto add = [&](const QString& detail) {
@@ -64,8 +65,6 @@ std::vector<base::Error> startupErrors(const session::Session& session, session:
         add(QStringList{warning.file, warning.where, warning.detail}.join(QStringLiteral(": ")));
     if (!settings.brokenCopy().isEmpty())
         add(settings.brokenCopy());
-    if (const auto removed = session::removeStoredPassword(settings))
-        errors.push_back(*removed);
     return errors;
 }
 } // namespace
@@ -201,7 +200,8 @@ void MainWindow::connectCommands()
     on(Command::StopTask, [this] { m_workbench.tasks().stop(); });
     on(Command::ReadTable,
        [this] { m_workbench.writes().readTable(m_context.selection.current()); });
-    on(Command::Undo, [this] { undo(m_workbench.writes(), m_context.selection); });
+    on(Command::Undo,
+       [this] { undo(m_workbench.writes(), m_workbench.registry(), m_context.selection, this); });
     on(Command::Redo,
        [this] { redo(m_workbench.writes(), m_workbench.registry(), m_context.selection, this); });
     on(Command::MessageLog, [this](bool shown) { m_logDock->setVisible(shown); });

@@ -5,16 +5,20 @@
 
 namespace ui {
 namespace {
-std::vector<Question> questionsOf(const session::ServoRegistry& registry,
-                                  const session::UndoStep& step)
-{
-    const session::ServoEntry* entry = registry.servo(step.servo);
-    if (entry == nullptr || !entry->servo.profile)
-        return {};
-    return writeQuestions(*entry, step.newItems, step.temporary);
-}
+using session::UndoStep;
 
-bool sameStep(const session::UndoStep& a, const session::UndoStep& b)
+/// Undo writes the old values of a step, redo its new ones.
+struct Direction {
+    const UndoStep* (session::WriteService::*next)() const;
+    void (session::WriteService::*write)(device::Consent);
+    std::vector<device::WriteItem> UndoStep::*items;
+};
+constexpr Direction undoing{&session::WriteService::undoStep, &session::WriteService::undo,
+                            &UndoStep::oldItems};
+constexpr Direction redoing{&session::WriteService::redoStep, &session::WriteService::redo,
+                            &UndoStep::newItems};
+
+bool sameStep(const UndoStep& a, const UndoStep& b)
 {
     const auto same = [](const device::WriteItem& one, const device::WriteItem& other) {
         return one.key == other.key && one.raw == other.raw;
@@ -23,51 +27,53 @@ bool sameStep(const session::UndoStep& a, const session::UndoStep& b)
                                             b.newItems.begin(), b.newItems.end(), same);
 }
 
-void confirmFrom(session::WriteService& writes, QWidget* parent, const session::UndoStep& step,
-                 std::vector<Question> questions)
+void confirmFrom(session::WriteService& writes, QWidget* parent, const Direction& direction,
+                 const UndoStep& step, std::vector<Question> questions)
 {
-    const session::UndoStep* next = writes.redoStep();
+    const UndoStep* next = (writes.*direction.next)();
     if (next == nullptr || !sameStep(*next, step))
         return;
     if (questions.empty()) {
-        writes.redo(device::Consent::confirmed());
+        (writes.*direction.write)(device::Consent::confirmed());
         return;
     }
     Question first = std::move(questions.front());
     questions.erase(questions.begin());
     first.guard = parent;
-    ask(parent, first, [&writes, parent, step, questions = std::move(questions)] {
-        confirmFrom(writes, parent, step, questions);
+    ask(parent, first, [&writes, parent, direction, step, questions = std::move(questions)] {
+        confirmFrom(writes, parent, direction, step, questions);
     });
 }
 
-void selectServoOf(const session::UndoStep& step, Selection& selection)
+void writeStep(session::WriteService& writes, const session::ServoRegistry& registry,
+               Selection& selection, QWidget* parent, const Direction& direction)
 {
-    if (step.servo != selection.current())
-        selection.select(step.servo);
+    const UndoStep* next = (writes.*direction.next)();
+    if (next == nullptr)
+        return;
+    if (next->servo != selection.current())
+        selection.select(next->servo);
+    const session::ServoEntry* entry = registry.servo(next->servo);
+    const std::vector<Question> questions =
+        entry != nullptr && entry->servo.profile
+            ? writeQuestions(*entry, next->*direction.items, next->temporary)
+            : std::vector<Question>{};
+    if (questions.empty())
+        (writes.*direction.write)({}); // refused where it needs consent after all
+    else
+        confirmFrom(writes, parent, direction, *next, questions);
 }
 } // namespace
 
-void undo(session::WriteService& writes, Selection& selection)
+void undo(session::WriteService& writes, const session::ServoRegistry& registry,
+          Selection& selection, QWidget* parent)
 {
-    const session::UndoStep* next = writes.undoStep();
-    if (next == nullptr)
-        return;
-    selectServoOf(*next, selection);
-    writes.undo();
+    writeStep(writes, registry, selection, parent, undoing);
 }
 
 void redo(session::WriteService& writes, const session::ServoRegistry& registry,
           Selection& selection, QWidget* parent)
 {
-    const session::UndoStep* next = writes.redoStep();
-    if (next == nullptr)
-        return;
-    selectServoOf(*next, selection);
-    const std::vector<Question> questions = questionsOf(registry, *next);
-    if (questions.empty())
-        writes.redo(); // refuses dangerous registers that it has not read
-    else
-        confirmFrom(writes, parent, *next, questions);
+    writeStep(writes, registry, selection, parent, redoing);
 }
 } // namespace ui

@@ -57,8 +57,8 @@ void askToUndo(QWidget* page, session::Workbench& workbench, const history::Hist
     const session::ServoEntry& entry = *connectedServo(workbench, servo);
     const catalog::Register& reg = *entry.servo.profile->find(write.key);
     const auto now = entry.displayedRaw(reg);
-    Question question =
-        writeQuestion(entry, reg, write.oldRaw, write.temporary).value_or(Question{});
+    const auto risky = writeQuestion(entry, reg, write.oldRaw, write.temporary);
+    Question question = risky.value_or(Question{});
     question.title = translate("History", "Undo this write?");
     QStringList sentences{translate("History", "ID %1 · %2: %3 changes from %4 to %5.")
                               .arg(entry.servo.id)
@@ -74,8 +74,9 @@ void askToUndo(QWidget* page, session::Workbench& workbench, const history::Hist
     question.guard = page;
     ask(page, question,
         [&workbench, ref = entry.ref, key = write.key, raw = write.oldRaw,
-         temporary = write.temporary] {
-            workbench.writes().write(ref, {{{key, raw}}, temporary, device::Consent::confirmed()});
+         temporary = write.temporary,
+         consent = risky ? device::Consent::confirmed() : device::Consent()] {
+            workbench.writes().write(ref, {{{key, raw}}, temporary, consent});
         });
 }
 } // namespace ui

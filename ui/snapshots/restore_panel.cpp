@@ -53,20 +53,9 @@ bool isAngleLimit(const jobs::RestorePlan& plan, const QString& key)
            (reg->role == catalog::Role::MinAngle || reg->role == catalog::Role::MaxAngle);
 }
 
-/// Other servos lose their angle limits; this one may have none already.
-bool removesAngleLimits(const jobs::RestorePlan& plan)
-{
-    const auto isZero = [&](catalog::Role role) {
-        const catalog::Register* reg = plan.servo.profile->byRole(role);
-        const jobs::RestoreRow* row = reg != nullptr ? plan.find(reg->key) : nullptr;
-        return row != nullptr && isTransferable(*row) && row->newRaw == 0;
-    };
-    return isZero(catalog::Role::MinAngle) && isZero(catalog::Role::MaxAngle);
-}
-
 void addRows(ApplySource& source, const jobs::RestorePlan& plan)
 {
-    source.dangerous = source.dangerous || removesAngleLimits(plan);
+    device::RegisterValues values;
     for (const jobs::RestoreRow& row : plan.rows) {
         if (!isTransferable(row))
             continue;
@@ -74,7 +63,12 @@ void addRows(ApplySource& source, const jobs::RestorePlan& plan)
         source.dangerous = source.dangerous || row.reasons.testFlag(RestoreReason::NeedsConsent);
         if (row.reasons.testFlag(RestoreReason::OtherModelLimit))
             source.otherModelLimits << row.key;
+        const catalog::Register* reg = plan.servo.profile->find(row.key);
+        if (reg != nullptr && row.newRaw)
+            values.push_back({reg, *row.newRaw});
     }
+    source.dangerous =
+        source.dangerous || device::canRemoveAngleLimits(*plan.servo.profile, values);
 }
 } // namespace
 
@@ -234,7 +228,7 @@ QStringList RestorePanel::risks() const
         if (row->reasons.testFlag(RestoreReason::OtherModelLimit))
             lines
                 << tr("%1: this limit comes from another model (%2).").arg(name, plan.sourceModel);
-        else if (row->reasons.testFlag(RestoreReason::NeedsConsent) && isAngleLimit(plan, one.key))
+        if (row->reasons.testFlag(RestoreReason::NeedsConsent) && isAngleLimit(plan, one.key))
             lines << tr("%1: with both angle limits at 0, the shaft can turn past any position.")
                          .arg(name);
         else if (row->reasons.testFlag(RestoreReason::NeedsConsent))

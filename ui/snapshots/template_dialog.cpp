@@ -2,6 +2,7 @@
 #include "ui/snapshots/template_dialog.h"
 
 #include "catalog/value.h"
+#include "device/write_meaning.h"
 #include "jobs/restore/restore_rows.h"
 #include "text/language.h"
 #include "ui/common/dialog_sizes.h"
@@ -79,8 +80,8 @@ void TemplateDialog::fill(const snapshot::Snapshot& from)
         auto* tick = new QTableWidgetItem;
         tick->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         tick->setData(keyRole, reg.key);
-        const bool own = reg.defaultRaw && *reg.defaultRaw != *has->raw && !reg.dangerous &&
-                         reg.area == catalog::Area::Eprom;
+        const bool own = reg.defaultRaw && *reg.defaultRaw != *has->raw &&
+                         !device::alwaysNeedsConsent(reg) && reg.area == catalog::Area::Eprom;
         tick->setCheckState(own ? Qt::Checked : Qt::Unchecked);
         m_table->setItem(row, 0, tick);
         m_table->setItem(row, 1, new QTableWidgetItem(QString::number(qint64(*has->raw))));

@@ -2,6 +2,7 @@
 #include "device/motion/motion.h"
 #include "device/transactions.h"
 #include "device/write_access.h"
+#include "device/write_meaning.h"
 #include "jobs/change/change_steps.h"
 
 #include <cstdlib>
@@ -16,8 +17,6 @@ namespace {
 const QString centerOperation = QStringLiteral("center");
 /// Register 40, SMS and STS: "make the present position 2048".
 constexpr std::int64_t centerCommand = 128;
-/// Fault reset register, SMSMB: the same.
-constexpr std::int64_t centerBit = 4;
 /// The free shaft may still settle by this much while it is centered.
 constexpr std::int64_t tolerance = 12;
 
@@ -57,8 +56,9 @@ protocol::Request calibrationRequest(const device::Servo& servo)
     auto request =
         method == Centering::Instruction0B
             ? protocol::Request::calibrate(servo.id, std::nullopt, servo.profile->byteOrder)
-        : method == Centering::FaultReset4 ? writeRequest(servo, Role::FaultReset, centerBit)
-                                           : writeRequest(servo, Role::TorqueSwitch, centerCommand);
+        : method == Centering::FaultReset4
+            ? writeRequest(servo, Role::FaultReset, device::centerBit)
+            : writeRequest(servo, Role::TorqueSwitch, centerCommand);
     request.acknowledged = servo.repliesToWrites();
     return request.in(servo.protocol);
 }

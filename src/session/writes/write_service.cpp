@@ -314,16 +314,14 @@ const UndoStep* WriteService::redoStep() const
     return m_redo.empty() || m_pendingStep ? nullptr : &m_redo.back();
 }
 
-void WriteService::undo()
+void WriteService::undo(device::Consent consent)
 {
     if (undoStep() == nullptr)
         return;
     m_pendingStep = m_undo.back();
     m_undo.pop_back();
-    enqueueWrite(
-        m_pendingStep->servo,
-        {m_pendingStep->oldItems, m_pendingStep->temporary, device::Consent::ofEarlierChange()},
-        WriteKind::Undo, m_pendingStep->newItems);
+    enqueueWrite(m_pendingStep->servo, {m_pendingStep->oldItems, m_pendingStep->temporary, consent},
+                 WriteKind::Undo, m_pendingStep->newItems);
     Q_EMIT undoChanged();
 }
 

@@ -28,8 +28,8 @@ public:
 
     const UndoStep* undoStep() const;
     const UndoStep* redoStep() const;
-    void undo();
-    /// Consent is asked for anew; without it a dangerous row is refused.
+    /// Consent is asked for anew; without it a dangerous row is refused, in both.
+    void undo(device::Consent consent = {});
     void redo(device::Consent consent = {});
 
     /// Reads this servo's writes from the journal; servoChanged follows.

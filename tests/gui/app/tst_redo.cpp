@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Redo in the window: it asks again what was asked the first time, and the message reports what was
-// done.
+// Undo and redo in the window: they ask what a write of these values asks, and the message reports
+// what was done.
 #include "gui/main_window_fixture.h"
 #include "support/test_main.h"
 
@@ -30,26 +30,24 @@ private Q_SLOTS:
             {{{condition, *before ^ 1}}, false, device::Consent::confirmed()});
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw("unload_condition"), std::optional<std::int64_t>(*before ^ 1));
-        fixture.action(ui::Command::Undo)->trigger();
-        QVERIFY(fixture.waitUntilIdle());
-        QCOMPARE(fixture.raw("unload_condition"), before);
         const auto message = [&] { return fixture.find<QLabel>("messageText")->toolTip(); };
-        QTRY_VERIFY2(message().startsWith(QStringLiteral("Undone")), qPrintable(message()));
-
-        for (const bool yes : {false, true}) {
-            fixture.action(ui::Command::Redo)->trigger();
-            QTRY_VERIFY(fixture.find<QDialog>("question") != nullptr);
-            QVERIFY(fixture.waitUntilIdle());
-            QCOMPARE(fixture.raw("unload_condition"), before); // nothing before the answer
-            auto* answer = fixture.find<QPushButton>(yes ? "questionYes" : "questionNo");
-            QVERIFY(answer != nullptr);
-            QTest::mouseClick(answer, Qt::LeftButton);
-            QTRY_VERIFY(fixture.find<QDialog>("question") == nullptr);
-            QVERIFY(fixture.waitUntilIdle());
-            QCOMPARE(fixture.raw("unload_condition"),
-                     std::optional<std::int64_t>(yes ? *before ^ 1 : *before));
+        for (const bool isUndo : {true, false}) {
+            const std::int64_t from = isUndo ? *before ^ 1 : *before;
+            for (const bool yes : {false, true}) {
+                fixture.action(isUndo ? ui::Command::Undo : ui::Command::Redo)->trigger();
+                QTRY_VERIFY(fixture.find<QDialog>("question") != nullptr);
+                QVERIFY(fixture.waitUntilIdle());
+                QCOMPARE(fixture.raw("unload_condition"), from); // nothing before the answer
+                auto* answer = fixture.find<QPushButton>(yes ? "questionYes" : "questionNo");
+                QVERIFY(answer != nullptr);
+                QTest::mouseClick(answer, Qt::LeftButton);
+                QTRY_VERIFY(fixture.find<QDialog>("question") == nullptr);
+                QVERIFY(fixture.waitUntilIdle());
+                QCOMPARE(fixture.raw("unload_condition"), yes ? from ^ 1 : from);
+            }
+            const QString done = isUndo ? QStringLiteral("Undone") : QStringLiteral("Redone");
+            QTRY_VERIFY2(message().startsWith(done), qPrintable(message()));
         }
-        QTRY_VERIFY2(message().startsWith(QStringLiteral("Redone")), qPrintable(message()));
     }
 
     /// The button names what it changes back and in which servo, and selects that servo.

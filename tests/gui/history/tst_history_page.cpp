@@ -374,6 +374,24 @@ private Q_SLOTS:
         QCOMPARE(undo->toolTip(), QStringLiteral("The register already holds the old value."));
     }
 
+    void undoingARiskyWriteNamesTheRisk()
+    {
+        HistoryPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        const auto before = fixture.raw("unload_condition");
+        QVERIFY(fixture.write("unload_condition", 32));
+        QTRY_COMPARE(fixture.rows(), 1);
+        auto* undo = fixture.find<QPushButton>("historyUndo");
+        QTRY_VERIFY(undo->isEnabled());
+        QTest::mouseClick(undo, Qt::LeftButton);
+        auto* question = fixture.find<QDialog>("question");
+        QVERIFY(question != nullptr);
+        const auto* risk = question->findChild<QLabel*>(QStringLiteral("questionRisk"));
+        QVERIFY(risk != nullptr && risk->text().contains(QStringLiteral("burn out")));
+        gui::click(question, "questionYes");
+        QTRY_COMPARE(fixture.raw("unload_condition"), before);
+    }
+
     void whatCannotBeUndoneSaysWhy()
     {
         HistoryPageFixture fixture;

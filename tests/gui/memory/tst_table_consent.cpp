@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every value of every register that must ask, entered into the memory table of every family: a
-// question or the action's own dialog comes first, and without it nothing is written. What undo and
-// redo write asks again. See tst_consent for what is beneath, tst_cli_consent for the command line.
+// question or the action's own dialog comes first, and without it nothing is written. Undo and redo
+// ask the same. See tst_consent for what is beneath, tst_cli_consent for the command line.
 #include "gui/workbench_fixture.h"
 #include "support/consent_rules.h"
 #include "support/test_main.h"
 #include "ui/app/undo_redo.h"
 #include "ui/memory/memory_page.h"
 #include "ui/memory/memory_view.h"
+#include "ui/memory/register_panel.h"
 
 #include <QAction>
 #include <QDialog>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -27,8 +29,9 @@ class TestTableConsent : public QObject {
 private Q_SLOTS:
     void everyRiskyValueAsks_data();
     void everyRiskyValueAsks();
-    void redoAsksAgain_data();
-    void redoAsksAgain();
+    void thePanelAsksLikeTheTable();
+    void undoAndRedoAskAgain_data();
+    void undoAndRedoAskAgain();
     void limitsInSpeedModeAskNothing();
 };
 
@@ -116,40 +119,79 @@ void TestTableConsent::everyRiskyValueAsks()
     QVERIFY(fixture.workbench.session().journal().open()->empty());
 }
 
-void TestTableConsent::redoAsksAgain_data()
+void TestTableConsent::thePanelAsksLikeTheTable()
 {
-    using Items = std::vector<device::WriteItem>;
-    QTest::addColumn<Items>("items");
-    QTest::newRow("dangerous register") << Items{{QStringLiteral("unload_condition"), 32}};
-    QTest::newRow("both limits, neither a mode by itself")
-        << Items{{QStringLiteral("min_angle_limit"), 0}, {QStringLiteral("max_angle_limit"), 0}};
+    Fixture fixture;
+    QVERIFY(fixture.isReady(consentFamilies().front()));
+    auto* panel = fixture.page.findChild<ui::RegisterPanel*>();
+    Q_EMIT panel->writeRequested(QStringLiteral("unload_condition"), 32, false);
+    QVERIFY(fixture.question() != nullptr);
+    QVERIFY(!fixture.entry().writing() && !fixture.workbench.tasks().isBusy());
 }
 
-void TestTableConsent::redoAsksAgain()
+void TestTableConsent::undoAndRedoAskAgain_data()
 {
-    QFETCH(const std::vector<device::WriteItem>, items);
+    using Items = std::vector<device::WriteItem>;
+    const QString min = QStringLiteral("min_angle_limit");
+    const QString max = QStringLiteral("max_angle_limit");
+    QTest::addColumn<Items>("before");
+    QTest::addColumn<Items>("after");
+    QTest::addColumn<bool>("undoAsks");
+    QTest::addColumn<bool>("redoAsks");
+    QTest::newRow("dangerous register")
+        << Items{{QStringLiteral("unload_condition"), 44}}
+        << Items{{QStringLiteral("unload_condition"), 32}} << true << true;
+    QTest::newRow("both limits, neither a mode by itself")
+        << Items{{min, 100}, {max, 4000}} << Items{{min, 0}, {max, 0}} << true << true;
+    QTest::newRow("limits where there were none")
+        << Items{{min, 0}, {max, 0}} << Items{{min, 100}, {max, 4000}} << true << true;
+    QTest::newRow("harmless") << Items{{QStringLiteral("position_p"), 40}}
+                              << Items{{QStringLiteral("position_p"), 30}} << false << false;
+}
+
+void TestTableConsent::undoAndRedoAskAgain()
+{
+    QFETCH(const std::vector<device::WriteItem>, before);
+    QFETCH(const std::vector<device::WriteItem>, after);
+    QFETCH(const bool, undoAsks);
+    QFETCH(const bool, redoAsks);
     Fixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
     session::WriteService& writes = fixture.workbench.writes();
-    writes.write(fixture.selection.current(),
-                 {{{QStringLiteral("min_angle_limit"), 100}}, false, {}});
-    QTRY_COMPARE(fixture.entry().servo.raw(QStringLiteral("min_angle_limit")), 100);
-    const QString key = items.back().key;
-    const auto before = fixture.entry().servo.raw(key);
-    writes.write(fixture.selection.current(), {items, false, device::Consent::confirmed()});
-    QTRY_COMPARE(fixture.entry().servo.raw(key), items.back().raw);
-    QTRY_VERIFY(writes.undoStep() != nullptr);
-    ui::undo(writes, fixture.selection);
-    QTRY_COMPARE(fixture.entry().servo.raw(key), before);
-    QTRY_VERIFY(writes.redoStep() != nullptr);
-    ui::redo(writes, fixture.workbench.registry(), fixture.selection, &fixture.page);
-    QVERIFY(fixture.question() != nullptr);
-    QVERIFY(!fixture.entry().writing());
-    // Without the question the device refuses.
-    delete fixture.question();
-    writes.redo();
-    QTRY_VERIFY(!fixture.workbench.tasks().isBusy() && !fixture.entry().writing());
-    QCOMPARE(fixture.entry().servo.raw(key), before);
+    const auto holds = [&](const std::vector<device::WriteItem>& items) {
+        return !fixture.workbench.tasks().isBusy() && !fixture.entry().writing() &&
+               std::all_of(items.begin(), items.end(), [&](const device::WriteItem& item) {
+                   return fixture.entry().servo.raw(item.key) == item.raw;
+               });
+    };
+    for (const auto& items : {before, after}) {
+        writes.write(fixture.selection.current(), {items, false, device::Consent::confirmed()});
+        QTRY_VERIFY(holds(items));
+    }
+    for (const bool isUndo : {true, false}) {
+        const bool asks = isUndo ? undoAsks : redoAsks;
+        const auto& from = isUndo ? after : before;
+        const auto& to = isUndo ? before : after;
+        const auto trigger = [&] {
+            (isUndo ? ui::undo : ui::redo)(writes, fixture.workbench.registry(), fixture.selection,
+                                           &fixture.page);
+        };
+        trigger();
+        QCOMPARE(fixture.question() != nullptr, asks);
+        if (asks) {
+            QVERIFY(holds(from));
+            QPointer<QDialog> first = fixture.question();
+            QTest::mouseClick(first->findChild<QPushButton*>(QStringLiteral("questionNo")),
+                              Qt::LeftButton);
+            QTRY_VERIFY(first.isNull());
+            trigger();
+            QPointer<QDialog> second = fixture.question();
+            QVERIFY(holds(from) && second != nullptr);
+            QTest::mouseClick(second->findChild<QPushButton*>(QStringLiteral("questionYes")),
+                              Qt::LeftButton);
+        }
+        QTRY_VERIFY(holds(to));
+    }
 }
 
 void TestTableConsent::limitsInSpeedModeAskNothing()

@@ -5,8 +5,9 @@
 #include "device/write_meaning.h"
 #include "integration/restore_support.h"
 #include "jobs/change/ordered_write.h"
-#include "jobs/restore/restore.h"
+#include "jobs/restore/restore_many.h"
 #include "jobs/restore/take_snapshot.h"
+#include "support/commission_fixture.h"
 #include "support/consent_rules.h"
 #include "support/test_main.h"
 
@@ -49,6 +50,9 @@ private Q_SLOTS:
     void noWriteWithoutConsent();
     void noRestoreWithoutConsent_data() { addFamilies(); }
     void noRestoreWithoutConsent();
+    void severalServosNeedConsent_data() { addFamilies(); }
+    void severalServosNeedConsent();
+    void commissioningNeedsConsent();
     void limitsAreNotRemovedWithoutConsent_data();
     void limitsAreNotRemovedWithoutConsent();
     void limitsThatSelectNoModeNeedNone();
@@ -148,6 +152,64 @@ void TestConsent::noRestoreWithoutConsent()
     }
     QVERIFY(refused > 0);
     QVERIFY(fixture.onlyReadsSent());
+}
+
+/// The way of "several servos" and of bundles, with every risky row named.
+void TestConsent::severalServosNeedConsent()
+{
+    QFETCH(const int, family);
+    const FamilyRules& rules = consentFamilies()[std::size_t(family)];
+    SimFixture fixture(QString::fromLatin1(rules.servos), support::atBaud(rules.baud));
+    const device::Servo servo = support::identifyWithTable(fixture);
+    snapshot::Bundle bundle;
+    bundle.servos = {jobs::snapshotOf(servo, {})};
+    snapshot::Snapshot& wanted = bundle.servos.front();
+    jobs::ApplyOptions options;
+    std::map<QString, std::int64_t> before;
+    for (const catalog::Register* reg : writable(servo)) {
+        const auto present = servo.raw(*reg);
+        const std::int64_t risky = present.value_or(0) == 0 ? 1 : *present - 1;
+        if (reg->identity || !present || !mustAsk(rules, *reg, risky) || !reg->min ||
+            !support::isRestorable(*reg))
+            continue;
+        const auto row = std::find_if(wanted.registers.begin(), wanted.registers.end(),
+                                      [&](const auto& one) { return one.key == reg->key; });
+        row->raw = risky;
+        options.choice.only << reg->key;
+        before[reg->key] = *present;
+    }
+    const auto changed = [&] {
+        return std::count_if(before.begin(), before.end(), [&](const auto& one) {
+            return fixture.raw(1, one.first) != one.second;
+        });
+    };
+    (void)jobs::applyToServos(fixture.context(), {1}, wanted, options);
+    (void)jobs::restoreBundle(fixture.context(), bundle, options);
+    QCOMPARE(changed(), 0);
+    QVERIFY(fixture.journal().entries()->empty());
+    // These are the values that a consent lets through.
+    options.choice.consent = device::Consent::confirmed();
+    options.restore.consent = options.choice.consent;
+    (void)jobs::applyToServos(fixture.context(), {1}, wanted, options);
+    QVERIFY2(before.empty() || changed() > 0, rules.servos);
+}
+
+void TestConsent::commissioningNeedsConsent()
+{
+    const QString condition = QStringLiteral("unload_condition");
+    const QString max = QStringLiteral("max_angle_limit");
+    for (const bool given : {false, true}) {
+        support::CommissionFixture line(QStringLiteral("sts3215@1"));
+        line.spec.settings =
+            support::templateOf("sts3215", {{"unload_condition", 32}, {"max_angle_limit", 0}});
+        line.spec.consent = device::Consent::byOption(given);
+        line.spec.count = 1;
+        QVERIFY(line.run());
+        const sim::VirtualServo& servo = line.servoAt(0);
+        QCOMPARE(servo.id(), 11);
+        QCOMPARE(servo.raw(condition), given ? 32 : 44);
+        QCOMPARE(servo.raw(max), given ? 0 : 4095);
+    }
 }
 
 /// Both angle limits at 0: motor mode (SCS), or position mode without limits (STS, HLS, Modbus).

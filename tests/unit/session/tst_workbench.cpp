@@ -335,8 +335,8 @@ private Q_SLOTS:
         QVERIFY(fixture.workbench.writes().redoStep() == nullptr);
     }
 
-    /// An undone write to a dangerous register is not done again without consent.
-    void aRedoAsksForConsentAgain()
+    /// A write to a dangerous register is neither undone nor done again without consent.
+    void undoAndRedoNeedConsentAgain()
     {
         SessionFixture fixture;
         QVERIFY(fixture.search());
@@ -356,6 +356,10 @@ private Q_SLOTS:
         QCOMPARE(fixture.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
         fixture.workbench.writes().undo();
         QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
+        QVERIFY(fixture.workbench.writes().undoStep() != nullptr);
+        fixture.workbench.writes().undo(device::Consent::confirmed());
+        QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, condition), before);
         fixture.workbench.writes().redo();
         QVERIFY(fixture.waitUntilIdle());
@@ -364,10 +368,10 @@ private Q_SLOTS:
         fixture.workbench.writes().redo(device::Consent::confirmed());
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(ref, condition), std::optional<std::int64_t>(*before ^ 1));
-        QCOMPARE(written.size(), std::size_t(4));
+        QCOMPARE(written.size(), std::size_t(5));
         QVERIFY(!written[0].isUndo && !written[0].isRedo);
-        QVERIFY(written[1].isUndo && !written[1].isRedo);
-        QVERIFY(written[3].isRedo && !written[3].isUndo);
+        QVERIFY(written[2].isUndo && !written[2].isRedo);
+        QVERIFY(written[4].isRedo && !written[4].isUndo);
     }
 
     /// Writes of every task, through a change of ID, and nothing of another simulated bus.
@@ -492,7 +496,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.outcome(ref, QStringLiteral("id")),
                  std::optional(device::WriteOutcome::Kept));
         QCOMPARE(fixture.workbench.registry().order().back(), ref);
-        fixture.workbench.writes().undo();
+        fixture.workbench.writes().undo(device::Consent::confirmed());
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.entry(ref).servo.id, 1);
     }
