@@ -177,11 +177,12 @@ void SpeedMeter::updateTopSpeed(const Point& point)
     const Point& from = m_window.front();
     if (m_window.size() < minReadings || !spansWindow(from, point))
         return;
-    // Hours of rest are not fitted.
-    const double span = seconds(point.at - from.at);
-    if (m_top && (point.distance - from.distance + maxNoise) / span < *m_top)
-        return;
-    m_top = std::max(m_top.value_or(0), slope());
+    // A reading that the host took up late makes the line steeper than the servo was. Where it
+    // could not be the steepest anyway, as in hours of rest, nothing is fitted.
+    const double steepest =
+        (point.distance - from.distance + maxNoise) / seconds(point.at - from.at);
+    if (!m_top || steepest > *m_top)
+        m_top = std::max(m_top.value_or(0), std::min(slope(), steepest));
 }
 
 /// Least squares, about the middle of the stretch. Less what the scatter about the line makes of

@@ -78,9 +78,9 @@ private:
 /// Mean speed: over the middle 80 % of the way. Top speed: the steepest stretch that is at least
 /// 40 ms and three readings long and at least 60 steps or a sixth of the way, of long ways a
 /// sixteenth (or two seconds, where less is gone in them), by the straight line that fits its
-/// readings best, less its standard error. Not measured: on ways
-/// under 20 steps, with fewer than three readings in the middle 80 %, or with a hole of more than
-/// 250 ms in it; the mean also when the end of it was not reached.
+/// readings best, less its standard error, and no steeper than its ends are with 8 steps of noise.
+/// Not measured: on ways under 20 steps, with fewer than three readings in the middle 80 %, or with
+/// a hole of more than 250 ms in it; the mean also when the end of it was not reached.
 class SpeedMeter {
 public:
     SpeedMeter(base::Duration at, double start, double target);

@@ -215,7 +215,8 @@ public:
 
     double meanSpeed() const { return 0.8 * m_way / (passed(0.9) - passed(0.1)) * 1000; }
 
-    /// The steepest stretch, by the line that fits it best less its standard error.
+    /// The steepest stretch, by the line that fits it best less its standard error, and no steeper
+    /// than its ends are with 8 steps of noise.
     double topSpeed() const
     {
         const double least = std::max(std::min(60.0, m_way / 6), m_way / 16);
@@ -229,7 +230,7 @@ public:
             while (to - from >= 3 && longEnough(from + 1, to))
                 ++from;
             if (to - from >= 2 && longEnough(from, to))
-                top = std::max(top, fitted(from, to));
+                top = std::max(top, std::min(fitted(from, to), endToEnd(from, to, 8)));
         }
         return top;
     }
@@ -319,6 +320,12 @@ private:
             before = one;
         }
         return never;
+    }
+
+    double endToEnd(std::size_t from, std::size_t to, double noise) const
+    {
+        return (gone(m_readings[to]) - gone(m_readings[from]) + noise) * 1000 /
+               (m_readings[to].ms - m_readings[from].ms);
     }
 
     double fitted(std::size_t from, std::size_t to) const
