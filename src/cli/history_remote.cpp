@@ -5,7 +5,7 @@
 #include "cli/input/history_input.h"
 #include "cli/translate.h"
 #include "session/detachable_worker.h"
-#include "text/error_text.h"
+#include "session/history/history_server_choice.h"
 
 #include <future>
 
@@ -20,7 +20,7 @@ base::Result<std::unique_ptr<HistoryServer>> connect(Run& run, const Values& val
     QString address = values.option("--server").value_or(QStringLiteral("default"));
     if (address == QLatin1String("default")) {
         session::Settings settings;
-        address = savedServer(run, settings).address;
+        address = session::historyServerChoice(settings).address;
     }
     if (address.isEmpty())
         return badArgument(translate("cli", "no history server is set; set one with --server or "
@@ -68,16 +68,6 @@ base::Result<Exit> runHistoryWork(Run& run, const Values& values, HistoryWork wo
     }
     thread.finish(shutdownTimeout);
     return answer.get();
-}
-
-session::HistoryServerChoice savedServer(Run& run, session::Settings& settings)
-{
-    if (const auto removed = session::removeStoredPassword(settings)) {
-        const text::Description words = text::describe(*removed);
-        run.console().printMessage(
-            QStringList{words.message, words.cause, words.remedy}.join(QLatin1Char('\n')));
-    }
-    return session::historyServerChoice(settings);
 }
 
 std::vector<Option> serverOptions()

@@ -6,7 +6,6 @@
 
 #include "cli/run.h"
 #include "history/server/history_server.h"
-#include "session/history/history_server_choice.h"
 
 namespace history {
 class History;
@@ -28,7 +27,4 @@ base::Result<Exit> runHistoryCommand(Run& run, const Values& values)
 base::Result<std::unique_ptr<history::History>> openHistory(Run& run, const Values& values);
 /// The benches that send to the server.
 base::Result<std::vector<history::HistoryBench>> listBenches(Run& run, const Values& values);
-
-/// The configured server; prints a message if a password had to be removed from the settings.
-session::HistoryServerChoice savedServer(Run& run, session::Settings& settings);
 } // namespace cli

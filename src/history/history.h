@@ -71,7 +71,7 @@ bool canBeReference(const TestRun& run, const TestServo& servo);
 struct ReferenceServo {
     TestRun run;
     TestServo servo;
-    bool isUsable() const { return canBeReference(run, servo); } ///< earlier versions marked any
+    bool isUsable() const { return canBeReference(run, servo); } ///< a database may hold any
 };
 
 class History {

@@ -83,15 +83,6 @@ constexpr std::array serverKinds{
                                   "connect_timeout, application_name, "
                                   "target_session_attrs and the parameters that begin "
                                   "with ssl, gss or keepalives.")},
-    RefusalText{
-        "secret-removed",
-        QT_TRANSLATE_NOOP("text", "the history server password was removed from the settings"),
-        QT_TRANSLATE_NOOP(
-            "text",
-            "An earlier version of this program saved the password in the settings as plain text."),
-        QT_TRANSLATE_NOOP("text", "Store the password in ~/.pgpass (file mode 0600) as a line "
-                                  "HOST:PORT:DATABASE:USER:PASSWORD. If other users may have read "
-                                  "the settings, change the password.")},
     RefusalText{"refused", QT_TRANSLATE_NOOP("text", "the history server rejects the login"),
                 QT_TRANSLATE_NOOP("text", "The server states the reason in its own language."),
                 QT_TRANSLATE_NOOP("text", "Check the user, password and database in the connection "

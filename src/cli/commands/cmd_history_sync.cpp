@@ -71,7 +71,7 @@ QString savedServerText(const session::HistoryServerChoice& choice)
 base::Result<Exit> runSync(Run& run, const Values& values)
 {
     session::Settings settings;
-    session::HistoryServerChoice choice = savedServer(run, settings);
+    session::HistoryServerChoice choice = session::historyServerChoice(settings);
     if (const auto server = values.option("--server")) {
         choice.address = *server;
         choice.isFixedByEnvironment = false;

@@ -45,7 +45,7 @@ Json runJson(const history::TestRun& run)
         .add("files", run.files);
 }
 
-/// Earlier versions also allowed unfinished tests as a reference.
+/// A reference that came with a database may be one that could not be marked here.
 QString referenceText(const history::TestRun& run, const history::TestServo& servo)
 {
     if (servo.reference && !history::canBeReference(run))

@@ -122,12 +122,6 @@ QString quoted(QString value)
     value.replace(u'\\', QStringLiteral("\\\\")).replace(u'\'', QStringLiteral("\\'"));
     return u'\'' + value + u'\'';
 }
-
-QString quotedIfNeeded(const QString& value)
-{
-    static const QRegularExpression plain(QStringLiteral(R"(^[^\s'\\]+$)"));
-    return plain.match(value).hasMatch() ? value : quoted(value);
-}
 } // namespace
 
 base::Result<ServerAddress> ServerAddress::parse(const QString& text)
@@ -331,21 +325,5 @@ QString ServerAddress::masked(QString text)
         QRegularExpression::CaseInsensitiveOption);
     text.replace(inUri, QStringLiteral("\\1") + maskText + QStringLiteral("\\2"));
     return text.replace(inKeywords, QStringLiteral("\\1") + maskText);
-}
-
-std::optional<QString> ServerAddress::withoutSecrets(const QString& text)
-{
-    const auto address = parseAll(text);
-    if (!address)
-        return masked(text) == text ? std::nullopt : std::optional(QString());
-    QStringList words;
-    bool hasSecret = false;
-    for (const auto& [keyword, value] : address->m_values) {
-        if (isSecret(keyword, value))
-            hasSecret = hasSecret || !value.isEmpty();
-        else
-            words.append(keyword + u'=' + quotedIfNeeded(value));
-    }
-    return hasSecret ? std::optional(words.join(u' ')) : std::nullopt;
 }
 } // namespace history

@@ -22,8 +22,6 @@ public:
 
     /// `text` with every password in it masked ("•••"), whether it can be parsed or not.
     static QString masked(QString text);
-    /// `text` without its passwords; nullopt: it has none. Empty where the rest makes no sense.
-    static std::optional<QString> withoutSecrets(const QString& text);
 
     /// "user@host:5432/servodesk", for people: no options.
     QString displayText() const;

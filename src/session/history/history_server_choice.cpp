@@ -38,15 +38,4 @@ base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServe
                                         : choice.bench.trimmed());
     return {};
 }
-
-std::optional<base::Error> removeStoredPassword(Settings& settings)
-{
-    const QString stored = settings.pageValue(serverKey, QString()).toString();
-    const auto rest = history::ServerAddress::withoutSecrets(stored);
-    if (!rest)
-        return std::nullopt;
-    settings.setPageValue(serverKey, *rest);
-    return base::Error{base::ErrorCode::BadArgument, QStringLiteral("history-server"),
-                       QStringLiteral("secret-removed")};
-}
 } // namespace session

@@ -17,8 +17,4 @@ HistoryServerChoice historyServerChoice(const Settings& settings);
 /// Of `choice` address and bench; one that is fixed keeps the address that was set. Writes nothing
 /// where history::ServerAddress refuses the address: BadArgument.
 base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServerChoice& choice);
-
-/// A password that an earlier version has stored is removed from the settings. What to tell the
-/// user then, once.
-std::optional<base::Error> removeStoredPassword(Settings& settings);
 } // namespace session

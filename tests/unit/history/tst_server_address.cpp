@@ -127,40 +127,22 @@ private Q_SLOTS:
     void secretsAreRefused_data()
     {
         QTest::addColumn<QString>("string");
-        QTest::addColumn<QString>("rest");
-        QTest::newRow("uri") << "postgresql://u:swordfish@h:5433/db"
-                             << "user=u host=h port=5433 dbname=db";
-        QTest::newRow("signs in it") << "postgresql://u:p%3A%2F%40swordfish%3B@h/%E7%A3%A8"
-                                     << "user=u host=h dbname=磨";
-        QTest::newRow("an @ in it") << "postgresql://u:p@swordfish@h/db"
-                                    << "user=u host=h dbname=db";
-        QTest::newRow("parameter") << "postgresql://u@h/db?password=swordfish&sslmode=require"
-                                   << "user=u host=h dbname=db sslmode=require";
-        QTest::newRow("words") << "host=h password=swordfish user='a b'"
-                               << "host=h user='a b'";
-        QTest::newRow("quotes") << R"(host=h password = 'sword fish \' swordfish')"
-                                << "host=h";
-        QTest::newRow("blank escaped") << R"(host=h password=a\ swordfish)"
-                                       << "host=h";
-        QTest::newRow("of the key") << "host=h sslkey=/k sslpassword=swordfish"
-                                    << "host=h sslkey=/k";
-        QTest::newRow("another word for it") << "host=h PWD=swordfish"
-                                             << "host=h";
-        QTest::newRow("of OAuth") << "host=h oauth_client_id=me oauth_client_secret=swordfish"
-                                  << "host=h oauth_client_id=me";
-        QTest::newRow("in options") << "host=h options=-cpassword=swordfish"
-                                    << "host=h";
-        QTest::newRow("in options, uri") << "postgresql://h/db?options=-cpassword%3Dswordfish"
-                                         << "host=h dbname=db";
-        // What cannot be parsed is thrown away as a whole.
-        QTest::newRow("a slash in it") << "postgresql://u:pa/swordfish@h/db"
-                                       << "";
-        QTest::newRow("a slash after digits") << "postgresql://u:12/swordfish@h/db"
-                                              << "";
-        QTest::newRow("an open quote") << "host=h password='swordfish"
-                                       << "";
-        QTest::newRow("another scheme") << "mysql://u:swordfish@h/db"
-                                        << "";
+        QTest::newRow("uri") << "postgresql://u:swordfish@h:5433/db";
+        QTest::newRow("signs in it") << "postgresql://u:p%3A%2F%40swordfish%3B@h/%E7%A3%A8";
+        QTest::newRow("an @ in it") << "postgresql://u:p@swordfish@h/db";
+        QTest::newRow("parameter") << "postgresql://u@h/db?password=swordfish&sslmode=require";
+        QTest::newRow("words") << "host=h password=swordfish user='a b'";
+        QTest::newRow("quotes") << R"(host=h password = 'sword fish \' swordfish')";
+        QTest::newRow("blank escaped") << R"(host=h password=a\ swordfish)";
+        QTest::newRow("of the key") << "host=h sslkey=/k sslpassword=swordfish";
+        QTest::newRow("another word for it") << "host=h PWD=swordfish";
+        QTest::newRow("of OAuth") << "host=h oauth_client_id=me oauth_client_secret=swordfish";
+        QTest::newRow("in options") << "host=h options=-cpassword=swordfish";
+        QTest::newRow("in options, uri") << "postgresql://h/db?options=-cpassword%3Dswordfish";
+        QTest::newRow("a slash in it") << "postgresql://u:pa/swordfish@h/db";
+        QTest::newRow("a slash after digits") << "postgresql://u:12/swordfish@h/db";
+        QTest::newRow("an open quote") << "host=h password='swordfish";
+        QTest::newRow("another scheme") << "mysql://u:swordfish@h/db";
     }
 
     void secretsAreRefused()
@@ -171,7 +153,6 @@ private Q_SLOTS:
         QVERIFY(!address.error().detail.contains(text("swordfish")));
         const QString displayText = ServerAddress::masked(string);
         QVERIFY2(!displayText.contains(text("swordfish")), qPrintable(displayText));
-        QTEST(ServerAddress::withoutSecrets(string).value_or(text("none")), "rest");
     }
 
     void onlyHarmlessParametersPass_data()
@@ -205,7 +186,6 @@ private Q_SLOTS:
               "postgresql://u:@h/db", "tcp://10.0.0.2:9000", "--timeout 200", "host='h"}) {
             if (QByteArray(string) != "postgresql://u:@h/db")
                 QCOMPARE(ServerAddress::masked(text(string)), text(string));
-            QVERIFY2(!ServerAddress::withoutSecrets(text(string)), string);
         }
     }
 

@@ -145,7 +145,7 @@ void TestStoredVerdict::anUnfinishedRunIsNoReference()
     QVERIFY(!history->run(stopped).value().servos[0].reference);
     QVERIFY(history->setReference(good, 5, true));
     QVERIFY(history->reference(text("STS3215")).value()->isUsable());
-    // One that an earlier version had marked.
+    // One that stands in the database all the same.
     QVERIFY(history->file().run(text("UPDATE run_servos SET reference = (run = ?)"),
                                 {qint64(stopped)}));
     QVERIFY(!history->reference(text("STS3215")).value()->isUsable());
