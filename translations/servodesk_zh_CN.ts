@@ -612,6 +612,62 @@
         <source>alarm: %1</source>
         <translation>报警：%1</translation>
     </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置项</translation>
+    </message>
+    <message>
+        <source>Unfinished servos</source>
+        <translation>未完成的舵机</translation>
+    </message>
+    <message>
+        <source>Intended</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>First servo</source>
+        <translation>第一个舵机</translation>
+    </message>
+    <message>
+        <source>Last servo</source>
+        <translation>最后一个舵机</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>With remarks</source>
+        <translation>有备注</translation>
+    </message>
+    <message>
+        <source>Unfinished</source>
+        <translation>未完成</translation>
+    </message>
+    <message>
+        <source>Commissioning report</source>
+        <translation>批量设置报告</translation>
+    </message>
+    <message>
+        <source>Voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
 </context>
 <context>
     <name>ControlText</name>
@@ -2542,6 +2598,25 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message>
         <source>Some steps did not end as expected.</source>
         <translation>并非所有步骤都按预期完成。</translation>
+    </message>
+</context>
+<context>
+    <name>SnapshotReport</name>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Servo snapshot</source>
+        <translation>舵机快照</translation>
+    </message>
+    <message>
+        <source>SIMULATED: not a real servo</source>
+        <translation>模拟：不是真实舵机</translation>
     </message>
 </context>
 <context>
@@ -6108,6 +6183,30 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>output as CSV, without a byte order mark</source>
         <translation>以 CSV 格式输出（不带 BOM）</translation>
     </message>
+    <message>
+        <source>the report file name must end with .html or .pdf</source>
+        <translation>报告文件须以 .html 或 .pdf 结尾</translation>
+    </message>
+    <message>
+        <source>%1 contains no servos</source>
+        <translation>%1 中没有舵机</translation>
+    </message>
+    <message>
+        <source>create a report of a commissioning batch; needs no port</source>
+        <translation>生成批量设置报告；不需要端口</translation>
+    </message>
+    <message>
+        <source>batch list file (.csv)</source>
+        <translation>批次清单文件（.csv）</translation>
+    </message>
+    <message>
+        <source>report file: .html or .pdf</source>
+        <translation>报告文件：.html 或 .pdf</translation>
+    </message>
+    <message>
+        <source>also write the table to one page</source>
+        <translation>同时将内存表写成一页报告</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -6587,14 +6686,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Remove the password from the string and store it in ~/.pgpass: a line HOST:PORT:DATABASE:USER:PASSWORD, file mode 0600.</source>
         <translation>请从连接字符串中删除密码，并将其存放在 ~/.pgpass 中：格式为一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。</translation>
-    </message>
-    <message>
-        <source>the history server password was removed from the settings</source>
-        <translation>已从设置中删除历史记录服务器的密码</translation>
-    </message>
-    <message>
-        <source>An earlier version of this program saved the password in the settings as plain text.</source>
-        <translation>本程序的早期版本曾将密码以明文保存在设置中。</translation>
     </message>
     <message>
         <source>limit of another model</source>
@@ -8135,10 +8226,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>参数名拼写有误，或该参数可能含有密码。</translation>
     </message>
     <message>
-        <source>Store the password in ~/.pgpass (file mode 0600) as a line HOST:PORT:DATABASE:USER:PASSWORD. If other users may have read the settings, change the password.</source>
-        <translation>请将密码存放在 ~/.pgpass 中：一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。如果他人可能读到过设置文件，请更换密码。</translation>
-    </message>
-    <message>
         <source>the history server rejects the login</source>
         <translation>历史记录服务器拒绝登录</translation>
     </message>
@@ -8979,6 +9066,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>%1 unfinished</source>
         <translation>未完成 %1 个</translation>
     </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Saves the batch as a page to hand over with the servos</source>
+        <translation>将批次保存为可随舵机交付的报告</translation>
+    </message>
 </context>
 <context>
     <name>ui::CommissionForm</name>
@@ -9215,6 +9310,22 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Disconnects the current simulated servo</source>
         <translation>拔下当前接上的模拟舵机</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Page to print (*.pdf)</source>
+        <translation>打印用页面 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>网页 (*.html)</translation>
     </message>
 </context>
 <context>
@@ -12442,6 +12553,14 @@ Retries: %9</source>
     <message>
         <source>Delete from the history…</source>
         <translation>从历史记录中删除…</translation>
+    </message>
+    <message>
+        <source>Page to print (*.pdf)</source>
+        <translation>打印用页面 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>网页 (*.html)</translation>
     </message>
 </context>
 <context>

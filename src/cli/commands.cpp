@@ -11,7 +11,7 @@ const std::vector<CommandGroup>& commandGroups()
         {QT_TRANSLATE_NOOP("cli", "Write:"),
          {writeCommand(), setIdCommand(), setBaudCommand(), centerCommand(),
           restoreDefaultsCommand(), rebootCommand(), clearAlarmCommand(), commissionCommand(),
-          recoverCommand()}},
+          commissionReportCommand(), recoverCommand()}},
         {QT_TRANSLATE_NOOP("cli", "Move and watch:"),
          {torqueCommand(), stopCommand(), modeCommand(), moveCommand(), watchCommand(),
           identifyCommand()}},

@@ -44,6 +44,7 @@ Command bundleRestoreCommand();
 Command templateMakeCommand();
 Command templateApplyCommand();
 Command commissionCommand();
+Command commissionReportCommand();
 Command diagnoseCommand();
 Command historyShowCommand();
 Command historyLabelCommand();

@@ -21,6 +21,8 @@ const std::vector<Examples>& allExamples()
         {"clear-alarm", "clear-alarm 1", "clear-alarm 1 --move"},
         {"commission", "commission --batch arm.csv --first-id 11 --count 1 --auto",
          "commission --batch arm.csv --first-id 11 --count 2 --auto --to-baud 500000"},
+        {"commission-report", "commission-report arm.csv arm.pdf",
+         "commission-report arm.csv arm.html"},
         {"recover", "recover", "recover --finish"},
 
         {"torque", "torque 1 2 on", "torque 1-6 off"},
@@ -44,7 +46,8 @@ const std::vector<Examples>& allExamples()
 
         {"snapshot save", "snapshot save 1 knee.servo.json",
          "snapshot save 2 hip.servo.json --label \"left hip\""},
-        {"snapshot show", "snapshot show knee.servo.json", "snapshot show knee.servo.json --csv"},
+        {"snapshot show", "snapshot show knee.servo.json",
+         "snapshot show knee.servo.json --report knee.pdf"},
         {"snapshot diff", "snapshot diff 1 knee.servo.json",
          "snapshot diff knee.servo.json hip.servo.json default"},
         {"snapshot restore", "snapshot restore 1 knee.servo.json --dry-run",

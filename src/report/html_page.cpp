@@ -29,6 +29,8 @@ td.n { text-align: right; font-variant-numeric: tabular-nums; }
   padding: 4px 12px; margin: 8px 0; }
 .user { white-space: pre-wrap; overflow-wrap: anywhere; }
 .wide { overflow-x: auto; }
+.pair { display: flex; flex-wrap: wrap; column-gap: 24px; }
+.pair > div { flex: 1 1 360px; }
 svg { max-width: 100%; height: auto; }
 summary { cursor: pointer; font-weight: 600; }
 @media screen and (prefers-color-scheme: dark) {
@@ -62,7 +64,8 @@ h1 { font-size: 16pt; }
 h2 { font-size: 12pt; }
 h3 { font-size: 9pt; }
 td, th { font-size: 7pt; padding-left: 3px; padding-right: 3px; }
-.many td, .many th { font-size: 6pt; }
+td span { font-size: 7pt; }
+.many td, .many th, .many span { font-size: 6pt; }
 th { background-color: #f3f5f7; }
 .verdict { font-weight: 700; }
 .pass { color: #1a7f37; }
@@ -226,8 +229,11 @@ QString table(const QStringList& headings, const std::vector<QStringList>& rows,
     return text + QStringLiteral("</tbody></table></div>\n");
 }
 
-QString sideBySide(const QString& left, const QString& right)
+QString sideBySide(const HtmlWriter& htmlWriter, const QString& left, const QString& right)
 {
+    if (htmlWriter.language() == ReportLanguage::Both)
+        return QStringLiteral("<div class=\"pair\"><div>") + left +
+               QStringLiteral("</div>\n<div>") + right + QStringLiteral("</div></div>\n");
     return QStringLiteral("<table width=\"100%\"><tr><td width=\"50%\">") + left +
            QStringLiteral("</td><td width=\"50%\">") + right +
            QStringLiteral("</td></tr></table>\n");

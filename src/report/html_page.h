@@ -54,8 +54,8 @@ private:
 /// columns, so paper uses smaller letters.
 QString table(const QStringList& headings, const std::vector<QStringList>& rows,
               bool isWide = false);
-/// Two parts beside each other, on paper.
-QString sideBySide(const QString& left, const QString& right);
+/// Two parts beside each other, on a page where it is wide enough.
+QString sideBySide(const HtmlWriter& htmlWriter, const QString& left, const QString& right);
 /// Two columns, names and values.
 QString keyValueTable(const std::vector<QStringList>& rows);
 

@@ -5,6 +5,7 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
+#include <QEventLoop>
 #include <QLocale>
 #include <QPageLayout>
 #include <QPainter>
@@ -116,6 +117,7 @@ QByteArray PaperCharts::svg(const QString& name) const
 
 QByteArray paperPdf(const QStringList& sections, const PaperCharts& charts, const PaperTitle& title)
 {
+    const QEventLoop timers; // that a QTextDocument sets, on a thread that has no events otherwise
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/step_report.h"
 
-#include "files/text_file.h"
 #include "report/bilingual.h"
-#include "report/paper.h"
 #include "report/register_name.h"
+#include "report/report_file.h"
 #include "report/step_text.h"
 #include "report/sweep_text.h"
 #include "results/step_json.h"
-
-#include <QFileInfo>
 
 namespace report {
 using catalog::Text;
@@ -129,13 +126,13 @@ Text title()
     return translate("StepText", "Step response");
 }
 
-/// `chart` is the markup that shows the responses.
 QString body(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs,
-             const std::vector<results::StepAdvice>& advice, const QString& chart)
+             const std::vector<results::StepAdvice>& advice, const EmbedChart& place)
 {
     return htmlWriter.heading(1, title()) + head(htmlWriter, runs.front()) +
-           ends(htmlWriter, runs) + chart + htmlWriter.heading(2, translate("StepText", "Gains")) +
-           gains(htmlWriter, runs) + htmlWriter.heading(2, translate("StepText", "Metrics")) +
+           ends(htmlWriter, runs) + place(stepChart(htmlWriter, runs)) +
+           htmlWriter.heading(2, translate("StepText", "Gains")) + gains(htmlWriter, runs) +
+           htmlWriter.heading(2, translate("StepText", "Metrics")) +
            htmlWriter.paragraph(translate("StepText",
                                           "Values are means of all responses, out and back; "
                                           "steady-state errors are absolute values.")) +
@@ -143,38 +140,12 @@ QString body(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs,
                             : single(htmlWriter, runs.front())) +
            adviceList(htmlWriter, runs.front(), advice);
 }
-
-QByteArray html(const std::vector<StepRun>& runs, const std::vector<results::StepAdvice>& advice,
-                bool chinese)
-{
-    const HtmlWriter htmlWriter(ReportLanguage::Both);
-    return page(htmlWriter, title(), body(htmlWriter, runs, advice, stepChart(htmlWriter, runs)),
-                chinese)
-        .toUtf8();
-}
-
-QByteArray pdf(const std::vector<StepRun>& runs, const std::vector<results::StepAdvice>& advice,
-               bool chinese)
-{
-    const HtmlWriter htmlWriter(chinese ? ReportLanguage::Chinese : ReportLanguage::English);
-    PaperCharts charts;
-    const QString chart = charts.add(stepChart(htmlWriter, runs));
-    const QString text = page(htmlWriter, title(), body(htmlWriter, runs, advice, chart), chinese);
-    return paperPdf({text}, charts,
-                    {title().in(chinese), runs.front().program, localTime(runs.front().at)});
-}
-
-QString endingOf(const QString& path)
-{
-    return QFileInfo(path).suffix().toLower();
-}
 } // namespace
 
 bool isStepReport(const QString& path)
 {
-    return QStringList{QStringLiteral("html"), QStringLiteral("pdf"), QStringLiteral("json"),
-                       QStringLiteral("csv")}
-        .contains(endingOf(path));
+    const QString ending = endingOf(path);
+    return isReportPath(path) || ending == QLatin1String("json") || ending == QLatin1String("csv");
 }
 
 base::Result<void> saveStepReport(const std::vector<StepRun>& runs,
@@ -186,9 +157,11 @@ base::Result<void> saveStepReport(const std::vector<StepRun>& runs,
         return results::saveStepRuns(runs, advice, path);
     if (ending == QLatin1String("csv"))
         return results::saveStepSamples(runs, path);
-    return files::saveTextFile(QStringLiteral("save-report"),
-                               ending == QLatin1String("pdf") ? pdf(runs, advice, chinese)
-                                                              : html(runs, advice, chinese),
-                               path);
+    return saveReport(
+        {title(), runs.front().program, runs.front().at},
+        [&](const HtmlWriter& htmlWriter, const EmbedChart& place) {
+            return body(htmlWriter, runs, advice, place);
+        },
+        chinese, path);
 }
 } // namespace report

@@ -3,10 +3,9 @@
 // differently. Pure; any thread.
 #pragma once
 
+#include "report/report_file.h"
 #include "report/svg_chart.h"
 #include "results/sweep_run.h"
-
-#include <functional>
 
 namespace report {
 /// The readings of one servo for its chart; a few thousand are enough.
@@ -14,9 +13,6 @@ struct SweepSeries {
     int servo = -1;
     std::vector<ChartSample> samples{};
 };
-
-/// Markup that shows this SVG.
-using EmbedChart = std::function<QString(const QString& svg)>;
 
 QString sweepBody(const HtmlWriter& htmlWriter, const results::SweepRun& run,
                   const std::vector<SweepSeries>& series, const EmbedChart& place);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the report about one servo.
-#include "base/protocol.h"
 #include "report/bilingual.h"
 #include "report/register_name.h"
 #include "report/sweep_parts.h"
@@ -94,23 +93,6 @@ QString metricsTable(const HtmlWriter& htmlWriter, const results::SweepServo& se
                  rows);
 }
 
-/// `name` as the file has it: "feetech".
-Text protocolText(const QString& name)
-{
-    const auto protocol = base::protocolFromName(name);
-    if (!protocol)
-        return inBoth(name);
-    switch (*protocol) {
-    case base::Protocol::Modbus:
-        return inBoth(QStringLiteral("Modbus"));
-    case base::Protocol::Lx:
-        return inBoth(QStringLiteral("LX"));
-    case base::Protocol::Feetech:
-        break;
-    }
-    return translate("BusText", "Feetech");
-}
-
 /// Who it is, and what the test meant in its steps.
 QString setupLine(const HtmlWriter& htmlWriter, const results::SweepServo& servo)
 {
@@ -143,20 +125,6 @@ QString setupLine(const HtmlWriter& htmlWriter, const results::SweepServo& servo
 QString placed(const QString& markup, const EmbedChart& place)
 {
     return markup.startsWith(QStringLiteral("<svg")) ? place(markup) : markup;
-}
-
-Text areaText(catalog::Area area)
-{
-    switch (area) {
-    case catalog::Area::Feedback:
-        return translate("text", "feedback");
-    case catalog::Area::Factory:
-        return translate("text", "factory");
-    case catalog::Area::Eprom:
-    case catalog::Area::Sram:
-        break;
-    }
-    return inBoth(catalog::areaName(area));
 }
 
 QString parametersPart(const HtmlWriter& htmlWriter, const results::SweepServo& servo)

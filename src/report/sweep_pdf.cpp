@@ -33,11 +33,11 @@ QByteArray sweepPdf(const results::SweepRun& run, const std::vector<SweepSeries>
     const SweepTexts& words = sweepTexts();
     PaperCharts charts;
     const auto place = [&](const QString& svg) { return charts.add(svg); };
-    QStringList sections{verdictPart(htmlWriter, run) +
-                         sideBySide(testPart(htmlWriter, run), benchPart(htmlWriter, run)) +
-                         busPart(htmlWriter, run) + htmlWriter.paragraph(words.gradingNote) +
-                         htmlWriter.paragraph(words.hysteresisNote) +
-                         htmlWriter.paragraph(words.paperNote)};
+    QStringList sections{
+        verdictPart(htmlWriter, run) +
+        sideBySide(htmlWriter, testPart(htmlWriter, run), benchPart(htmlWriter, run)) +
+        busPart(htmlWriter, run) + htmlWriter.paragraph(words.gradingNote) +
+        htmlWriter.paragraph(words.hysteresisNote) + htmlWriter.paragraph(words.paperNote)};
     for (const results::SweepServo& servo : run.servos)
         sections << servoSections(htmlWriter, run, servo, series, place);
     for (QString& section : sections)

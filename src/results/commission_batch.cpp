@@ -91,8 +91,9 @@ std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending)
 
 QByteArray encodeCommissionCsv(const CommissionBatch& batch)
 {
-    QByteArray text = "time,verdict,troubles,model,firmware,was_id,was_baud,id,baud,template,"
-                      "written,centred,volts,celsius,label,snapshot\n";
+    QByteArray text = files::csvStart(files::CsvReader::Spreadsheet);
+    text += "time,verdict,troubles,model,firmware,was_id,was_baud,id,baud,template,"
+            "written,centred,volts,celsius,label,snapshot\n";
     for (const CommissionRow& row : batch.rows)
         text += files::csvLine(
             {timeText(row.at), verdictName(row.verdict), issuesCell(row.issues), row.servo.model,

@@ -85,8 +85,8 @@ std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending);
 
 QByteArray encodeCommissionBatch(const CommissionBatch& batch);
 base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text);
-/// Columns: time, verdict, troubles, model, firmware, was_id, was_baud, id, baud, template,
-/// written, centered, volts, celsius, label, snapshot.
+/// For spreadsheets, with a byte order mark. Columns: time, verdict, troubles, model, firmware,
+/// was_id, was_baud, id, baud, template, written, centered, volts, celsius, label, snapshot.
 QByteArray encodeCommissionCsv(const CommissionBatch& batch);
 
 /// "batch.csv" → "batch.commission.json"

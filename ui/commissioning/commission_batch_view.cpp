@@ -24,6 +24,7 @@ CommissionBatchView::CommissionBatchView(QWidget* parent)
 {
     build();
     connect(m_copy, &QPushButton::clicked, this, &CommissionBatchView::copyLabels);
+    connect(m_report, &QPushButton::clicked, this, &CommissionBatchView::reportRequested);
     retranslate();
 }
 
@@ -50,12 +51,15 @@ void CommissionBatchView::build()
     m_summary->setWordWrap(true);
     m_copy = new QPushButton(this);
     m_copy->setObjectName(QStringLiteral("commissionCopy"));
+    m_report = new QPushButton(this);
+    m_report->setObjectName(QStringLiteral("commissionReport"));
     auto* head = new QHBoxLayout;
     head->setSpacing(12);
-    head->addWidget(m_title);
-    head->addWidget(m_summary, 1);
+    head->addWidget(m_title, 1);
     head->addWidget(m_copy);
+    head->addWidget(m_report);
     column->addLayout(head);
+    column->addWidget(m_summary);
     column->addWidget(m_table, 1);
     column->addWidget(m_emptyLabel, 1);
     makeCard(this);
@@ -120,6 +124,7 @@ void CommissionBatchView::showSummary()
     m_table->setVisible(!m_batch.rows.empty());
     m_emptyLabel->setVisible(m_batch.rows.empty());
     m_copy->setEnabled(!m_model.labels({}).isEmpty());
+    m_report->setEnabled(!m_batch.rows.empty());
 }
 
 void CommissionBatchView::copyLabels()
@@ -140,6 +145,8 @@ void CommissionBatchView::retranslate()
     setButtonText(m_copy, tr("Copy labels"),
                   tr("Copies the labels of the selected servos, or of all servos if none is "
                      "selected, one per line"));
+    setButtonText(m_report, tr("Save report…"),
+                  tr("Saves the batch as a page to hand over with the servos"));
     m_model.retranslate();
     showSummary();
 }
@@ -147,7 +154,7 @@ void CommissionBatchView::retranslate()
 void CommissionBatchView::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_copy != nullptr)
+    if (event->type() == QEvent::LanguageChange && m_report != nullptr)
         retranslate();
 }
 } // namespace ui

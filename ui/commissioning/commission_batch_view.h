@@ -24,6 +24,9 @@ public:
     /// Those of the entered range; the ones the batch has given are left out here.
     void setIds(const std::vector<int>& ids);
 
+Q_SIGNALS:
+    void reportRequested();
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -43,5 +46,6 @@ private:
     QTableView* m_table = nullptr;
     QLabel* m_summary = nullptr;
     QPushButton* m_copy = nullptr;
+    QPushButton* m_report = nullptr;
 };
 } // namespace ui

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/commissioning/commission_page.h"
 
+#include "text/language.h"
 #include "ui/commissioning/commission_batch_view.h"
 #include "ui/commissioning/commission_form.h"
 #include "ui/commissioning/commission_status.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/banner.h"
@@ -11,7 +13,9 @@
 #include "ui/widgets/press_guard.h"
 #include "ui/widgets/question_dialog.h"
 
+#include <QDir>
 #include <QEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -138,6 +142,15 @@ void CommissionPage::connectAll()
         m_status->show(m_batchEnded);
     });
     connect(&m_commissioning, &Commissioning::finished, this, &CommissionPage::onFinished);
+    connect(m_batch, &CommissionBatchView::reportRequested, this,
+            &CommissionPage::askForReportPath);
+    connect(&m_commissioning, &Commissioning::reportSaved, this, [this](const QString& path) {
+        m_banner->showMessage([path] {
+            return BannerText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+        });
+    });
+    connect(&m_commissioning, &Commissioning::saveFailed, this,
+            [this](const base::Error& error) { m_banner->showMessage(error); });
     connect(&m_workbench, &session::Workbench::stateChanged, this, &CommissionPage::showState);
 }
 
@@ -197,6 +210,19 @@ void CommissionPage::onFinished(const std::optional<base::Error>& error)
     if (error)
         m_banner->showMessage(*error);
     showState();
+}
+
+void CommissionPage::askForReportPath()
+{
+    askForSavePath(
+        this,
+        {QStringLiteral("commissionReportDialog"),
+         tr("Save the report"),
+         {tr("Page to print (*.pdf)"), tr("Web page (*.html)")},
+         QFileInfo(m_commissioning.csvPath()).completeBaseName() + QStringLiteral(".pdf"),
+         &m_settings,
+         reportFolderKey()},
+        [this](const QString& path) { m_commissioning.saveReport(path, text::isUiChinese()); });
 }
 
 QString CommissionPage::blockedReason() const

@@ -46,6 +46,7 @@ private:
     void askForConfirmation();
     void start();
     void onFinished(const std::optional<base::Error>& error);
+    void askForReportPath();
     void showState();
     QString blockedReason() const; ///< why the line cannot start; empty: it can
 

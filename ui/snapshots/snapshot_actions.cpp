@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshot_actions.h"
 
+#include "report/report_file.h"
 #include "snapshot/factory_snapshot.h"
+#include "text/language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/snapshot_browser.h"
@@ -26,7 +28,7 @@ const QString bundleSuffix = QStringLiteral(".bundle.json");
 QString withSuffix(const QString& path, const QString& end)
 {
     if (path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive) ||
-        path.endsWith(end, Qt::CaseInsensitive))
+        path.endsWith(end, Qt::CaseInsensitive) || report::isReportPath(path))
         return path;
     return (path.endsWith(QLatin1StringView(".json"), Qt::CaseInsensitive) ? path.chopped(5)
                                                                            : path) +
@@ -161,9 +163,10 @@ void SnapshotActions::saveCopy()
                              .arg(table->servo.id)
                              .arg(table->at.toLocalTime().toString(QStringLiteral("yyyyMMdd")));
     askForPath(tr("Save the snapshot"), name + snapshotSuffix,
-               {tr("Snapshot (*.servo.json)"), tr("Table for spreadsheets (*.csv)")},
+               {tr("Snapshot (*.servo.json)"), tr("Table for spreadsheets (*.csv)"),
+                tr("Page to print (*.pdf)"), tr("Web page (*.html)")},
                [this, table](const QString& path) {
-                   m_snapshots.save(table, withSuffix(path, snapshotSuffix));
+                   m_snapshots.save(table, withSuffix(path, snapshotSuffix), text::isUiChinese());
                });
 }
 
@@ -196,7 +199,7 @@ void SnapshotActions::askTemplateFile(const session::SharedSnapshot& from, const
                    const auto made =
                        m_snapshots.toTemplate(*from, keys, {QFileInfo(path).baseName()});
                    if (made)
-                       m_snapshots.save(*made, withSuffix(path, snapshotSuffix));
+                       m_snapshots.save(*made, withSuffix(path, snapshotSuffix), false);
                    else
                        Q_EMIT failed(made.error());
                });

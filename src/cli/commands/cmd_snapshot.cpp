@@ -7,7 +7,10 @@
 #include "cli/translate.h"
 #include "device/write_access.h"
 #include "jobs/restore/take_snapshot.h"
+#include "report/report_file.h"
+#include "report/snapshot_report.h"
 #include "session/snapshot/safety_snapshot.h"
+#include "text/language.h"
 #include "text/notice_text.h"
 
 #include <QFileInfo>
@@ -104,14 +107,26 @@ QString snapshotText(const snapshot::Snapshot& snapshot)
 
 base::Result<Exit> runShow(Run& run, const Values& values)
 {
+    const auto path = values.option("--report");
+    if (path && !report::isReportPath(*path))
+        return badArgument(translate("cli", "the report file name must end with .html or .pdf"));
     const auto snapshot = snapshot::loadSnapshot(values.argument("FILE"));
     if (!snapshot)
         return tl::unexpected(snapshot.error());
+    if (path) {
+        const auto saved = report::saveSnapshotReport(*snapshot, run.session().catalog(),
+                                                      text::isUiChinese(), *path);
+        if (!saved)
+            return tl::unexpected(saved.error());
+    }
     if (values.has("--csv") && !run.console().isJson()) {
         run.console().write(snapshot::encodeSnapshotCsv(*snapshot));
         return Exit::Success;
     }
-    run.finish(jsonSnapshot(*snapshot), snapshotText(*snapshot));
+    run.finish(
+        jsonSnapshot(*snapshot),
+        snapshotText(*snapshot) +
+            (path ? translate("cli", "Report: %1").arg(*path) + QLatin1Char('\n') : QString()));
     return Exit::Success;
 }
 } // namespace
@@ -131,7 +146,9 @@ Command snapshotShowCommand()
     return {"snapshot show",
             QT_TRANSLATE_NOOP("cli", "show a saved file; needs no port"),
             {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by snapshot save")}},
-            {{"--csv", QT_TRANSLATE_NOOP("cli", "output as CSV, without a byte order mark")}},
+            {{"--csv", QT_TRANSLATE_NOOP("cli", "output as CSV, without a byte order mark")},
+             {"--report", QT_TRANSLATE_NOOP("cli", "also write the table to one page"),
+              "FILE.html|pdf"}},
             runShow};
 }
 } // namespace cli

@@ -2,6 +2,7 @@
 #include "session/commission/commissioning.h"
 
 #include "device/write_meaning.h"
+#include "report/commission_report.h"
 #include "session/commission/commission_labels.h"
 #include "session/snapshot/safety_snapshot.h"
 
@@ -220,18 +221,14 @@ bool isAngleLimit(const catalog::Register& reg)
     return reg.role == catalog::Role::MinAngle || reg.role == catalog::Role::MaxAngle;
 }
 
-/// No limit of the template is other than 0, and both at 0 are a mode of this model
-/// (device::removesAngleLimits). One that is not in the template may be 0 in the servo.
 bool canRemoveAngleLimits(const catalog::Profile& profile, const snapshot::Snapshot& settings)
 {
-    const bool isMode = std::any_of(profile.modes.begin(), profile.modes.end(),
-                                    [](const catalog::Mode& mode) { return mode.limitsZero; });
-    return isMode && std::none_of(settings.registers.begin(), settings.registers.end(),
-                                  [&](const snapshot::SnapshotRegister& row) {
-                                      const catalog::Register* reg = profile.find(row.key);
-                                      return reg != nullptr && isAngleLimit(*reg) &&
-                                             row.raw.value_or(0) != 0;
-                                  });
+    device::RegisterValues items;
+    for (const snapshot::SnapshotRegister& row : settings.registers) {
+        if (const catalog::Register* reg = profile.find(row.key); reg != nullptr && row.raw)
+            items.push_back({reg, *row.raw});
+    }
+    return device::canRemoveAngleLimits(profile, items);
 }
 } // namespace
 
@@ -299,6 +296,20 @@ bool Commissioning::hasHotplugQueue() const
 {
     return m_workbench.link().connection() != nullptr &&
            m_workbench.link().connection()->hasHotplugQueue();
+}
+
+void Commissioning::saveReport(const QString& path, bool chinese)
+{
+    m_fileThread.start(
+        [=, this, batch = m_batch, name = QFileInfo(m_csvPath).fileName(), post = m_post] {
+            const auto saved = report::saveCommissionReport(batch, name, chinese, path);
+            post->post([=, this] {
+                if (saved)
+                    Q_EMIT reportSaved(path);
+                else
+                    Q_EMIT saveFailed(saved.error());
+            });
+        });
 }
 
 std::size_t Commissioning::pendingServoCount() const

@@ -47,6 +47,9 @@ public:
     const jobs::CommissionView& view() const { return m_view; } ///< while it runs
     const results::CommissionBatch& batch() const { return m_batch; }
     const QString& csvPath() const { return m_csvPath; } ///< of that batch; empty: none yet
+    /// Html or Pdf by the end of the name; `chinese`: the language it opens in. reportSaved() or
+    /// saveFailed().
+    void saveReport(const QString& path, bool chinese);
 
     // --- simulated servos that are connected one after the other ---
     bool hasHotplugQueue() const;
@@ -61,6 +64,8 @@ Q_SIGNALS:
     void batchChanged(); ///< batch()
     /// `error`: why it could not start or continue.
     void finished(const std::optional<base::Error>& error);
+    void reportSaved(const QString& path);
+    void saveFailed(const base::Error& error);
 
 private:
     struct Live;

@@ -3,6 +3,8 @@
 
 #include "jobs/restore/restore_many.h"
 #include "jobs/restore/take_snapshot.h"
+#include "report/report_file.h"
+#include "report/snapshot_report.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "snapshot/factory_snapshot.h"
 #include "snapshot/snapshot_template.h"
@@ -184,10 +186,12 @@ void Snapshots::open(const QString& path)
         [this, found] { Q_EMIT fileOpened(*found); });
 }
 
-void Snapshots::save(SharedSnapshot snapshot, const QString& path)
+void Snapshots::save(SharedSnapshot snapshot, const QString& path, bool chinese)
 {
     saveInBackground(
-        [snapshot = std::move(snapshot), path] {
+        [snapshot = std::move(snapshot), catalog = m_workbench.catalog(), path, chinese] {
+            if (report::isReportPath(path))
+                return report::saveSnapshotReport(*snapshot, catalog, chinese, path);
             return path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive)
                        ? snapshot::saveSnapshotCsv(*snapshot, path)
                        : snapshot::saveSnapshot(*snapshot, path);

@@ -48,8 +48,9 @@ public:
 
     /// A snapshot, a template or a bundle. opened() or failed().
     void open(const QString& path);
-    /// CSV where the name ends so. saved() or failed().
-    void save(SharedSnapshot snapshot, const QString& path);
+    /// By the end of the name CSV, a report (HTML, PDF) that opens in Chinese or not, or else the
+    /// snapshot itself. saved() or failed().
+    void save(SharedSnapshot snapshot, const QString& path, bool chinese);
     void save(std::vector<snapshot::RestoreResult> results, const QString& path);
 
 Q_SIGNALS:

@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -205,6 +206,15 @@ private Q_SLOTS:
         context.click("commissionStop");
         QVERIFY(context.ends());
         QVERIFY(context.own<QSpinBox>("commissionFirstId")->isEnabled());
+        context.click("commissionReport");
+        auto* dialog = context.own<QFileDialog>("commissionReportDialog");
+        QVERIFY(dialog != nullptr);
+        QVERIFY(dialog->selectedFiles().front().endsWith(QStringLiteral("/batch.pdf")));
+        const QString report = context.files.filePath(QStringLiteral("batch.pdf"));
+        Q_EMIT dialog->fileSelected(report);
+        dialog->close();
+        QTRY_VERIFY(QFile::exists(report));
+        QTRY_VERIFY(context.own<QFrame>("commissionBanner")->isVisible());
 
         // Gone on with: ID 7 is known to be given, the next one is set aside by
         // hand.

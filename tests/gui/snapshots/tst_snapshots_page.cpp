@@ -379,6 +379,28 @@ private Q_SLOTS:
         QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
     }
 
+    void aSnapshotIsSavedForPaper()
+    {
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QVERIFY(fixture.taken());
+        auto* save = fixture.find<QAction>("snapshotSaveCopy");
+        QTRY_VERIFY(save->isEnabled());
+        save->trigger();
+        auto* dialog = fixture.find<QFileDialog>("snapshotFileDialog");
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(dialog->nameFilters().filter(QStringLiteral("*.pdf")).size(), 1);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("knee.pdf"));
+        Q_EMIT dialog->fileSelected(path);
+        dialog->close();
+        QTRY_VERIFY2(fixture.bannerText().contains(QStringLiteral("knee.pdf")),
+                     qPrintable(fixture.bannerText()));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.read(5) == "%PDF-");
+    }
+
     /// Consent was given for one write: after Undo the dangerous row is not ticked by itself.
     void aDangerousRowStaysUncheckedAfterUndo()
     {
@@ -401,7 +423,7 @@ private Q_SLOTS:
         QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
         QTRY_VERIFY(fixture.bannerText().contains(QLatin1String("1 row")));
         QVERIFY(fixture.waitUntilIdle());
-        fixture.workbench().writes().undo();
+        fixture.workbench().writes().undo(device::Consent::confirmed());
         QVERIFY(fixture.waitUntilIdle());
         QTRY_VERIFY(fixture.rowOf("unload_condition") >= 0);
         QTRY_COMPARE(fixture.tick("unload_condition"), Qt::Unchecked);

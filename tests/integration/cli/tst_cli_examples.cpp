@@ -54,9 +54,10 @@ void TestCliExamples::everyExampleRuns()
             QVERIFY2(!result.out.isEmpty(), example);
         }
     }
-    for (const char* name : {"arm.csv", "sweep.html", "sweep.pdf", "sweep.csv", "compared.html",
-                             "step.html", "gains.html", "knee.servo.json", "arm.bundle.json",
-                             "gains.servo.json", "then.servo.json", "alarms.csv"})
+    for (const char* name :
+         {"arm.csv", "arm.pdf", "arm.html", "knee.pdf", "sweep.html", "sweep.pdf", "sweep.csv",
+          "compared.html", "step.html", "gains.html", "knee.servo.json", "arm.bundle.json",
+          "gains.servo.json", "then.servo.json", "alarms.csv"})
         QVERIFY2(QFile::exists(m_folder.filePath(QLatin1String(name))), name);
 }
 
