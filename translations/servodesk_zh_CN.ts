@@ -3932,6 +3932,10 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <source>The present position becomes the midpoint. Afterwards, every position corresponds to a different angle than before, in other programs too.</source>
         <translation>当前位置将成为中位。此后每个位置对应的角度都与之前不同，其他程序也受影响。</translation>
     </message>
+    <message>
+        <source>With both angle limits at 0, the shaft can turn past any position.</source>
+        <translation>两个角度限制均为 0 时，输出轴可转过任意位置。</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>

@@ -61,7 +61,8 @@ Result<void> Exchange::awaitSilence(const Interrupt& interrupt)
         if (!hasData)
             return tl::unexpected(hasData.error());
         if (*hasData) {
-            carried += m_line.wireTime(m_line.received() - before);
+            // Less where an echo was taken off that had begun before.
+            carried += m_line.wireTime(std::max(m_line.received(), before) - before);
             m_scanner.scanUnexpected(false);
             m_awaitingSilence = true;
         }

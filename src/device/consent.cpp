@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/consent.h"
 
-#include "device/motion/mode.h"
+#include "device/write_check.h"
 #include "device/write_meaning.h"
 
 #include <algorithm>
@@ -10,28 +10,34 @@ namespace device {
 using catalog::Role;
 
 namespace {
-bool isAngleLimit(const RegisterValue& item)
+bool isUnlimitedByZero(const catalog::Profile& profile)
 {
-    return item.reg->role == Role::MinAngle || item.reg->role == Role::MaxAngle;
+    return std::any_of(profile.modes.begin(), profile.modes.end(),
+                       [](const catalog::Mode& mode) { return mode.limitsZero; });
 }
 } // namespace
 
 bool removesAngleLimits(const Servo& servo, const RegisterValues& items)
 {
-    const auto change = modeChange(servo, items);
-    return std::any_of(items.begin(), items.end(), isAngleLimit) && change &&
-           change->to->limitsZero;
+    const bool concerned = std::any_of(items.begin(), items.end(), [](const RegisterValue& item) {
+        return item.reg->role == Role::MinAngle || item.reg->role == Role::MaxAngle;
+    });
+    const bool hadNone = servo.raw(Role::MinAngle) == 0 && servo.raw(Role::MaxAngle) == 0;
+    return concerned && !hadNone && isUnlimitedByZero(*servo.profile) &&
+           valueAfter(servo, items, Role::MinAngle) == 0 &&
+           valueAfter(servo, items, Role::MaxAngle) == 0;
 }
 
 bool canRemoveAngleLimits(const catalog::Profile& profile, const RegisterValues& items)
 {
-    const bool isMode = std::any_of(profile.modes.begin(), profile.modes.end(),
-                                    [](const catalog::Mode& mode) { return mode.limitsZero; });
-    const auto keepsLimit = [](const RegisterValue& item) {
-        return isAngleLimit(item) && item.raw != 0;
+    const auto written = [&](Role role, auto condition) {
+        return std::any_of(items.begin(), items.end(), [&](const RegisterValue& item) {
+            return item.reg->role == role && condition(item.raw);
+        });
     };
-    return isMode && std::any_of(items.begin(), items.end(), isAngleLimit) &&
-           std::none_of(items.begin(), items.end(), keepsLimit);
+    return isUnlimitedByZero(profile) &&
+           written(Role::MaxAngle, [](std::int64_t raw) { return raw == 0; }) &&
+           !written(Role::MinAngle, [](std::int64_t raw) { return raw != 0; });
 }
 
 base::Result<void> requireConsent(const catalog::Register& reg, std::int64_t raw, Consent consent,

@@ -29,11 +29,10 @@ private:
 
     bool m_isGiven = false;
 };
-/// Whether both angle limits become 0, and that selects another mode: the shaft then turns without
-/// a limit. Against what has been read of the servo; false where that is not enough to tell.
+/// Whether both angle limits become 0 and were not: in the mode of that, now or later, the shaft
+/// turns past any position. By what has been read of the servo; false where that is too little.
 bool removesAngleLimits(const Servo& servo, const RegisterValues& items);
-/// The same of servos of this model whose values are not known: a limit that is not written may be
-/// 0 there.
+/// The same of servos of this model whose values are not known: the lower limit may be 0 there.
 bool canRemoveAngleLimits(const catalog::Profile& profile, const RegisterValues& items);
 
 /// NeedsConsent (write_meaning.h decides) where writing this value needs a consent that is not

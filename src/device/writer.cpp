@@ -132,9 +132,11 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
     if (change) {
         if (const auto quiet = addZeroCommand(servo, *checked); !quiet)
             return tl::unexpected(quiet.error());
-        if (const auto kept = saveForReturn(context, servo, *change, *checked); !kept)
+        if (const auto kept = savePositionSpeed(context, servo, *change); !kept)
             return tl::unexpected(kept.error());
     }
+    if (const auto kept = saveLimits(context, servo, *checked); !kept)
+        return tl::unexpected(kept.error());
     if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, QStringLiteral("write"), {}, servo.id);
 

@@ -171,6 +171,8 @@ void TrendAxes::keepLaneHeights()
 
 TrendAxes::ValueAxis* TrendAxes::laneLabelAt(const QPointF& position)
 {
+    if (usedAxes().size() < 2)
+        return nullptr; // there is nothing to change places with
     for (ValueAxis& axis : m_values) {
         if (m_lanes && axis.used && position.x() > axis.area.right() &&
             position.y() >= axis.area.top() && position.y() <= axis.area.bottom())

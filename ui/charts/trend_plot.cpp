@@ -64,12 +64,12 @@ TrendPlot::DragMode TrendPlot::dragModeFor(const QMouseEvent& event, const QPoin
         return DragMode::Pan;
     if (event.button() != Qt::LeftButton)
         return DragMode::Nothing;
+    if (const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(position))
+        return *cursor == Cursor::A ? DragMode::CursorA : DragMode::CursorB;
     if (TrendAxes::ValueAxis* const lane = m_scene->axes().laneLabelAt(position)) {
         m_draggedLane = lane->range.unit();
         return DragMode::Lane;
     }
-    if (const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(position))
-        return *cursor == Cursor::A ? DragMode::CursorA : DragMode::CursorB;
     if (TrendAxes::ValueAxis* const lane = m_scene->axes().laneEdgeAt(position)) {
         m_draggedLane = lane->range.unit();
         return DragMode::LaneEdge;
@@ -291,7 +291,10 @@ bool TrendPlot::pinched(QGestureEvent* event)
     if (pinch == nullptr)
         return false;
     event->accept(pinch);
-    m_dragMode = DragMode::Nothing; // the finger that came first is taken for the mouse
+    // The finger that came first is taken for the mouse.
+    const DragMode dragMode = std::exchange(m_dragMode, DragMode::Nothing);
+    if (m_hasMoved && (dragMode == DragMode::Lane || dragMode == DragMode::LaneEdge))
+        Q_EMIT laneReleased();
     m_scene->overlay().setBox({});
     const QPointF center = viewport()->mapFromGlobal(pinch->centerPoint());
     if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged) &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editors/write_question.h"
 
+#include "device/consent.h"
 #include "device/write_meaning.h"
 #include "text/language.h"
 #include "text/translate.h"
@@ -120,6 +121,10 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
         return translate("WriteQuestion",
                          "Afterwards, every position corresponds to a different angle than before. "
                          "Clear the area around the mechanism before turning torque on.");
+    case Role::MinAngle:
+    case Role::MaxAngle:
+        return translate("WriteQuestion",
+                         "With both angle limits at 0, the shaft can turn past any position.");
     default:
         return translate("WriteQuestion", "A wrong value can make the servo unreachable or "
                                           "dangerous. Note the old value before you continue.");
@@ -177,30 +182,60 @@ ModeTransition modeTransition(const session::ServoEntry& entry,
                             after(Role::MaxAngle))};
 }
 
-bool decidesMode(const catalog::Register& reg)
+bool isAngleLimit(const catalog::Register& reg)
 {
-    return reg.role == Role::OperatingMode || reg.role == Role::MinAngle ||
-           reg.role == Role::MaxAngle;
+    return reg.role == Role::MinAngle || reg.role == Role::MaxAngle;
+}
+
+/// Of the mode, or else the last of the limits; null: none of them decides the mode.
+const device::WriteItem* modeItem(const catalog::Profile& profile,
+                                  const std::vector<device::WriteItem>& items)
+{
+    const device::WriteItem* found = nullptr;
+    for (const device::WriteItem& item : items) {
+        const catalog::Register* reg = profile.find(item.key);
+        if (reg != nullptr && reg->role == Role::OperatingMode)
+            return &item;
+        if (reg != nullptr && isAngleLimit(*reg))
+            found = &item;
+    }
+    return found;
+}
+
+/// Together with the limits that are on their way.
+bool removesLimits(const session::ServoEntry& entry, const std::vector<device::WriteItem>& items)
+{
+    device::RegisterValues values;
+    for (const device::WriteItem& item : items) {
+        if (const catalog::Register* reg = entry.servo.profile->find(item.key))
+            values.push_back({reg, item.raw});
+    }
+    for (const Role role : {Role::MinAngle, Role::MaxAngle}) {
+        if (const auto pending = pendingValue(entry, role)) // where an item has it, that counts
+            values.push_back({entry.servo.profile->byRole(role), *pending});
+    }
+    return device::removesAngleLimits(entry.servo, values);
 }
 } // namespace
 
 std::vector<Question> writeQuestions(const session::ServoEntry& entry,
                                      const std::vector<device::WriteItem>& items, bool temporary)
 {
+    const catalog::Profile& profile = *entry.servo.profile;
     const ModeTransition step = modeTransition(entry, items);
     const bool changesMode = step.to != nullptr && step.to != step.from;
-    bool isModeAsked = false;
+    const device::WriteItem* const mode = changesMode ? modeItem(profile, items) : nullptr;
+    bool limitsAreAsked = mode != nullptr || !removesLimits(entry, items);
     std::vector<Question> questions;
     for (const device::WriteItem& item : items) {
-        const catalog::Register* reg = entry.servo.profile->find(item.key);
+        const catalog::Register* reg = profile.find(item.key);
         if (reg == nullptr)
             continue;
-        if (changesMode && decidesMode(*reg)) {
-            if (!std::exchange(isModeAsked, true))
-                questions.push_back(modeQuestion(entry, *reg, item.raw, step, temporary));
-        } else if (device::classify(*reg, item.raw).needsConsent) {
+        if (&item == mode)
+            questions.push_back(modeQuestion(entry, *reg, item.raw, step, temporary));
+        else if (device::classify(*reg, item.raw).needsConsent ||
+                 (isAngleLimit(*reg) && !std::exchange(limitsAreAsked, true)))
             questions.push_back(dangerousWriteQuestion(entry, *reg, item.raw, temporary));
-        }
     }
     return questions;
 }

@@ -53,11 +53,23 @@ bool isAngleLimit(const jobs::RestorePlan& plan, const QString& key)
            (reg->role == catalog::Role::MinAngle || reg->role == catalog::Role::MaxAngle);
 }
 
+/// The snapshot has none, and the user has not ticked them: other servos keep theirs.
+bool isUntickedNoLimit(const jobs::RestorePlan& plan, const jobs::RestoreRow& row)
+{
+    const auto isZero = [&](catalog::Role role) {
+        const catalog::Register* reg = plan.servo.profile->byRole(role);
+        const jobs::RestoreRow* limit = reg != nullptr ? plan.find(reg->key) : nullptr;
+        return limit != nullptr && limit->newRaw == 0;
+    };
+    return !row.selected && isAngleLimit(plan, row.key) && isZero(catalog::Role::MinAngle) &&
+           isZero(catalog::Role::MaxAngle);
+}
+
 void addRows(ApplySource& source, const jobs::RestorePlan& plan)
 {
     device::RegisterValues values;
     for (const jobs::RestoreRow& row : plan.rows) {
-        if (!isTransferable(row))
+        if (!isTransferable(row) || isUntickedNoLimit(plan, row))
             continue;
         source.only << row.key;
         source.dangerous = source.dangerous || row.reasons.testFlag(RestoreReason::NeedsConsent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/motion/mode.h"
 
+#include "device/consent.h"
 #include "device/motion/motion.h"
 #include "device/motion/saved_speed.h"
 #include "device/transactions.h"
@@ -59,28 +60,23 @@ base::Result<void> addZeroCommand(const Servo& servo, RegisterValues& items)
     return {};
 }
 
-namespace {
-bool limitsVanish(const Servo& servo, const RegisterValues& items)
+base::Result<void> saveLimits(const Context& context, const Servo& servo,
+                              const RegisterValues& items)
 {
-    const bool hasLimits =
-        servo.raw(Role::MinAngle).value_or(0) != 0 || servo.raw(Role::MaxAngle).value_or(0) != 0;
-    return hasLimits && valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
-           valueAfter(servo, items, Role::MaxAngle).value_or(0) == 0;
-}
-} // namespace
-
-base::Result<void> saveForReturn(const Context& context, const Servo& servo,
-                                 const ModeChange& change, const RegisterValues& items)
-{
-    if (limitsVanish(servo, items)) {
-        const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
-        const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
-        const auto kept =
-            context.journal.saveServoValues(servo.identity(), savedLimitsName(), {min, max});
-        if (!kept)
-            return kept;
+    if (!removesAngleLimits(servo, items))
+        return {};
+    const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
+    const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
+    const auto kept =
+        context.journal.saveServoValues(servo.identity(), savedLimitsName(), {min, max});
+    if (kept)
         context.note(NoticeCode::LimitsSaved, servo.id, {}, min, max);
-    }
+    return kept;
+}
+
+base::Result<void> savePositionSpeed(const Context& context, const Servo& servo,
+                                     const ModeChange& change)
+{
     const auto speed = servo.raw(Role::GoalSpeed);
     const bool positionBefore =
         change.from != nullptr && change.from->command == Role::GoalPosition;

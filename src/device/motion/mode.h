@@ -22,9 +22,12 @@ bool sharesFrameWithMode(const catalog::Profile& profile, catalog::Role command)
 /// ("mode-first") when the items give another one.
 base::Result<void> addZeroCommand(const Servo& servo, RegisterValues& items);
 
-/// Before the write: saves the limits and the position speed in the journal.
-base::Result<void> saveForReturn(const Context& context, const Servo& servo,
-                                 const ModeChange& change, const RegisterValues& items);
+/// Before the write, for the way back to a position mode, both in the journal: the angle limits
+/// where the items remove them, and the position speed.
+base::Result<void> saveLimits(const Context& context, const Servo& servo,
+                              const RegisterValues& items);
+base::Result<void> savePositionSpeed(const Context& context, const Servo& servo,
+                                     const ModeChange& change);
 
 /// After the write, torque off: zeroes the new mode's command, restores the position speed and the
 /// current limit, and makes sure that torque is still off.

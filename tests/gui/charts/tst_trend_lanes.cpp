@@ -57,6 +57,7 @@ private Q_SLOTS:
     void edgesAreDragged();
     void heightsAreKept();
     void lanesAreReordered();
+    void aSingleLaneCannotBeMoved();
     void wheelWithShiftZoomsOneLane();
     void draggingChangesOneLane();
     void hiddenChannelsLeaveNoLane();
@@ -204,6 +205,16 @@ void TestTrendLanes::lanesAreReordered()
     QCOMPARE(other.laneOf("°"), fixture.laneOf("°"));
     dragLane("rpm", "°");
     QVERIFY(fixture.laneOf("°").bottom() < fixture.laneOf("rpm").top());
+}
+
+void TestTrendLanes::aSingleLaneCannotBeMoved()
+{
+    LanesFixture fixture;
+    const QPointF beside(fixture.laneOf("°").right() + 12, fixture.laneOf("°").center().y());
+    QVERIFY(fixture.axes().laneLabelAt(beside) != nullptr);
+    fixture.chart.setChannels({fixture.chart.channels().front()});
+    fixture.waitForFrames();
+    QVERIFY(fixture.axes().laneLabelAt(beside) == nullptr);
 }
 
 void TestTrendLanes::wheelWithShiftZoomsOneLane()

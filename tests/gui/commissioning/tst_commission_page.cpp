@@ -356,6 +356,7 @@ private Q_SLOTS:
         QCOMPARE(keys({{"max_angle_limit", 0}}), QStringList{max});
         QCOMPARE(keys({{"min_angle_limit", 0}, {"max_angle_limit", 0}}), (QStringList{min, max}));
         QVERIFY(keys({{"min_angle_limit", 0}, {"max_angle_limit", 4095}}).isEmpty());
+        QVERIFY(keys({{"min_angle_limit", 0}}).isEmpty()); // the upper one is above it
         QVERIFY(keys({{"position_p", 0}}).isEmpty());
     }
 

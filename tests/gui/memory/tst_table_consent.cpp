@@ -6,12 +6,14 @@
 #include "support/consent_rules.h"
 #include "support/test_main.h"
 #include "ui/app/undo_redo.h"
+#include "ui/editors/write_question.h"
 #include "ui/memory/memory_page.h"
 #include "ui/memory/memory_view.h"
 #include "ui/memory/register_panel.h"
 
 #include <QAction>
 #include <QDialog>
+#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -32,7 +34,8 @@ private Q_SLOTS:
     void thePanelAsksLikeTheTable();
     void undoAndRedoAskAgain_data();
     void undoAndRedoAskAgain();
-    void limitsInSpeedModeAskNothing();
+    void limitsAskInSpeedModeToo();
+    void theQuestionNamesTheMode();
 };
 
 namespace {
@@ -194,7 +197,7 @@ void TestTableConsent::undoAndRedoAskAgain()
     }
 }
 
-void TestTableConsent::limitsInSpeedModeAskNothing()
+void TestTableConsent::limitsAskInSpeedModeToo()
 {
     Fixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
@@ -209,8 +212,26 @@ void TestTableConsent::limitsInSpeedModeAskNothing()
         {{{QStringLiteral("operating_mode"), 1}}, false, device::Consent::confirmed()});
     QVERIFY(written("operating_mode", 1));
     fixture.enter(QStringLiteral("max_angle_limit"), 0);
-    QVERIFY(!fixture.question());
+    QDialog* question = fixture.question();
+    QVERIFY(question != nullptr);
+    const auto* risk = question->findChild<QLabel*>(QStringLiteral("questionRisk"));
+    QVERIFY(risk != nullptr && risk->text().contains(QStringLiteral("past any position")));
+    QTest::mouseClick(question->findChild<QPushButton*>(QStringLiteral("questionYes")),
+                      Qt::LeftButton);
     QVERIFY(written("max_angle_limit", 0));
+}
+
+/// Of several writes, the question names the one that switches the mode.
+void TestTableConsent::theQuestionNamesTheMode()
+{
+    Fixture fixture;
+    QVERIFY(fixture.isReady(consentFamilies().front()));
+    const auto questions = ui::writeQuestions(
+        fixture.entry(),
+        {{QStringLiteral("min_angle_limit"), 100}, {QStringLiteral("operating_mode"), 1}}, false);
+    QCOMPARE(questions.size(), std::size_t(1));
+    QVERIFY2(questions.front().text.contains(QStringLiteral("Writing 1 to Operating mode")),
+             qPrintable(questions.front().text));
 }
 
 SERVODESK_TEST(TestTableConsent)

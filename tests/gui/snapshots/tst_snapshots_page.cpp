@@ -605,6 +605,36 @@ private Q_SLOTS:
         QVERIFY(fixture.workbench().writes().undoStep() != nullptr);
     }
 
+    /// This servo has no angle limits, like the snapshot: that is nothing to tick, and others keep
+    /// theirs.
+    void untickedLimitsAreNotTakenFromOthers()
+    {
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        fixture.workbench().writes().write(
+            fixture.selection().current(),
+            {{{QStringLiteral("min_angle_limit"), 0}, {QStringLiteral("max_angle_limit"), 0}},
+             false,
+             device::Consent::confirmed()});
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY(fixture.taken());
+        const std::int64_t before = fixture.now("position_p");
+        QVERIFY(fixture.write("position_p", before + 5));
+        QTRY_COMPARE(fixture.tick("position_p"), Qt::Checked);
+        fixture.click("restoreSeveral");
+        auto* servos = fixture.find<QTableWidget>("applyTable");
+        QVERIFY(servos != nullptr);
+        fixture.click("applyWrite");
+        QTRY_VERIFY(fixture.find<QPushButton>("questionYes") != nullptr);
+        QVERIFY(fixture.find<QLabel>("questionRisk") == nullptr);
+        QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
+        for (int row = 0; row < 2; ++row)
+            QTRY_VERIFY(servos->item(row, 3)->text().startsWith(QStringLiteral("✔")));
+        QCOMPARE(fixture.now("position_p"), before);
+        fixture.selection().select(fixture.workbench().registry().order()[1]);
+        QCOMPARE(fixture.now("max_angle_limit"), 4095);
+    }
+
     /// A row that this servo has not is told, not passed over.
     void skippedRowsAreReported()
     {

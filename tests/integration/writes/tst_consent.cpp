@@ -2,6 +2,7 @@
 // Every register of every family with every value that could be special, on every way a value takes
 // to a servo: what can make the servo unreachable or dangerous, or its positions wrong, is refused
 // without consent before a byte of it is sent. What must ask is listed here, from the data sheets.
+#include "device/motion/motion.h"
 #include "device/write_meaning.h"
 #include "integration/restore_support.h"
 #include "jobs/change/ordered_write.h"
@@ -55,7 +56,8 @@ private Q_SLOTS:
     void commissioningNeedsConsent();
     void limitsAreNotRemovedWithoutConsent_data();
     void limitsAreNotRemovedWithoutConsent();
-    void limitsThatSelectNoModeNeedNone();
+    void oneLimitNeedsNone();
+    void limitsNeedConsentInEveryMode();
 
 private:
     static void addFamilies()
@@ -266,22 +268,15 @@ void TestConsent::limitsAreNotRemovedWithoutConsent()
     QVERIFY(report->isSuccessful());
 }
 
-void TestConsent::limitsThatSelectNoModeNeedNone()
+void TestConsent::oneLimitNeedsNone()
 {
     SimFixture fixture(QStringLiteral("sts3215@1"));
     device::Servo servo = support::identifyWithTable(fixture);
     const QString min = servo.profile->byRole(catalog::Role::MinAngle)->key;
     const QString max = servo.profile->byRole(catalog::Role::MaxAngle)->key;
-    const auto write = [&](const std::vector<device::WriteItem>& items, device::Consent consent) {
-        std::optional<device::WriteReport> report;
-        device::WriteOptions options;
-        options.consent = consent;
-        const auto done = jobs::writeInOrder(fixture.context(), servo, items, options,
-                                             SpecialRegisters::Write, report);
-        return done && report && report->isSuccessful();
-    };
-    // One of the two is no mode.
-    QVERIFY(write({{min, 100}}, {}));
+    std::optional<device::WriteReport> report;
+    QVERIFY(jobs::writeInOrder(fixture.context(), servo, {{min, 100}}, {}, SpecialRegisters::Write,
+                               report));
     snapshot::Snapshot wanted = jobs::snapshotOf(servo, {});
     for (snapshot::SnapshotRegister& row : wanted.registers) {
         if (row.key == min || row.key == max)
@@ -292,10 +287,44 @@ void TestConsent::limitsThatSelectNoModeNeedNone()
     const auto writes = jobs::plannedWrites(jobs::planRestore(servo, wanted, onlyMin));
     QCOMPARE(writes.size(), std::size_t(1));
     QCOMPARE(writes.front().key, min);
-    // Speed mode has no limits; going back to a position mode without them asks again.
-    QVERIFY(write({{QStringLiteral("operating_mode"), 1}}, device::Consent::byOption(true)));
-    QVERIFY(write({{min, 0}, {max, 0}}, {}));
-    QVERIFY(!write({{QStringLiteral("operating_mode"), 0}}, {}));
+}
+
+/// The mode in which there is no limit then may come later, and step mode is one already. The way
+/// back to a position mode finds the limits again, whichever mode they were removed in.
+void TestConsent::limitsNeedConsentInEveryMode()
+{
+    for (const char* mode : {"speed", "pwm", "step"}) {
+        SimFixture fixture(QStringLiteral("sts3215@1"));
+        device::Servo servo = support::identifyWithTable(fixture);
+        const QString min = servo.profile->byRole(catalog::Role::MinAngle)->key;
+        const QString max = servo.profile->byRole(catalog::Role::MaxAngle)->key;
+        const std::int64_t number = servo.profile->mode(QLatin1String(mode))->operatingMode.value();
+        const auto write = [&](const std::vector<device::WriteItem>& items,
+                               device::Consent consent) {
+            std::optional<device::WriteReport> report;
+            device::WriteOptions options;
+            options.consent = consent;
+            const auto done = jobs::writeInOrder(fixture.context(), servo, items, options,
+                                                 SpecialRegisters::Write, report);
+            return done && report && report->isSuccessful();
+        };
+        QVERIFY(write({{min, 300}, {max, 3000}}, {}));
+        QVERIFY(
+            write({{QStringLiteral("operating_mode"), number}}, device::Consent::byOption(true)));
+        // A snapshot with mode and limits together asks for the limits as well.
+        snapshot::Snapshot wanted = jobs::snapshotOf(servo, {});
+        for (snapshot::SnapshotRegister& row : wanted.registers) {
+            if (row.key == min || row.key == max || row.key == QLatin1String("operating_mode"))
+                row.raw = 0;
+        }
+        const auto plan = jobs::planRestore(servo, wanted);
+        QVERIFY2(jobs::plannedWrites(plan).empty(), mode);
+        QVERIFY2(!write({{min, 0}, {max, 0}}, {}), mode);
+        QVERIFY2(write({{min, 0}, {max, 0}}, device::Consent::byOption(true)), mode);
+        QVERIFY(device::switchMode(fixture.context(), servo, QStringLiteral("position")));
+        QCOMPARE(fixture.raw(1, min), 300);
+        QCOMPARE(fixture.raw(1, max), 3000);
+    }
 }
 
 SERVODESK_GUILESS_TEST(TestConsent)
