@@ -7895,7 +7895,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Only a new goal clears an overcurrent alarm.</source>
-        <translation>须重新写入目标，才能解除过流。</translation>
+        <translation>须重新写入目标，才能解除过流报警。</translation>
     </message>
     <message>
         <source>Remove the cause and keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
