@@ -8542,8 +8542,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>两个角度限制均为 0 时，输出轴不受限制</translation>
     </message>
     <message>
-        <source>Both limits at 0 switch the servo to a mode in which the shaft can turn past any position.</source>
-        <translation>两个限制均为 0 会使舵机切换到输出轴可转过任意位置的模式。</translation>
+        <source>Without limits, the shaft can turn past any position.</source>
+        <translation>没有限制时，输出轴可转过任意位置。</translation>
     </message>
 </context>
 <context>

@@ -195,8 +195,7 @@ constexpr std::array consent{
             "Keep clear of the mechanism, then repeat the write and confirm it explicitly.")},
     RefusalText{"free-turning",
                 QT_TRANSLATE_NOOP("text", "with both angle limits at 0, the shaft is not limited"),
-                QT_TRANSLATE_NOOP("text", "Both limits at 0 switch the servo to a mode in which "
-                                          "the shaft can turn past any position."),
+                QT_TRANSLATE_NOOP("text", "Without limits, the shaft can turn past any position."),
                 QT_TRANSLATE_NOOP("text", "Keep clear of the mechanism, then repeat the write and "
                                           "confirm it explicitly.")},
     RefusalText{

@@ -90,6 +90,12 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
     return question;
 }
 
+QString limitsRisk()
+{
+    return translate("WriteQuestion",
+                     "With both angle limits at 0, the shaft can turn past any position.");
+}
+
 QString roleRisk(const catalog::Register& reg, std::int64_t raw)
 {
     if (device::classify(reg, raw).procedure == device::WriteProcedure::Center)
@@ -123,8 +129,7 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
                          "Clear the area around the mechanism before turning torque on.");
     case Role::MinAngle:
     case Role::MaxAngle:
-        return translate("WriteQuestion",
-                         "With both angle limits at 0, the shaft can turn past any position.");
+        return limitsRisk();
     default:
         return translate("WriteQuestion", "A wrong value can make the servo unreachable or "
                                           "dangerous. Note the old value before you continue.");
@@ -225,17 +230,22 @@ std::vector<Question> writeQuestions(const session::ServoEntry& entry,
     const ModeTransition step = modeTransition(entry, items);
     const bool changesMode = step.to != nullptr && step.to != step.from;
     const device::WriteItem* const mode = changesMode ? modeItem(profile, items) : nullptr;
-    bool limitsAreAsked = mode != nullptr || !removesLimits(entry, items);
+    const bool losesLimits = removesLimits(entry, items);
+    bool limitsAreAsked = mode != nullptr || !losesLimits;
     std::vector<Question> questions;
     for (const device::WriteItem& item : items) {
         const catalog::Register* reg = profile.find(item.key);
         if (reg == nullptr)
             continue;
-        if (&item == mode)
-            questions.push_back(modeQuestion(entry, *reg, item.raw, step, temporary));
-        else if (device::classify(*reg, item.raw).needsConsent ||
-                 (isAngleLimit(*reg) && !std::exchange(limitsAreAsked, true)))
+        if (&item == mode) {
+            Question question = modeQuestion(entry, *reg, item.raw, step, temporary);
+            if (losesLimits && !step.to->limitsZero)
+                question.risk = text::joinSentences({question.risk, limitsRisk()});
+            questions.push_back(std::move(question));
+        } else if (device::classify(*reg, item.raw).needsConsent ||
+                   (isAngleLimit(*reg) && !std::exchange(limitsAreAsked, true))) {
             questions.push_back(dangerousWriteQuestion(entry, *reg, item.raw, temporary));
+        }
     }
     return questions;
 }

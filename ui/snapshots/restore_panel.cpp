@@ -53,23 +53,23 @@ bool isAngleLimit(const jobs::RestorePlan& plan, const QString& key)
            (reg->role == catalog::Role::MinAngle || reg->role == catalog::Role::MaxAngle);
 }
 
-/// The snapshot has none, and the user has not ticked them: other servos keep theirs.
-bool isUntickedNoLimit(const jobs::RestorePlan& plan, const jobs::RestoreRow& row)
+/// The snapshot has none, and the user has ticked neither: other servos keep theirs.
+bool keepsLimitsOfOthers(const jobs::RestorePlan& plan)
 {
-    const auto isZero = [&](catalog::Role role) {
+    const auto isUntickedZero = [&](catalog::Role role) {
         const catalog::Register* reg = plan.servo.profile->byRole(role);
         const jobs::RestoreRow* limit = reg != nullptr ? plan.find(reg->key) : nullptr;
-        return limit != nullptr && limit->newRaw == 0;
+        return limit != nullptr && limit->newRaw == 0 && !limit->selected;
     };
-    return !row.selected && isAngleLimit(plan, row.key) && isZero(catalog::Role::MinAngle) &&
-           isZero(catalog::Role::MaxAngle);
+    return isUntickedZero(catalog::Role::MinAngle) && isUntickedZero(catalog::Role::MaxAngle);
 }
 
 void addRows(ApplySource& source, const jobs::RestorePlan& plan)
 {
+    const bool keepsLimits = keepsLimitsOfOthers(plan);
     device::RegisterValues values;
     for (const jobs::RestoreRow& row : plan.rows) {
-        if (!isTransferable(row) || isUntickedNoLimit(plan, row))
+        if (!isTransferable(row) || (keepsLimits && isAngleLimit(plan, row.key)))
             continue;
         source.only << row.key;
         source.dangerous = source.dangerous || row.reasons.testFlag(RestoreReason::NeedsConsent);
@@ -240,7 +240,7 @@ QStringList RestorePanel::risks() const
         if (row->reasons.testFlag(RestoreReason::OtherModelLimit))
             lines
                 << tr("%1: this limit comes from another model (%2).").arg(name, plan.sourceModel);
-        if (row->reasons.testFlag(RestoreReason::NeedsConsent) && isAngleLimit(plan, one.key))
+        else if (row->reasons.testFlag(RestoreReason::NeedsConsent) && isAngleLimit(plan, one.key))
             lines << tr("%1: with both angle limits at 0, the shaft can turn past any position.")
                          .arg(name);
         else if (row->reasons.testFlag(RestoreReason::NeedsConsent))

@@ -28,7 +28,7 @@ const QString bundleSuffix = QStringLiteral(".bundle.json");
 QString withSuffix(const QString& path, const QString& end)
 {
     if (path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive) ||
-        path.endsWith(end, Qt::CaseInsensitive) || report::isReportPath(path))
+        path.endsWith(end, Qt::CaseInsensitive))
         return path;
     return (path.endsWith(QLatin1StringView(".json"), Qt::CaseInsensitive) ? path.chopped(5)
                                                                            : path) +
@@ -166,7 +166,9 @@ void SnapshotActions::saveCopy()
                {tr("Snapshot (*.servo.json)"), tr("Table for spreadsheets (*.csv)"),
                 tr("Page to print (*.pdf)"), tr("Web page (*.html)")},
                [this, table](const QString& path) {
-                   m_snapshots.save(table, withSuffix(path, snapshotSuffix), text::isUiChinese());
+                   m_snapshots.save(
+                       table, report::isReportPath(path) ? path : withSuffix(path, snapshotSuffix),
+                       text::isUiChinese());
                });
 }
 

@@ -94,8 +94,11 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
         return false;
     m_running = true;
     m_view = {};
-    m_csvPath = csvPath;
-    m_batch = {};
+    if (m_csvPath != csvPath) {
+        m_csvPath = csvPath;
+        m_batch = {};
+        Q_EMIT batchChanged();
+    }
     m_filesAccepted = false;
     m_baud = spec.baud;
     ++m_checkNumber; // a check that is still running comes too late

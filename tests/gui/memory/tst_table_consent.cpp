@@ -232,6 +232,13 @@ void TestTableConsent::theQuestionNamesTheMode()
     QCOMPARE(questions.size(), std::size_t(1));
     QVERIFY2(questions.front().text.contains(QStringLiteral("Writing 1 to Operating mode")),
              qPrintable(questions.front().text));
+    QVERIFY(!questions.front().risk.contains(QStringLiteral("past any position")));
+    const auto alsoLimits = ui::writeQuestions(
+        fixture.entry(),
+        {{QStringLiteral("operating_mode"), 1}, {QStringLiteral("max_angle_limit"), 0}}, false);
+    QCOMPARE(alsoLimits.size(), std::size_t(1));
+    QVERIFY2(alsoLimits.front().risk.contains(QStringLiteral("past any position")),
+             qPrintable(alsoLimits.front().risk));
 }
 
 SERVODESK_TEST(TestTableConsent)

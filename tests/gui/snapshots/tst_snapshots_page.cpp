@@ -635,6 +635,40 @@ private Q_SLOTS:
         QCOMPARE(fixture.now("max_angle_limit"), 4095);
     }
 
+    /// One that is ticked takes the other along, or a servo with a lower limit would refuse it.
+    void tickedLimitsAreTakenFromOthersTogether()
+    {
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(2, two));
+        QVERIFY(fixture.write("min_angle_limit", 100));
+        QVERIFY(fixture.choose(1));
+        const auto writeMax = [&](std::int64_t raw) {
+            fixture.workbench().writes().write(
+                fixture.selection().current(),
+                {{{QStringLiteral("max_angle_limit"), raw}}, false, device::Consent::confirmed()});
+            return fixture.waitUntilIdle();
+        };
+        QVERIFY(writeMax(0));
+        QVERIFY(fixture.taken());
+        QVERIFY(writeMax(4095));
+        QTRY_VERIFY(fixture.rowOf("max_angle_limit") >= 0);
+        fixture.table()->setCurrentIndex(fixture.cell("max_angle_limit", 1));
+        QTest::keyClick(fixture.table(), Qt::Key_Space);
+        QTRY_COMPARE(fixture.tick("max_angle_limit"), Qt::Checked);
+        fixture.click("restoreSeveral");
+        auto* servos = fixture.find<QTableWidget>("applyTable");
+        QVERIFY(servos != nullptr);
+        fixture.click("applyWrite");
+        QTRY_VERIFY(fixture.find<QPushButton>("questionYes") != nullptr);
+        QVERIFY(fixture.find<QLabel>("questionRisk") != nullptr);
+        QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
+        for (int row = 0; row < 2; ++row)
+            QTRY_VERIFY2(servos->item(row, 3)->text().startsWith(QStringLiteral("✔")),
+                         qPrintable(servos->item(row, 3)->toolTip()));
+        fixture.selection().select(fixture.workbench().registry().order()[1]);
+        QCOMPARE(fixture.now("min_angle_limit"), 0);
+    }
+
     /// A row that this servo has not is told, not passed over.
     void skippedRowsAreReported()
     {
