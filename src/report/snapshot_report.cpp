@@ -52,8 +52,10 @@ Text valueText(const Snapshot& snapshot, const catalog::ProfilePtr& profile,
             return other != nullptr ? other->raw : std::nullopt;
         };
         const catalog::ValueFormat format = catalog::valueFormat(*reg, *profile, rawOf);
-        return {catalog::formatValue(*row.raw, *reg, format, false),
-                catalog::formatValue(*row.raw, *reg, format, true)};
+        // A template may lack the register that decides the unit; its own value knew it.
+        if (!format.assumed || !row.value)
+            return {catalog::formatValue(*row.raw, *reg, format, false),
+                    catalog::formatValue(*row.raw, *reg, format, true)};
     }
     if (!row.value)
         return inBoth(QStringLiteral("–"));

@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTest>
 
 namespace support {
 /// Only the fonts of this folder are there.
@@ -18,4 +19,14 @@ inline QByteArray fontConfigWith(const QTemporaryDir& place, const char* fonts)
     return QFile::encodeName(file.fileName());
 }
 
+/// Runs a test where only the fonts of this folder are there.
+template <typename Application, typename Test>
+int runWithFonts(int argc, char** argv, const char* fonts)
+{
+    const QTemporaryDir place;
+    qputenv("FONTCONFIG_FILE", fontConfigWith(place, fonts));
+    const Application application(argc, argv);
+    Test test;
+    return QTest::qExec(&test, argc, argv);
+}
 } // namespace support

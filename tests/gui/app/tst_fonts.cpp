@@ -140,11 +140,7 @@ private Q_SLOTS:
 
 static int run(int argc, char** argv)
 {
-    const QTemporaryDir place;
-    qputenv("FONTCONFIG_FILE", support::fontConfigWith(place, DEJAVU_FONTS));
-    const QApplication application(argc, argv);
-    TestFonts test;
-    return QTest::qExec(&test, argc, argv);
+    return support::runWithFonts<QApplication, TestFonts>(argc, argv, DEJAVU_FONTS);
 }
 SERVODESK_TEST_RUN(run)
 #include "tst_fonts.moc"

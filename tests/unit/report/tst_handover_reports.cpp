@@ -7,29 +7,21 @@
 #include "report/snapshot_report.h"
 #include "snapshot/factory_snapshot.h"
 #include "support/font_config.h"
+#include "support/program_output.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
 
 #include <QGuiApplication>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
 
 namespace {
+using support::outputOf;
 QString q(const char* text)
 {
     return QString::fromUtf8(text);
-}
-
-QString outputOf(const QString& program, const QStringList& arguments)
-{
-    QProcess process;
-    process.start(program, arguments);
-    if (!process.waitForFinished() || process.exitCode() != 0)
-        return q("failed: ") + QString::fromUtf8(process.readAllStandardError());
-    return QString::fromUtf8(process.readAllStandardOutput());
 }
 
 int pagesOf(const QString& path)
@@ -104,6 +96,7 @@ private Q_SLOTS:
     void aSnapshotIsOnePage();
     void aSnapshotIsAPage();
     void unknownModelsKeepNumbers();
+    void templatesKeepTheirValues();
     void aBatchIsHandedOver();
     void aBatchOpensInASpreadsheet();
 
@@ -193,6 +186,22 @@ void TestHandoverReports::unknownModelsKeepNumbers()
     QVERIFY2(text.contains(q("silent – –")), qPrintable(text));
 }
 
+/// Its unit is decided by a register that the template does not have.
+void TestHandoverReports::templatesKeepTheirValues()
+{
+    const auto profile = m_catalog.profileFor(*m_catalog.model(q("STS3215")), 3, 10);
+    snapshot::Snapshot table = wholeTable(*profile);
+    snapshot::SnapshotRegister speed = *table.find(q("goal_speed"));
+    speed.raw = 100;
+    speed.value = 1.25;
+    speed.unit = q("rpm");
+    table.registers = {speed};
+    table.isTemplate = true;
+    QVERIFY(report::saveSnapshotReport(table, m_catalog, false, path("template.pdf")));
+    const QString text = paperText(path("template.pdf"));
+    QVERIFY2(text.contains(q("1.25 rpm 100")), qPrintable(text));
+}
+
 void TestHandoverReports::aBatchIsHandedOver()
 {
     const results::CommissionBatch batch = batchOf(12);
@@ -221,11 +230,7 @@ void TestHandoverReports::aBatchOpensInASpreadsheet()
 static int run(int argc, char** argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QTemporaryDir place;
-    qputenv("FONTCONFIG_FILE", support::fontConfigWith(place, CJK_FONTS));
-    const QGuiApplication application(argc, argv);
-    TestHandoverReports test;
-    return QTest::qExec(&test, argc, argv);
+    return support::runWithFonts<QGuiApplication, TestHandoverReports>(argc, argv, CJK_FONTS);
 }
 SERVODESK_TEST_RUN(run)
 #include "tst_handover_reports.moc"

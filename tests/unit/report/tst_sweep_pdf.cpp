@@ -5,13 +5,13 @@
 #include "report/sweep_pdf.h"
 #include "report/sweep_text.h"
 #include "support/font_config.h"
+#include "support/program_output.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
 #include "unit/results/sweep_example.h"
 
 #include <QGuiApplication>
 #include <QImage>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -19,6 +19,7 @@
 #include <cmath>
 
 namespace {
+using support::outputOf;
 using sweep_example::written;
 
 std::vector<report::SweepSeries> exampleSeries()
@@ -30,14 +31,6 @@ std::vector<report::SweepSeries> exampleSeries()
     return {series};
 }
 
-QString outputOf(const QString& program, const QStringList& arguments)
-{
-    QProcess process;
-    process.start(program, arguments);
-    if (!process.waitForFinished() || process.exitCode() != 0)
-        return QStringLiteral("failed: ") + QString::fromUtf8(process.readAllStandardError());
-    return QString::fromUtf8(process.readAllStandardOutput());
-}
 } // namespace
 
 class TestSweepPdf : public QObject {
@@ -207,11 +200,7 @@ private:
 static int run(int argc, char** argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    const QTemporaryDir place;
-    qputenv("FONTCONFIG_FILE", support::fontConfigWith(place, CJK_FONTS));
-    const QGuiApplication application(argc, argv);
-    TestSweepPdf test;
-    return QTest::qExec(&test, argc, argv);
+    return support::runWithFonts<QGuiApplication, TestSweepPdf>(argc, argv, CJK_FONTS);
 }
 SERVODESK_TEST_RUN(run)
 #include "tst_sweep_pdf.moc"
