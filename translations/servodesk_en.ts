@@ -4,10 +4,10 @@
 <context>
     <name>ControlText</name>
     <message numerus="yes">
-        <source>%n other selected servo(s) will be switched the same way</source>
+        <source>%n other selected servo(s) will be switched in the same way.</source>
         <translation>
-            <numerusform>%n other selected servo will be switched the same way</numerusform>
-            <numerusform>%n other selected servos will be switched the same way</numerusform>
+            <numerusform>%n other selected servo will be switched in the same way.</numerusform>
+            <numerusform>%n other selected servos will be switched in the same way.</numerusform>
         </translation>
     </message>
 </context>
@@ -82,13 +82,6 @@
         <translation>
             <numerusform>%n register saved to %1</numerusform>
             <numerusform>%n registers saved to %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n servo(s) saved to %1 (ID %2)</source>
-        <translation>
-            <numerusform>%n servo saved to %1 (ID %2)</numerusform>
-            <numerusform>%n servos saved to %1 (ID %2)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -168,16 +161,16 @@
             <numerusform>%n registers in the table</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Settings of %n servo(s) saved to %1 (ID %2)</source>
+        <translation>
+            <numerusform>Settings of %n servo saved to %1 (ID %2)</numerusform>
+            <numerusform>Settings of %n servos saved to %1 (ID %2)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>text</name>
-    <message numerus="yes">
-        <source>Nothing was received at any of %n baud rate(s).</source>
-        <translation>
-            <numerusform>Nothing was received at %n baud rate.</numerusform>
-            <numerusform>Nothing was received at any of %n baud rates.</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n byte(s) received after a query to all servos at %1 baud: %2</source>
         <translation>
@@ -193,10 +186,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>No reply to %n test query(s) was lost or damaged.</source>
+        <source>Nothing was received at any of the %n baud rate(s) tried.</source>
         <translation>
-            <numerusform>The reply to %n test query was neither lost nor damaged.</numerusform>
-            <numerusform>No reply to %n test queries was lost or damaged.</numerusform>
+            <numerusform>Nothing was received at the %n baud rate tried.</numerusform>
+            <numerusform>Nothing was received at any of the %n baud rates tried.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The replies to all %n test query(s) arrived undamaged.</source>
+        <translation>
+            <numerusform>The reply to %n test query arrived undamaged.</numerusform>
+            <numerusform>The replies to all %n test queries arrived undamaged.</numerusform>
         </translation>
     </message>
 </context>
@@ -244,20 +244,20 @@
 <context>
     <name>ui::HistorySendLabel</name>
     <message numerus="yes">
-        <source>%1: sending %Ln row(s)</source>
+        <source>Sending %Ln row(s) to %1</source>
         <translation>
-            <numerusform>%1: sending %Ln row</numerusform>
-            <numerusform>%1: sending %Ln rows</numerusform>
+            <numerusform>Sending %Ln row to %1</numerusform>
+            <numerusform>Sending %Ln rows to %1</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>ui::OperateStatus</name>
     <message numerus="yes">
-        <source>First seen %1, %n time(s) in total</source>
+        <source>First seen at %1 · %n occurrence(s)</source>
         <translation>
-            <numerusform>First seen %1, %n time in total</numerusform>
-            <numerusform>First seen %1, %n times in total</numerusform>
+            <numerusform>First seen at %1 · %n occurrence</numerusform>
+            <numerusform>First seen at %1 · %n occurrences</numerusform>
         </translation>
     </message>
 </context>
@@ -387,10 +387,10 @@
 <context>
     <name>ui::SweepResults</name>
     <message numerus="yes">
-        <source>The test waited for %n bus interruption(s) to end.</source>
+        <source>The test was paused by %n bus interruption(s).</source>
         <translation>
-            <numerusform>The test waited for %n bus interruption to end.</numerusform>
-            <numerusform>The test waited for %n bus interruptions to end.</numerusform>
+            <numerusform>The test was paused by %n bus interruption.</numerusform>
+            <numerusform>The test was paused by %n bus interruptions.</numerusform>
         </translation>
     </message>
 </context>

@@ -119,7 +119,7 @@
     </message>
     <message>
         <source>Interrupted &amp;writes…</source>
-        <translation>中断的写入(&amp;W)…</translation>
+        <translation>未写完的更改(&amp;W)…</translation>
     </message>
     <message>
         <source>&amp;System</source>
@@ -234,7 +234,7 @@
         <translation>关闭端口；正在进行的写入会先完成</translation>
     </message>
     <message>
-        <source>Try all functions on simulated servos, without hardware</source>
+        <source>Lets you try all features on simulated servos without any hardware</source>
         <translation>无需硬件，用模拟舵机试用全部功能</translation>
     </message>
     <message>
@@ -271,7 +271,7 @@
     </message>
     <message>
         <source>Locks the EPROM to prevent accidental permanent changes</source>
-        <translation>给未上锁的 EPROM 上锁，防止误改被永久保存</translation>
+        <translation>将 EPROM 上锁，防止误改永久生效</translation>
     </message>
     <message>
         <source>Copies the selected rows of the memory table as text</source>
@@ -290,12 +290,12 @@
         <translation>写回上一次更改之前的值</translation>
     </message>
     <message>
-        <source>Writes the undone change again</source>
+        <source>Reapplies the last undone change</source>
         <translation>重新写入被撤销的更改</translation>
     </message>
     <message>
         <source>Changes the ID of the servo after checking that the new ID is free</source>
-        <translation>更改舵机 ID；先确认新 ID 未被占用</translation>
+        <translation>先确认新 ID 未被占用，再更改舵机 ID</translation>
     </message>
     <message>
         <source>Changes the servo&apos;s baud rate and continues communicating at the new rate</source>
@@ -315,7 +315,7 @@
     </message>
     <message>
         <source>Resets all settings to factory defaults; saves the memory table first</source>
-        <translation>恢复出厂设置；先保存内存表</translation>
+        <translation>先保存内存表，再将全部设置恢复为出厂值</translation>
     </message>
     <message>
         <source>&amp;Reboot…</source>
@@ -334,7 +334,7 @@
         <translation>显示报警原因，并可解除报警</translation>
     </message>
     <message>
-        <source>Lists unfinished writes from earlier sessions</source>
+        <source>Lists interrupted writes from earlier sessions</source>
         <translation>列出以前运行时未写完的更改</translation>
     </message>
     <message>
@@ -371,7 +371,7 @@
     </message>
     <message>
         <source>Pauses or resumes the chart; measuring continues</source>
-        <translation>暂停或恢复曲线；测量不中断</translation>
+        <translation>暂停或继续更新曲线；测量不中断</translation>
     </message>
     <message>
         <source>Starts or stops recording measured values to a file</source>
@@ -386,12 +386,12 @@
         <translation>全部卸力(&amp;T)</translation>
     </message>
     <message>
-        <source>Immediately turns torque off on the whole bus. Shift+Esc works everywhere; Esc also works in input fields of the motion panel</source>
+        <source>Immediately turns torque off on the whole bus (Esc, even in the input fields of the motion panel; Shift+Esc anywhere)</source>
         <translation>立即让总线上的全部舵机卸力（Esc，在运动面板的输入框中也有效；Shift+Esc 在任何界面都有效）</translation>
     </message>
     <message>
         <source>Follows the light or dark setting of the desktop</source>
-        <translation>浅色或深色，与桌面一致</translation>
+        <translation>跟随桌面的浅色或深色设置</translation>
     </message>
     <message>
         <source>All messages since the program started</source>
@@ -410,22 +410,22 @@
         <translation>退出程序；正在进行的写入会先完成</translation>
     </message>
     <message>
-        <source>Lists saved tests; you can compare two or select a reference</source>
-        <translation>查看已保存的测试，对比两次测试，选定参考舵机</translation>
+        <source>Lists saved tests and lets you compare two or mark one as the reference</source>
+        <translation>列出已保存的测试，可对比其中两次，或将其中一次设为参考</translation>
     </message>
     <message>
-        <source>&amp;Why does a servo not reply?</source>
+        <source>&amp;Why is a servo not replying?</source>
         <translation>舵机为何不应答(&amp;W)？</translation>
     </message>
     <message>
-        <source>Checks the bus, tries other baud rates and protocols, and names the cause; writes nothing</source>
+        <source>Checks the bus, tries other baud rates and protocols, and identifies the cause; writes nothing</source>
         <translation>检查总线，尝试其他波特率和协议，并指出原因；不写入任何内容</translation>
     </message>
 </context>
 <context>
     <name>CommissionText</name>
     <message>
-        <source>no register map for %1: nothing is written</source>
+        <source>no register map for %1, so nothing is written</source>
         <translation>%1 的内存表未知，不写入</translation>
     </message>
     <message>
@@ -441,8 +441,8 @@
         <translation>%1 系列没有“设为中位”指令</translation>
     </message>
     <message>
-        <source>the template is from another model: %1</source>
-        <translation>模板来自其他型号：%1</translation>
+        <source>the template is for a different model: %1</source>
+        <translation>模板属于其他型号：%1</translation>
     </message>
     <message>
         <source>template rows not written: %1</source>
@@ -485,12 +485,12 @@
         <translation>%1 的回读值不符</translation>
     </message>
     <message>
-        <source>%1 was refused</source>
-        <translation>%1 写入被拒绝</translation>
+        <source>the write to %1 was refused</source>
+        <translation>%1 的写入被拒绝</translation>
     </message>
     <message>
-        <source>%1 was not sent</source>
-        <translation>%1 未发送</translation>
+        <source>the write to %1 was not sent</source>
+        <translation>%1 的写入指令未发送</translation>
     </message>
     <message>
         <source>no reply while writing %1</source>
@@ -514,14 +514,14 @@
     </message>
     <message>
         <source>two servos reply with this ID</source>
-        <translation>此 ID 下有两个舵机应答</translation>
+        <translation>有两个舵机以此 ID 应答</translation>
     </message>
     <message>
-        <source>its family is unclear: nothing is written</source>
+        <source>its family is unclear, so nothing is written</source>
         <translation>舵机系列不明，不写入</translation>
     </message>
     <message>
-        <source>its firmware is unknown: nothing is written</source>
+        <source>its firmware is unknown, so nothing is written</source>
         <translation>舵机固件未知，不写入</translation>
     </message>
     <message>
@@ -533,19 +533,19 @@
         <translation>应答与请求不符</translation>
     </message>
     <message>
-        <source>the line was never idle</source>
+        <source>the bus was never idle</source>
         <translation>总线一直没有空闲</translation>
     </message>
     <message>
         <source>the servo did not accept the write</source>
-        <translation>写入未生效</translation>
+        <translation>舵机未接受写入</translation>
     </message>
     <message>
         <source>the EPROM lock could not be confirmed</source>
         <translation>无法确认 EPROM 已上锁</translation>
     </message>
     <message>
-        <source>another servo replies now: %1</source>
+        <source>a different servo is replying now: %1</source>
         <translation>现在应答的是另一个舵机：%1</translation>
     </message>
     <message>
@@ -566,7 +566,7 @@
     </message>
     <message>
         <source>its EPROM was unlocked, and the EPROM lock could not be confirmed</source>
-        <translation>EPROM 曾被解锁，无法确认已重新上锁</translation>
+        <translation>EPROM 曾解锁，无法确认是否已重新上锁</translation>
     </message>
     <message>
         <source>the result of a write is unknown</source>
@@ -629,8 +629,8 @@
         <translation>未完成的舵机</translation>
     </message>
     <message>
-        <source>Intended</source>
-        <translation>计划</translation>
+        <source>Planned</source>
+        <translation>计划值</translation>
     </message>
     <message>
         <source>Batch</source>
@@ -748,7 +748,7 @@
         <translation>控制电流，从而控制扭矩</translation>
     </message>
     <message>
-        <source>Position control without integral term (newer firmware); one turn only</source>
+        <source>Position control without an integral term (newer firmware); one turn only</source>
         <translation>无积分项的位置控制（较新固件）；仅限一圈</translation>
     </message>
     <message>
@@ -756,8 +756,8 @@
         <translation>转到指定角度后卸力</translation>
     </message>
     <message>
-        <source>The angle limits %1 are saved and will be restored when you switch back.</source>
-        <translation>角度限制 %1 已保存，切换回来时恢复。</translation>
+        <source>The angle limits %1 will be saved and then restored when you switch back.</source>
+        <translation>将保存角度限制 %1，切换回来时再恢复。</translation>
     </message>
     <message>
         <source>The previous angle limits %1 are restored.</source>
@@ -765,7 +765,7 @@
     </message>
     <message>
         <source>No angle limits are saved for this servo, so the factory limits %1 are used.</source>
-        <translation>没有保存此舵机的角度限制。使用出厂限制 %1。</translation>
+        <translation>此舵机没有已保存的角度限制，因此使用出厂限制 %1。</translation>
     </message>
     <message>
         <source>Torque is turned off first and stays off until you turn it on.</source>
@@ -780,9 +780,9 @@
         <translation>写入的值都会回读确认。断电后模式保持不变。</translation>
     </message>
     <message numerus="yes">
-        <source>%n other selected servo(s) will be switched the same way</source>
+        <source>%n other selected servo(s) will be switched in the same way.</source>
         <translation>
-            <numerusform>另外 %n 个选中的舵机也会以同样方式切换</numerusform>
+            <numerusform>另外 %n 个选中的舵机也会以同样方式切换。</numerusform>
         </translation>
     </message>
     <message>
@@ -826,7 +826,7 @@
     </message>
     <message>
         <source>interrupted writes</source>
-        <translation>中断的写入</translation>
+        <translation>未写完的更改</translation>
     </message>
     <message>
         <source>read memory table</source>
@@ -878,7 +878,7 @@
     </message>
     <message>
         <source>Closing canceled: ID %1 could not be stopped.</source>
-        <translation>已取消关闭：ID %1 无法停止。</translation>
+        <translation>已取消关闭：未能使 ID %1 停止。</translation>
     </message>
     <message>
         <source>. Stopped before closing: ID %1</source>
@@ -979,8 +979,8 @@
         <translation>这些舵机本应在总线上，但多次查询均无应答。</translation>
     </message>
     <message>
-        <source>Another servo replies with ID %1: %2</source>
-        <translation>ID %1 下应答的是另一个舵机：%2</translation>
+        <source>A different servo now replies with ID %1: %2</source>
+        <translation>现在以 ID %1 应答的是另一个舵机：%2</translation>
     </message>
     <message>
         <source>The new servo replaces %1 in the list. Unfinished writes remain assigned to the previous servo.</source>
@@ -1003,8 +1003,8 @@
         <translation>急停已确认：已卸力，ID %1</translation>
     </message>
     <message>
-        <source>Emergency stop check: %1</source>
-        <translation>急停检查：%1</translation>
+        <source>Emergency stop not confirmed: %1</source>
+        <translation>急停未得到确认：%1</translation>
     </message>
     <message>
         <source>Keep clear. If in doubt, turn off the power supply.</source>
@@ -1015,7 +1015,7 @@
         <translation>舵机可能仍在运动，请切断其电源。</translation>
     </message>
     <message>
-        <source>Emergency stop: torque off sent to all servos</source>
+        <source>Emergency stop: torque-off command sent to all servos</source>
         <translation>急停：已向全部舵机发送卸力指令</translation>
     </message>
     <message>
@@ -1067,8 +1067,8 @@
         <translation>切换模式</translation>
     </message>
     <message>
-        <source>check mode</source>
-        <translation>查看模式</translation>
+        <source>preview mode change</source>
+        <translation>预览模式切换</translation>
     </message>
     <message>
         <source>lock the EPROM</source>
@@ -1091,8 +1091,8 @@
         <translation>查找空闲 ID</translation>
     </message>
     <message>
-        <source>confirm stop</source>
-        <translation>确认已停止</translation>
+        <source>verify emergency stop</source>
+        <translation>确认急停已生效</translation>
     </message>
     <message>
         <source>check for motion</source>
@@ -1124,7 +1124,7 @@
     <message>
         <source>limit %1</source>
         <comment>torque limit in %</comment>
-        <translation>限制 %1</translation>
+        <translation>限值 %1</translation>
     </message>
     <message>
         <source>not read</source>
@@ -1242,11 +1242,11 @@
         <translation>参数</translation>
     </message>
     <message>
-        <source>From</source>
+        <source>Old</source>
         <translation>原值</translation>
     </message>
     <message>
-        <source>To</source>
+        <source>New</source>
         <translation>新值</translation>
     </message>
     <message>
@@ -1350,8 +1350,8 @@
         <translation>手动保存</translation>
     </message>
     <message>
-        <source>all servos</source>
-        <translation>整组保存</translation>
+        <source>bundle</source>
+        <translation>整组快照</translation>
     </message>
     <message>
         <source>Raised</source>
@@ -1379,7 +1379,7 @@
     </message>
     <message>
         <source>This alarm is derived from the limits, not reported by the servo.</source>
-        <translation>此报警由限值推算得出，并非由舵机报告。</translation>
+        <translation>此报警根据限值判定，并非由舵机报告。</translation>
     </message>
     <message>
         <source>Files</source>
@@ -1391,11 +1391,11 @@
     </message>
     <message>
         <source>To change the ID or baud rate back, use Servo → Set ID or Servo → Set baud rate.</source>
-        <translation>请用“舵机 → 设置 ID”或“设置波特率”改回。</translation>
+        <translation>要改回 ID 或波特率，请使用“舵机 → 设置 ID”或“舵机 → 设置波特率”。</translation>
     </message>
     <message>
         <source>This entry is an action, not a value that can be written back.</source>
-        <translation>此条目是操作，不是可以写回的值。</translation>
+        <translation>此条目是一项操作，没有可以写回的值。</translation>
     </message>
     <message>
         <source>The register already holds the old value.</source>
@@ -1406,8 +1406,8 @@
         <translation>撤销此写入？</translation>
     </message>
     <message>
-        <source>ID %1 · %2: %3 changes from %4 to %5.</source>
-        <translation>ID %1 · %2：%3 从 %4 改为 %5。</translation>
+        <source>ID %1 · %2: %3 will change from %4 to %5.</source>
+        <translation>ID %1 · %2：%3 将从 %4 改为 %5。</translation>
     </message>
     <message>
         <source>The value was changed again after this write.</source>
@@ -1505,7 +1505,7 @@
     </message>
     <message>
         <source>The value was read from the servo.</source>
-        <translation>该值已从舵机读取。</translation>
+        <translation>已从舵机读取该值。</translation>
     </message>
     <message>
         <source>%1 is being written.</source>
@@ -1552,7 +1552,7 @@
         <translation>舵机中读出的原始值</translation>
     </message>
     <message>
-        <source>Raw value converted to its unit or name</source>
+        <source>Raw value converted to physical units, or the name it stands for</source>
         <translation>原始值换算后的物理量，或其对应的名称</translation>
     </message>
     <message>
@@ -1596,7 +1596,7 @@
         <translation>写入后值已改变</translation>
     </message>
     <message>
-        <source>The last reading failed, so no value is shown.</source>
+        <source>The last read failed, so no value is shown.</source>
         <translation>最近一次读取失败，因此不显示数值。</translation>
     </message>
     <message>
@@ -1621,7 +1621,7 @@
     </message>
     <message>
         <source>%1 was not written. The servo was not changed.</source>
-        <translation>没有写入 %1。舵机未被改动。</translation>
+        <translation>未写入 %1，舵机没有变化。</translation>
     </message>
     <message>
         <source>%1 was written, but the servo has since reported a different value. Either a temporary value was lost at power-off, or another program wrote to the servo.</source>
@@ -1685,7 +1685,7 @@
         <translation>窗口大小，如 1280x800</translation>
     </message>
     <message>
-        <source>delay before the screenshot in milliseconds</source>
+        <source>delay before the screenshot, in milliseconds</source>
         <translation>截图前等待的毫秒数</translation>
     </message>
     <message>
@@ -1697,7 +1697,7 @@
         <translation>--protocol：未知的值“%1”</translation>
     </message>
     <message>
-        <source>--size: &quot;%1&quot; is not a size such as 1280x800</source>
+        <source>--size: &quot;%1&quot; is not a valid window size (for example, 1280x800)</source>
         <translation>--size：“%1”不是有效的窗口大小（如 1280x800）</translation>
     </message>
     <message>
@@ -1733,8 +1733,8 @@
         <translation>默认：%1</translation>
     </message>
     <message>
-        <source>The meaning depends on: %1.</source>
-        <translation>其含义取决于：%1。</translation>
+        <source>The meaning of this value depends on: %1.</source>
+        <translation>该值的含义取决于：%1。</translation>
     </message>
     <message>
         <source>Kept after power-off: ServoDesk writes the value, reads it back and sends the save command.</source>
@@ -1745,15 +1745,15 @@
         <translation>写入时必须卸力。ServoDesk 会先卸力。</translation>
     </message>
     <message>
-        <source>Setting both limits to 0 switches the mode. ServoDesk turns torque off first.</source>
-        <translation>两个限制都设为 0 时会切换模式。ServoDesk 会先卸力。</translation>
+        <source>Setting both angle limits to 0 switches the operating mode. ServoDesk turns torque off first.</source>
+        <translation>两个角度限制都设为 0 时会切换运行模式。ServoDesk 会先卸力。</translation>
     </message>
     <message>
         <source>Default: unknown</source>
         <translation>默认：未知</translation>
     </message>
     <message>
-        <source>That register has not been read, so the default unit is shown.</source>
+        <source>The register that determines the meaning has not been read, so the default unit is shown.</source>
         <translation>决定其含义的参数尚未读取，因此按默认单位显示。</translation>
     </message>
     <message>
@@ -1781,7 +1781,7 @@
         <translation>立即生效，断电后丢失。</translation>
     </message>
     <message>
-        <source>Takes effect immediately. Persistence is not documented.</source>
+        <source>Takes effect immediately. Whether the value is kept after power-off is not documented.</source>
         <translation>立即生效。资料没有说明断电后是否保留。</translation>
     </message>
 </context>
@@ -1805,7 +1805,7 @@
     </message>
     <message>
         <source>When the servo replies again, open Port → Interrupted writes and choose Undo to restore the old values.</source>
-        <translation>舵机恢复应答后，请打开“端口 → 中断的写入”，选择“撤销”以恢复原值。</translation>
+        <translation>舵机恢复应答后，请打开“端口 → 未写完的更改”，选择“撤销”以恢复原值。</translation>
     </message>
     <message>
         <source>The snapshot saved before the first write contains the old values.</source>
@@ -1953,7 +1953,7 @@
         <translation>EPROM 未上锁（由 ServoDesk 解锁）</translation>
     </message>
     <message>
-        <source>EPROM unlocked by ServoDesk, lock not confirmed</source>
+        <source>EPROM unlocked by ServoDesk; relocking not confirmed</source>
         <translation>EPROM 由 ServoDesk 解锁，未确认已重新上锁</translation>
     </message>
     <message>
@@ -1961,8 +1961,8 @@
         <translation>应答迟缓</translation>
     </message>
     <message>
-        <source>Known firmware: %1 (%2)</source>
-        <translation>已知固件：%1（%2）</translation>
+        <source>Newer firmware exists: %1 (%2)</source>
+        <translation>已有较新固件：%1（%2）</translation>
     </message>
     <message>
         <source>Bus type: %1</source>
@@ -1976,7 +1976,7 @@
         <translation>报警已解除。</translation>
     </message>
     <message>
-        <source>Reset the fault</source>
+        <source>Reset fault</source>
         <translation>故障复位</translation>
     </message>
     <message>
@@ -2008,8 +2008,8 @@
         <translation>报警</translation>
     </message>
     <message>
-        <source>Not read.</source>
-        <translation>未读取。</translation>
+        <source>The alarms have not been read.</source>
+        <translation>尚未读取报警。</translation>
     </message>
     <message>
         <source>Turn back</source>
@@ -2029,7 +2029,7 @@
     </message>
     <message>
         <source>Interrupted writes</source>
-        <translation>中断的写入</translation>
+        <translation>未写完的更改</translation>
     </message>
     <message>
         <source>Finish</source>
@@ -2045,11 +2045,7 @@
     </message>
     <message>
         <source>Later</source>
-        <translation>以后再说</translation>
-    </message>
-    <message>
-        <source>Unfinished writes</source>
-        <translation>未写完的更改</translation>
+        <translation>稍后处理</translation>
     </message>
     <message>
         <source>Working…</source>
@@ -2064,7 +2060,7 @@
         <translation>放弃处理</translation>
     </message>
     <message>
-        <source>The change has been finished.</source>
+        <source>The change has been completed.</source>
         <translation>更改已完成。</translation>
     </message>
     <message>
@@ -2208,7 +2204,7 @@
         <translation>撤销</translation>
     </message>
     <message>
-        <source>%1, %2: %3, on %4, %5</source>
+        <source>%1, %2: %3, port %4, %5</source>
         <translation>%1，%2：%3，端口 %4，%5</translation>
     </message>
     <message>
@@ -2225,11 +2221,11 @@
     </message>
     <message>
         <source>Hold position…</source>
-        <translation>在当前位置保持…</translation>
+        <translation>保持当前位置…</translation>
     </message>
     <message>
-        <source>Each alarm is cleared in its own way. While this dialog is open, values are read continuously; reading does not change the servo.</source>
-        <translation>每种报警有各自的解除方式。此对话框打开期间会持续读取数值；读取不会改动舵机。</translation>
+        <source>Each alarm is cleared in its own way. While this dialog is open, the values are read continuously; nothing is written to the servo.</source>
+        <translation>每种报警有各自的解除方式。此对话框打开期间会持续读取数值，不会写入舵机。</translation>
     </message>
     <message>
         <source>Performs the action that clears the alarm</source>
@@ -2241,14 +2237,14 @@
     </message>
     <message>
         <source>This servo family does not report alarms. This alarm is derived from the value and its limit.</source>
-        <translation>该系列舵机不报告报警，此报警由数值与限值推算得出。</translation>
+        <translation>该系列舵机不上报报警；此报警根据数值和限值判断得出。</translation>
     </message>
     <message>
         <source>Turn the shaft back?</source>
         <translation>让输出轴往回转？</translation>
     </message>
     <message>
-        <source>The shaft turns away from the stalled position, from %1 to %2, and holds the new position with full torque.</source>
+        <source>The shaft will turn from %1 to %2, away from the stalled position, and hold the new position at full torque.</source>
         <translation>输出轴将从 %1 转到 %2，离开堵转位置，并以最大扭矩保持在该位置。</translation>
     </message>
     <message>
@@ -2256,11 +2252,11 @@
         <translation>打开扭矩？</translation>
     </message>
     <message>
-        <source>The present position, %1, becomes the goal position, and the servo holds it.</source>
-        <translation>当前位置 %1 成为目标位置，舵机保持在该位置。</translation>
+        <source>The present position, %1, will become the goal position, and the servo will hold it.</source>
+        <translation>当前位置 %1 将设为目标位置，舵机会保持在该位置。</translation>
     </message>
     <message>
-        <source>Turn on</source>
+        <source>Turn torque on</source>
         <translation>打开扭矩</translation>
     </message>
     <message>
@@ -2280,7 +2276,7 @@
         <translation>设为中位</translation>
     </message>
     <message>
-        <source>The present shaft position becomes the midpoint of the travel range. Torque is turned off first to prevent a jump to the old goal position, and stays off until you turn it on. The position correction is kept after power-off.</source>
+        <source>The present shaft position becomes the midpoint of the travel range. Torque is turned off first to prevent a jump to the old goal position and stays off until you turn it on. The position correction is kept after power-off.</source>
         <translation>输出轴的当前位置将成为转动范围的中位。会先卸力，以免舵机跳向原目标位置；之后保持卸力，直到您打开扭矩。位置校正在断电后保留。</translation>
     </message>
     <message>
@@ -2296,8 +2292,8 @@
         <translation>闪烁 LED</translation>
     </message>
     <message>
-        <source>This servo&apos;s LED blinks for a few seconds, and then the LED setting is restored. Nothing moves. On a servo without an LED, nothing is visible.</source>
-        <translation>该舵机的 LED 闪烁几秒，然后恢复原来的设置。舵机不会转动。没有 LED 的舵机上看不到任何变化。</translation>
+        <source>This servo&apos;s LED blinks for a few seconds, and then the LED setting is restored. The servo does not move. If the servo has no LED, you will not see anything.</source>
+        <translation>该舵机的 LED 会闪烁几秒，然后恢复原来的设置。舵机不会转动。如果舵机没有 LED，则看不到任何变化。</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -2312,15 +2308,15 @@
         <translation>LED 设置已恢复原样。</translation>
     </message>
     <message>
-        <source>These registers were left unchanged because their values have since changed or because writing them would move the servo: %1</source>
-        <translation>以下参数未恢复，因为其数值后来又有变动，或写入会使舵机转动：%1</translation>
+        <source>These registers were not written because their values have changed in the meantime or because writing them would move the servo: %1</source>
+        <translation>以下参数未写入，因为其数值后来又有变动，或写入会使舵机转动：%1</translation>
     </message>
     <message>
         <source>Nothing was written. ServoDesk will no longer offer to finish or undo this change.</source>
         <translation>没有写入任何内容。ServoDesk 不再提示完成或撤销此更改。</translation>
     </message>
     <message>
-        <source>The servo already has the settings from before the test. Nothing had to be restored.</source>
+        <source>The servo already has the settings from before the test. Nothing needed to be restored.</source>
         <translation>舵机的设置已与测试前一致，无需恢复。</translation>
     </message>
     <message>
@@ -2337,15 +2333,15 @@
     </message>
     <message>
         <source>Another program is still making these changes, so ServoDesk does not touch them. If that program ends before the changes are complete, they will be listed here.</source>
-        <translation>另一个仍在运行的程序正在进行这些更改，ServoDesk 不会干预。如果该程序没有写完就结束，未写完的更改会在此列出。</translation>
+        <translation>另一个程序仍在写入这些更改，因此 ServoDesk 不会干预。如果该程序没有写完就结束，未写完的更改会在此列出。</translation>
     </message>
     <message>
-        <source>These changes were started but not finished because a cable was pulled, the power failed, or the program was terminated. ServoDesk has only checked them; nothing was written. Choose what to do with each change. Postponed changes are listed again at the next connection.</source>
+        <source>These changes were started but not finished because a cable was pulled, the power failed, or the program was terminated. ServoDesk has only checked them; nothing was written. Choose what to do with each change. Postponed changes will be listed again the next time you connect.</source>
         <translation>这些更改因拔线、断电或程序被终止而未写完。ServoDesk 只做了检查，没有写入任何内容。请逐项选择处理方式。推迟的更改会在下次连接时再次列出。</translation>
     </message>
     <message>
         <source>If another program is still making a change, ServoDesk leaves the change to that program.</source>
-        <translation>如果另一个程序仍在进行某项更改，则由该程序完成，ServoDesk 不会干预。</translation>
+        <translation>如果另一个程序仍在写入某项更改，则由该程序完成，ServoDesk 不会干预。</translation>
     </message>
     <message>
         <source>Restores the old values, verifies them, and locks the EPROM</source>
@@ -2377,7 +2373,7 @@
     </message>
     <message>
         <source>Writes and verifies the missing values and locks the EPROM; afterwards, Undo can revert the whole change</source>
-        <translation>写入缺少的值，回读确认，并给 EPROM 上锁；之后可用“撤销”撤销整个更改</translation>
+        <translation>写入尚未写入的值，回读确认，并给 EPROM 上锁；之后可用“撤销”还原整个更改</translation>
     </message>
     <message>
         <source>ServoDesk will no longer offer to finish or undo this change. The servo stays as it is.</source>
@@ -2393,15 +2389,15 @@
     </message>
     <message>
         <source>Nothing was written because the change is no longer listed as unfinished, or because the port where it was started is available again.</source>
-        <translation>未写入任何内容，因为该更改已不再列为未写完，或开始该更改时所用的端口已重新可用。</translation>
+        <translation>未写入任何内容：该更改已不在未写完之列，或原来的端口已重新可用。</translation>
     </message>
     <message>
         <source>Unfinished changes from other ports. If the adapter&apos;s port name has changed, search the new port for the servos:</source>
-        <translation>在其他端口上开始的更改尚未写完。如果适配器的端口名已改变，请在此端口查找舵机：</translation>
+        <translation>以下更改在其他端口上开始，尚未写完。如果适配器的端口名已改变，请在新端口上搜索舵机：</translation>
     </message>
     <message>
         <source>Unfinished changes from other ports. To finish or undo a change, connect to its port:</source>
-        <translation>在其他端口上开始的更改尚未写完。请连接到相应端口以完成或撤销：</translation>
+        <translation>以下更改在其他端口上开始，尚未写完。请连接到相应端口，以完成或撤销：</translation>
     </message>
     <message>
         <source>The change is still unfinished and will be listed again.</source>
@@ -2416,12 +2412,12 @@
         <translation>设为中位</translation>
     </message>
     <message>
-        <source>test settings</source>
-        <translation>测试设置</translation>
+        <source>change settings for a test</source>
+        <translation>为测试更改设置</translation>
     </message>
     <message>
-        <source>different servo or different values: skipped</source>
-        <translation>是另一个舵机，或数值不符：跳过</translation>
+        <source>different servo or values; skipped</source>
+        <translation>舵机或数值不符，已跳过</translation>
     </message>
     <message>
         <source>Current state</source>
@@ -2432,8 +2428,8 @@
         <translation>重启舵机</translation>
     </message>
     <message>
-        <source>Torque is turned off first, so a load hanging on the shaft will drop. Temporarily written values and the turn count are lost. ServoDesk keeps the whole bus quiet for up to two seconds until the servo replies again.</source>
-        <translation>会先卸力，悬挂在输出轴上的负载会落下。临时写入的值和圈数都会丢失。舵机恢复应答之前，ServoDesk 会让整条总线保持静默，最多两秒。</translation>
+        <source>Torque is turned off first, so a load held by the servo will drop. Temporarily written values and the turn count are lost. ServoDesk keeps the whole bus quiet for up to two seconds until the servo replies again.</source>
+        <translation>会先卸力，舵机托住的负载会落下。临时写入的值和圈数都会丢失。舵机恢复应答之前，ServoDesk 会让整条总线保持静默，最多两秒。</translation>
     </message>
     <message>
         <source>Reboot</source>
@@ -2444,7 +2440,7 @@
         <translation>卸力后重启舵机并等待其应答</translation>
     </message>
     <message>
-        <source>The servo has rebooted and replies again.</source>
+        <source>The servo has rebooted and is replying again.</source>
         <translation>舵机已重启并恢复应答。</translation>
     </message>
     <message>
@@ -2475,15 +2471,15 @@
     </message>
     <message>
         <source>Baud rate: may revert to the stored rate. ServoDesk searches for the servo at all baud rates of its family.
-ID: should stay the same; some servos revert to 1. If another servo has ID 1, connect this servo alone.
+ID: should stay the same; some servos revert to 1. If another servo has ID 1, connect only this servo.
 Limits, gains and position correction: will be reset; afterwards, the same position may correspond to a different angle.</source>
         <translation>波特率：可能恢复为舵机内存储的值；ServoDesk 会用该系列的各个波特率逐一查找舵机。
-ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1，请单独连接要恢复的舵机。
-限位、增益和位置校正：会恢复为出厂值，之后同一位置可能对应不同角度。</translation>
+ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1，请只连接要恢复的舵机。
+限值、增益和位置校正：会恢复为出厂值，之后同一位置可能对应不同角度。</translation>
     </message>
     <message>
         <source>The previous settings were saved to %1</source>
-        <translation>之前的参数保存在 %1</translation>
+        <translation>之前的设置已保存到 %1</translation>
     </message>
     <message>
         <source>The baud rate of this servo is fixed.</source>
@@ -2494,7 +2490,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>舵机当前已使用此波特率。</translation>
     </message>
     <message>
-        <source>After this change, the servo replies only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
+        <source>After this change, the servo will reply only at %1 baud. ServoDesk switches automatically; other programs must be set to the new baud rate.</source>
         <translation>此后舵机只以波特率 %1 应答。ServoDesk 会自动切换；其他程序需要另行设置。</translation>
     </message>
     <message numerus="yes">
@@ -2540,7 +2536,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>已用和空闲的 ID；请选择空闲的 ID</translation>
     </message>
     <message>
-        <source>Stops as soon as the current step is safely completed</source>
+        <source>Stops as soon as the current step has been safely completed</source>
         <translation>当前步骤安全完成后立即停止</translation>
     </message>
     <message>
@@ -2572,8 +2568,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>仍在另一个程序中进行</translation>
     </message>
     <message>
-        <source>value has since changed: left as it is</source>
-        <translation>数值此后已被改动：未作更改</translation>
+        <source>value has changed in the meantime; left as is</source>
+        <translation>数值后来又有变动，保持不变</translation>
     </message>
     <message>
         <source>reset to factory defaults</source>
@@ -2589,11 +2585,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The servo did not reply at the end of the operation, so its baud rate may be %1 or %2. To find the servo, use Port → Interrupted writes or search at both baud rates.</source>
-        <translation>舵机最后没有应答，其波特率可能是 %1 或 %2。要找到该舵机，请使用“端口 → 中断的写入”，或以这两个波特率搜索。</translation>
+        <translation>操作结束时舵机没有应答，因此其波特率可能是 %1 或 %2。要找到该舵机，请使用“端口 → 未写完的更改”，或以这两个波特率搜索。</translation>
     </message>
     <message>
         <source>The servo did not reply at the end of the operation, so its ID may be %1 or %2. To find the servo, use Port → Interrupted writes or search the bus.</source>
-        <translation>舵机最后没有应答，其 ID 可能是 %1 或 %2。要找到该舵机，请使用“端口 → 中断的写入”，或搜索总线。</translation>
+        <translation>操作结束时舵机没有应答，因此其 ID 可能是 %1 或 %2。要找到该舵机，请使用“端口 → 未写完的更改”，或搜索总线。</translation>
     </message>
     <message>
         <source>Some steps did not end as expected.</source>
@@ -2630,15 +2626,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>手动保存</translation>
     </message>
     <message>
-        <source>all servos</source>
-        <translation>整组保存</translation>
+        <source>bundle</source>
+        <translation>整组快照</translation>
     </message>
     <message>
         <source>before commissioning</source>
         <translation>批量设置前</translation>
     </message>
     <message>
-        <source>firmware %1, on %2</source>
+        <source>firmware %1, port %2</source>
         <translation>固件 %1，端口 %2</translation>
     </message>
     <message numerus="yes">
@@ -2658,11 +2654,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <name>StepText</name>
     <message>
         <source>Time since goal was sent, ms</source>
-        <translation>发出目标后的时间，ms</translation>
+        <translation>发出目标后的时间（ms）</translation>
     </message>
     <message>
         <source>Movement toward goal, steps</source>
-        <translation>朝目标方向的位移，步</translation>
+        <translation>朝目标方向的位移（步）</translation>
     </message>
     <message>
         <source>Step responses</source>
@@ -2701,8 +2697,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>指标</translation>
     </message>
     <message>
-        <source>Values are means of all responses, out and back; steady-state errors are absolute values.</source>
-        <translation>所有往返响应的平均值；静差取绝对值。</translation>
+        <source>Values are means of all responses in both directions; steady-state errors are absolute values.</source>
+        <translation>各数值为所有往返响应的平均值；静差取绝对值。</translation>
     </message>
     <message>
         <source>What to try next</source>
@@ -2774,7 +2770,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>未测量</translation>
     </message>
     <message>
-        <source>Readings were lost while the servo moved, so times and speeds of the affected responses are unknown.</source>
+        <source>Readings were lost while the servo was moving, so the times and speeds of the affected responses are unknown.</source>
         <translation>运动过程中有采样数据缺失，因此这些响应的时间和速度未知。</translation>
     </message>
     <message>
@@ -2782,7 +2778,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>舵机没有运动，因此无法评价其增益。</translation>
     </message>
     <message>
-        <source>The servo stopped far from its goal: its movement is blocked, so its gains cannot be judged.</source>
+        <source>The servo stopped far from its goal because its movement is blocked, so its gains cannot be judged.</source>
         <translation>舵机停在远离目标处，说明运动受阻，因此无法评价其增益。</translation>
     </message>
     <message>
@@ -2843,7 +2839,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Set I to 0</source>
-        <translation>I 设为 0</translation>
+        <translation>将 I 设为 0</translation>
     </message>
     <message>
         <source>Lower the startup force</source>
@@ -2897,12 +2893,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>更优</translation>
     </message>
     <message>
-        <source>Grade of A</source>
-        <translation>A 的判定</translation>
+        <source>Grade, test A</source>
+        <translation>测试 A 的判定</translation>
     </message>
     <message>
-        <source>Grade of B</source>
-        <translation>B 的判定</translation>
+        <source>Grade, test B</source>
+        <translation>测试 B 的判定</translation>
     </message>
     <message>
         <source>Differences between the tests</source>
@@ -2954,31 +2950,31 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Range, steps</source>
-        <translation>范围，步</translation>
+        <translation>范围（步）</translation>
     </message>
     <message>
         <source>Step size, steps</source>
-        <translation>步长，步</translation>
+        <translation>步长（步）</translation>
     </message>
     <message>
         <source>Period, ms</source>
-        <translation>周期，ms</translation>
+        <translation>周期（ms）</translation>
     </message>
     <message>
-        <source>Time, ms</source>
-        <translation>时间，ms</translation>
+        <source>Dwell or delay, ms</source>
+        <translation>停留或延时（ms）</translation>
     </message>
     <message>
         <source>Speed, step/s</source>
-        <translation>速度，步/s</translation>
+        <translation>速度（步/s）</translation>
     </message>
     <message>
         <source>Acceleration, step/s²</source>
-        <translation>加速度，步/s²</translation>
+        <translation>加速度（步/s²）</translation>
     </message>
     <message>
         <source>Warm-up, ms</source>
-        <translation>预热，ms</translation>
+        <translation>预热（ms）</translation>
     </message>
     <message>
         <source>%1 %2 %3 (%4)</source>
@@ -3073,15 +3069,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>协议</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>路径</translation>
+        <source>Movement pattern</source>
+        <translation>运动方式</translation>
     </message>
     <message>
         <source>Start</source>
         <translation>起始</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Step size</source>
         <translation>步长</translation>
     </message>
     <message>
@@ -3089,8 +3085,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>周期</translation>
     </message>
     <message>
-        <source>Seed</source>
-        <translation>种子</translation>
+        <source>Random seed</source>
+        <translation>随机种子</translation>
     </message>
     <message>
         <source>Goals</source>
@@ -3121,11 +3117,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>加速度</translation>
     </message>
     <message>
-        <source>Travel time (ms)</source>
+        <source>Travel time, ms</source>
         <translation>运行时间（ms）</translation>
     </message>
     <message>
-        <source>present setting of the servo</source>
+        <source>the servo&apos;s present setting</source>
         <translation>舵机当前设置</translation>
     </message>
     <message>
@@ -3157,7 +3153,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>堵转</translation>
     </message>
     <message>
-        <source>the first limit not met</source>
+        <source>the first failure</source>
         <translation>首个不合格项</translation>
     </message>
     <message>
@@ -3169,7 +3165,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>范围（步）</translation>
     </message>
     <message>
-        <source>Goal reached within</source>
+        <source>Tolerance</source>
         <translation>到位允差</translation>
     </message>
     <message>
@@ -3241,12 +3237,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>限值</translation>
     </message>
     <message>
-        <source>Errors, overshoot, settling, following, phase lag, repeatability, current and load are judged by the worst move. Speeds and the time to goal are judged by their mean; counts are judged by their sum.</source>
-        <translation>判定依据：误差、超调、整定时间、跟随、相位滞后、重复性、电流和负载取最差的行程；速度和到位时间取平均值；计数项取总和。</translation>
+        <source>Errors, overshoot, settling time, phase lag, repeatability, current and load are judged by the worst move. Speeds and the time to goal are judged by their means; counts are judged by their sums.</source>
+        <translation>判定依据：各项误差、超调、整定时间、相位滞后、重复性、电流和负载取最差行程的值；速度和到位时间取平均值；计数项取总和。</translation>
     </message>
     <message>
-        <source>Positions are those reported by the servo: gear backlash beyond the encoder is not measured.</source>
-        <translation>位置均为舵机自身反馈：编码器之后的齿轮间隙未测量。</translation>
+        <source>Positions are as reported by the servo; gear backlash beyond the encoder is not measured.</source>
+        <translation>位置均为舵机反馈的数值，不包含编码器之后的齿轮间隙。</translation>
     </message>
     <message>
         <source>Position and goal</source>
@@ -3262,11 +3258,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Time, s</source>
-        <translation>时间，s</translation>
+        <translation>时间（s）</translation>
     </message>
     <message>
         <source>Position, steps</source>
-        <translation>位置，步</translation>
+        <translation>位置（步）</translation>
     </message>
     <message>
         <source>Distribution of steady-state error</source>
@@ -3274,7 +3270,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Steady-state error, steps</source>
-        <translation>静差，步</translation>
+        <translation>静差（步）</translation>
     </message>
     <message>
         <source>Moves</source>
@@ -3286,8 +3282,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>没有可绘图的采样数据。</translation>
     </message>
     <message>
-        <source>No steady-state error was measured.</source>
-        <translation>未测得静差。</translation>
+        <source>Steady-state error was not measured.</source>
+        <translation>静差未测量。</translation>
     </message>
     <message>
         <source>Moves</source>
@@ -3310,63 +3306,63 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>目标</translation>
     </message>
     <message>
-        <source>Reached</source>
-        <translation>到达</translation>
+        <source>Position reached</source>
+        <translation>到达位置</translation>
     </message>
     <message>
-        <source>Time, ms</source>
-        <translation>到位，ms</translation>
+        <source>Time to goal, ms</source>
+        <translation>到位时间（ms）</translation>
     </message>
     <message>
         <source>Settling, ms</source>
-        <translation>整定，ms</translation>
+        <translation>整定时间（ms）</translation>
     </message>
     <message>
         <source>Overshoot, %</source>
-        <translation>超调，%</translation>
+        <translation>超调（%）</translation>
     </message>
     <message>
         <source>Error, steps</source>
-        <translation>静差，步</translation>
+        <translation>静差（步）</translation>
     </message>
     <message>
         <source>Mean speed, step/s</source>
-        <translation>平均速度，步/s</translation>
+        <translation>平均速度（步/s）</translation>
     </message>
     <message>
-        <source>Following error, step</source>
-        <translation>跟随误差，步</translation>
+        <source>Following error, steps</source>
+        <translation>跟随误差（步）</translation>
     </message>
     <message>
         <source>Peak current, mA</source>
-        <translation>峰值电流，mA</translation>
+        <translation>峰值电流（mA）</translation>
     </message>
     <message>
         <source>Peak load, %</source>
-        <translation>峰值负载，%</translation>
+        <translation>峰值负载（%）</translation>
     </message>
     <message>
         <source>Min voltage, V</source>
-        <translation>最低电压，V</translation>
+        <translation>最低电压（V）</translation>
     </message>
     <message>
         <source>Temp., °C</source>
-        <translation>温度，°C</translation>
+        <translation>温度（°C）</translation>
     </message>
     <message>
-        <source>Lost</source>
-        <translation>丢失</translation>
+        <source>Lost readings</source>
+        <translation>丢失采样数</translation>
     </message>
     <message>
         <source>Remarks</source>
         <translation>备注</translation>
     </message>
     <message>
-        <source>missed</source>
+        <source>goal missed</source>
         <translation>未到位</translation>
     </message>
     <message>
-        <source>moving flag wrong</source>
+        <source>moving flag error</source>
         <translation>移动标志错误</translation>
     </message>
     <message>
@@ -3374,7 +3370,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>总线</translation>
     </message>
     <message>
-        <source>Readings and writes</source>
+        <source>Reads and writes</source>
         <translation>读写次数</translation>
     </message>
     <message>
@@ -3386,8 +3382,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>校验错误</translation>
     </message>
     <message>
-        <source>Foreign frames</source>
-        <translation>外来帧</translation>
+        <source>Unexpected frames</source>
+        <translation>非预期帧</translation>
     </message>
     <message>
         <source>Late replies</source>
@@ -3399,11 +3395,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Duration, s</source>
-        <translation>持续，s</translation>
+        <translation>持续时间（s）</translation>
     </message>
     <message>
         <source>The connection was never interrupted.</source>
-        <translation>连接始终正常。</translation>
+        <translation>连接从未中断。</translation>
     </message>
     <message>
         <source>Memory table at the start</source>
@@ -3418,12 +3414,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>参数</translation>
     </message>
     <message>
-        <source>Raw</source>
+        <source>Raw value</source>
         <translation>原始值</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation>区域</translation>
+        <translation>存储区</translation>
     </message>
     <message>
         <source>Read at</source>
@@ -3594,12 +3590,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>每周期采样数少于 20。请加长周期、减少舵机或提高波特率。</translation>
     </message>
     <message>
-        <source>The sine is faster than the speed set for the servo. Use a longer period, a smaller range or a higher speed.</source>
-        <translation>正弦运动快于为舵机设定的速度。请加长周期、缩小范围或提高速度。</translation>
+        <source>The sine motion is faster than the speed set for the servo. Use a longer period, a smaller range or a higher speed.</source>
+        <translation>正弦运动所需的速度高于舵机的设定速度。请加长周期、缩小范围或提高速度。</translation>
     </message>
     <message>
         <source>No limits are set for how closely the servo follows its goal. Add limits for the relative following error and the phase lag.</source>
-        <translation>限值中没有跟随方面的项目。请添加相对跟随误差和相位滞后的限值。</translation>
+        <translation>没有设定跟随误差方面的限值。请添加相对跟随误差和相位滞后的限值。</translation>
     </message>
     <message>
         <source>The moves are too short for the tolerance, so even a servo that does not move would pass. Make each move at least three times as long as the tolerance.</source>
@@ -3622,7 +3618,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>用户提前停止了测试。</translation>
     </message>
     <message>
-        <source>Ended by the emergency stop: torque off on the whole bus.</source>
+        <source>Ended by the emergency stop; torque was turned off on the whole bus.</source>
         <translation>因急停而结束：总线上所有舵机已卸力。</translation>
     </message>
     <message>
@@ -3634,23 +3630,23 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>提前结束：舵机未到达目标就已堵转。</translation>
     </message>
     <message>
-        <source>Ended early: a limit was not met, and the test was set to stop at the first failure.</source>
+        <source>Ended early: a limit was violated, and the test was set to stop at the first failure.</source>
         <translation>提前结束：出现不合格项，按设置停止。</translation>
     </message>
     <message>
         <source>Ended early: a servo no longer accepted its goal because its limits or mode changed.</source>
-        <translation>提前结束：舵机不再接受目标位置；其限位或模式已改变。</translation>
+        <translation>提前结束：舵机的限值或运行模式已改变，因此不再接受目标位置。</translation>
     </message>
     <message>
         <source>Ended early: a servo lost torque because it rebooted or another program turned torque off. Torque was not turned on again.</source>
-        <translation>提前结束：舵机失去扭矩（已重启，或被其他程序卸力），程序未再次打开扭矩。</translation>
+        <translation>提前结束：舵机失去扭矩（舵机已重启，或其他程序使其卸力）。之后未再打开扭矩。</translation>
     </message>
     <message>
-        <source>Ended early: another servo replies with the ID of the tested servo.</source>
-        <translation>提前结束：另一个舵机在用被测舵机的 ID 应答。</translation>
+        <source>Ended early: a different servo is now replying with the ID of the tested servo.</source>
+        <translation>提前结束：现在以被测舵机的 ID 应答的是另一个舵机。</translation>
     </message>
     <message>
-        <source>Ended early: the connection was lost and did not return.</source>
+        <source>Ended early: the connection was lost and was not restored.</source>
         <translation>提前结束：连接断开且未恢复。</translation>
     </message>
     <message>
@@ -3662,8 +3658,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>阶梯来回</translation>
     </message>
     <message>
-        <source>midpoint from both directions</source>
-        <translation>双向接近中点</translation>
+        <source>middle of the range from both directions</source>
+        <translation>双向到达行程范围中间</translation>
     </message>
     <message>
         <source>random goals</source>
@@ -3675,7 +3671,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>list of goals</source>
-        <translation>目标点列表</translation>
+        <translation>目标列表</translation>
     </message>
     <message>
         <source>delay from one goal to the next, whether or not the goal is reached</source>
@@ -3702,7 +3698,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>只列出 %2 个行程中最差的 %1 个。HTML 报告列出的行程更多，CSV 和 JSON 文件包含全部行程。</translation>
     </message>
     <message>
-        <source>The HTML report also has the memory tables and more about each move.</source>
+        <source>The HTML report also contains the memory tables and more details about each move.</source>
         <translation>HTML 报告还包含内存表和每个行程的更多数据。</translation>
     </message>
 </context>
@@ -3770,7 +3766,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>%1 off scale %2 · Fit</source>
-        <translation>%1 超出量程 %2 · 适应</translation>
+        <translation>%1 超出显示范围 %2 · 自动调整</translation>
     </message>
 </context>
 <context>
@@ -3897,7 +3893,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>关闭保护后，电机可能烧毁，齿轮可能损坏。</translation>
     </message>
     <message>
-        <source>This changes the direction, feedback and drive of the motor. A wrong value can make the motor run away.</source>
+        <source>This changes the direction, feedback and drive of the motor. A wrong value can make the motor run out of control.</source>
         <translation>电机的方向、反馈和驱动方式会改变。数值写错可能使电机失控。</translation>
     </message>
     <message>
@@ -3933,15 +3929,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>当前位置将成为中位。此后每个位置对应的角度都与之前不同，其他程序也受影响。</translation>
     </message>
     <message>
-        <source>With both angle limits at 0, the shaft can turn past any position.</source>
-        <translation>两个角度限制均为 0 时，输出轴可转过任意位置。</translation>
+        <source>With both angle limits at 0, the shaft can turn without limit.</source>
+        <translation>两个角度限制均为 0 时，输出轴的转动不受限制。</translation>
     </message>
 </context>
 <context>
     <name>cli</name>
     <message>
         <source>did you mean %1?</source>
-        <translation>是不是 %1？</translation>
+        <translation>是否要输入 %1？</translation>
     </message>
     <message>
         <source>Servo %1</source>
@@ -3964,7 +3960,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>EPROM 锁：%1</translation>
     </message>
     <message>
-        <source>Servo %1 has restarted.</source>
+        <source>Servo %1 has rebooted.</source>
         <translation>舵机 %1 已重启。</translation>
     </message>
     <message>
@@ -4048,7 +4044,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>USB</translation>
     </message>
     <message>
-        <source>list the ports of this computer</source>
+        <source>list the ports on this computer</source>
         <translation>列出本机的端口</translation>
     </message>
     <message>
@@ -4100,7 +4096,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>舵机以 ID %1、波特率 %2 应答。</translation>
     </message>
     <message>
-        <source>No register has changed.</source>
+        <source>No registers have changed.</source>
         <translation>没有参数发生改变。</translation>
     </message>
     <message>
@@ -4120,7 +4116,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>固件版本</translation>
     </message>
     <message>
-        <source>Baud</source>
+        <source>Baud rate</source>
         <translation>波特率</translation>
     </message>
     <message>
@@ -4128,11 +4124,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>正在搜索</translation>
     </message>
     <message>
-        <source>search the bus; writes nothing</source>
+        <source>search the bus without writing anything</source>
         <translation>搜索总线；不写入任何内容</translation>
     </message>
     <message>
-        <source>baud rates to search at</source>
+        <source>baud rates to use for the search</source>
         <translation>搜索时使用的波特率</translation>
     </message>
     <message>
@@ -4160,7 +4156,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>读写</translation>
     </message>
     <message>
-        <source>Servo %1: %2 (%3), firmware %4, on %5 at %6</source>
+        <source>Servo %1: %2 (%3), firmware %4, read on port %5 at %6</source>
         <translation>舵机 %1：%2（%3），固件 %4，端口 %5，时间 %6</translation>
     </message>
     <message>
@@ -4168,7 +4164,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>把舵机的全部参数保存到文件</translation>
     </message>
     <message>
-        <source>show a saved file; needs no port</source>
+        <source>show a saved file; no port is needed</source>
         <translation>显示已保存的文件；不需要端口</translation>
     </message>
     <message>
@@ -4212,7 +4208,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>用法：servodesk-cli [选项] %1</translation>
     </message>
     <message>
-        <source>Options of this command:</source>
+        <source>Options for this command:</source>
         <translation>此命令的选项：</translation>
     </message>
     <message>
@@ -4228,19 +4224,19 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>未知命令“%1”</translation>
     </message>
     <message>
-        <source>print one JSON document</source>
-        <translation>输出一个 JSON 文档</translation>
+        <source>print the result as a single JSON document</source>
+        <translation>以单个 JSON 文档输出结果</translation>
     </message>
     <message>
         <source>The result could not be written: %1</source>
-        <translation>无法写出结果：%1</translation>
+        <translation>无法输出结果：%1</translation>
     </message>
     <message>
-        <source>a raw number from %1 to %2</source>
+        <source>a raw value from %1 to %2</source>
         <translation>%1 到 %2 的原始值</translation>
     </message>
     <message>
-        <source>a raw number</source>
+        <source>a raw value</source>
         <translation>原始值</translation>
     </message>
     <message>
@@ -4426,7 +4422,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>阶跃响应</translation>
     </message>
     <message>
-        <source>Step response, trial</source>
+        <source>Step response (trial)</source>
         <translation>阶跃响应（试用）</translation>
     </message>
     <message>
@@ -4462,15 +4458,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>仅限此型号的舵机</translation>
     </message>
     <message>
-        <source>only with this ID</source>
-        <translation>仅此 ID</translation>
+        <source>only servos with this ID</source>
+        <translation>仅限此 ID 的舵机</translation>
     </message>
     <message>
         <source>no test run %1 in the history; &quot;sweep-runs&quot; lists all test runs</source>
         <translation>历史记录中没有测试记录 %1；“sweep-runs”可列出全部测试记录</translation>
     </message>
     <message>
-        <source>%1 has no servo %2</source>
+        <source>%1 does not contain servo %2</source>
         <translation>%1 中没有舵机 %2</translation>
     </message>
     <message>
@@ -4526,8 +4522,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>时长</translation>
     </message>
     <message>
-        <source>Readings</source>
-        <translation>采样数</translation>
+        <source>Rows</source>
+        <translation>行数</translation>
     </message>
     <message>
         <source>Test</source>
@@ -4554,7 +4550,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>无</translation>
     </message>
     <message>
-        <source>time: 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w</source>
+        <source>time: 2026-11-22T10:30, 10:30, or how long ago, such as 90m, 2h, 3d, 1w</source>
         <translation>时间：2026-11-22T10:30、10:30，或距现在的时长，如 90m、2h、3d、1w</translation>
     </message>
     <message>
@@ -4566,15 +4562,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>备注：%1</translation>
     </message>
     <message>
-        <source>Factory</source>
-        <translation>出厂</translation>
+        <source>Factory default</source>
+        <translation>出厂默认值</translation>
     </message>
     <message>
         <source>%1 different, %2 missing, %3 unknown, %4 identical, %5 read-only</source>
         <translation>不同 %1，缺少 %2，未知 %3，相同 %4，只读 %5</translation>
     </message>
     <message>
-        <source>only writes to this register</source>
+        <source>only entries for writes to this register</source>
         <translation>仅限对此参数的写入</translation>
     </message>
     <message>
@@ -4586,16 +4582,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>无需写入。</translation>
     </message>
     <message>
-        <source>Nothing had to be written.</source>
+        <source>No changes were necessary.</source>
         <translation>无需写入任何内容。</translation>
     </message>
     <message>
         <source>Result: %1</source>
         <translation>结果：%1</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>行数</translation>
     </message>
     <message>
         <source>! %1: %2</source>
@@ -4606,8 +4598,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>! %1（未选中）：%2</translation>
     </message>
     <message>
-        <source>ignored: did not finish</source>
-        <translation>已忽略：未完成</translation>
+        <source>ignored: the test did not finish</source>
+        <translation>已忽略：测试未完成</translation>
     </message>
     <message>
         <source>--step &quot;%1&quot;: specify a step greater than 0, raw (100) or with its unit (10deg); to reverse the direction, swap --from and --to</source>
@@ -4634,8 +4626,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>未进行试用。</translation>
     </message>
     <message>
-        <source>ignored: failed</source>
-        <translation>已忽略：不合格</translation>
+        <source>ignored: the servo failed</source>
+        <translation>已忽略：舵机不合格</translation>
     </message>
     <message>
         <source>%1, firmware %2</source>
@@ -4650,27 +4642,27 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>新值</translation>
     </message>
     <message>
-        <source>Torque off was sent (ID %1). Confirming …</source>
+        <source>Torque-off command sent (ID %1). Confirming…</source>
         <translation>已发送卸力指令（ID %1），正在确认…</translation>
     </message>
     <message>
-        <source>Confirming the stop (ID %1) …</source>
-        <translation>正在确认停止（ID %1）…</translation>
+        <source>Confirming the stop (ID %1)…</source>
+        <translation>正在确认舵机已停止运动（ID %1）…</translation>
     </message>
     <message>
         <source>Abandoned: change %1, servo %2 (%3, %4)</source>
         <translation>已放弃：更改 %1，舵机 %2（%3，%4）</translation>
     </message>
     <message>
-        <source>The servo was not read: each register may hold its old or its new value.</source>
-        <translation>未读取舵机：每个参数可能是原值，也可能是新值。</translation>
+        <source>The servo was not read, so each register may hold either its old or its new value.</source>
+        <translation>未读取舵机，因此每个参数可能是原值，也可能是新值。</translation>
     </message>
     <message>
         <source>ID %1</source>
         <translation>ID %1</translation>
     </message>
     <message>
-        <source>save all servos on the bus to one file</source>
+        <source>save the settings of all servos on the bus to one file</source>
         <translation>把总线上所有舵机的参数保存到一个文件</translation>
     </message>
     <message>
@@ -4690,28 +4682,28 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>保存在文件中的备注</translation>
     </message>
     <message>
-        <source>restore a saved bus, matching servos by ID</source>
-        <translation>恢复已保存的总线参数，按 ID 对应各舵机</translation>
+        <source>restore the servos saved in a bundle, matching them by ID</source>
+        <translation>恢复整组快照中的各舵机，按 ID 对应</translation>
     </message>
     <message>
-        <source>file created by bundle save</source>
+        <source>file created by &quot;bundle save&quot;</source>
         <translation>由 bundle save 生成的文件</translation>
     </message>
     <message>
-        <source>also write to IDs that now belong to another model</source>
-        <translation>即使该 ID 现在属于另一型号的舵机，也写入</translation>
+        <source>also write to IDs that now belong to a servo of a different model</source>
+        <translation>即使某个 ID 现在属于其他型号的舵机，也写入</translation>
     </message>
     <message>
         <source>specify exactly one baud rate</source>
         <translation>请只指定一个波特率</translation>
     </message>
     <message>
-        <source>change the ID of a servo after checking that the new one is free</source>
+        <source>change the ID of a servo after checking that the new ID is free</source>
         <translation>修改舵机 ID（先确认新 ID 未被占用）</translation>
     </message>
     <message>
         <source>current ID</source>
-        <translation>现在的 ID</translation>
+        <translation>当前 ID</translation>
     </message>
     <message>
         <source>new ID, 0 to 253</source>
@@ -4746,7 +4738,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>显示报警的原因并解除报警</translation>
     </message>
     <message>
-        <source>allow the servo to move slightly and its torque to be turned on</source>
+        <source>allow torque to be turned on and the servo to move slightly</source>
         <translation>允许舵机轻微转动，并允许打开扭矩</translation>
     </message>
     <message>
@@ -4763,10 +4755,10 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Warning: %1.</source>
-        <translation>注意：%1。</translation>
+        <translation>警告：%1。</translation>
     </message>
     <message>
-        <source>%1 with ID %2 at %3 baud will be set to ID %4.</source>
+        <source>The %1 with ID %2 at %3 baud will be changed to ID %4.</source>
         <translation>%1（ID %2，波特率 %3）将设为 ID %4。</translation>
     </message>
     <message>
@@ -4794,15 +4786,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>ID 已用完。正在等待尚未设置完的舵机接上。</translation>
     </message>
     <message>
-        <source>Several servos reply. Leave only one connected. Nothing is written.</source>
-        <translation>有多个舵机应答，请只留一个。未写入任何内容。</translation>
+        <source>Several servos are replying, so nothing is written. Disconnect all but one.</source>
+        <translation>有多个舵机应答，因此不写入任何内容。请只留一个。</translation>
     </message>
     <message>
-        <source>Two servos reply with ID %1. Leave only one connected. Nothing is written.</source>
-        <translation>两个舵机都以 ID %1 应答，请只留一个。未写入任何内容。</translation>
+        <source>Two servos are replying with ID %1, so nothing is written. Disconnect one of them.</source>
+        <translation>两个舵机都以 ID %1 应答，因此不写入任何内容。请只留一个。</translation>
     </message>
     <message>
-        <source>A device replies but could not be identified.</source>
+        <source>A device is replying but cannot be identified.</source>
         <translation>有设备应答，但无法识别。</translation>
     </message>
     <message>
@@ -4830,8 +4822,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>逐个接上并设置舵机：模板、ID、波特率</translation>
     </message>
     <message>
-        <source>batch list file; an existing batch is resumed</source>
-        <translation>批次清单文件；如果批次已存在，则继续该批次</translation>
+        <source>batch file; an existing batch is resumed</source>
+        <translation>批次文件；如果批次已存在，则继续该批次</translation>
     </message>
     <message>
         <source>first ID to assign (default: 1)</source>
@@ -4842,7 +4834,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>要分配的 ID，按此顺序分配：4-9,12</translation>
     </message>
     <message>
-        <source>end when this many servos in the batch are finished</source>
+        <source>stop when this many servos in the batch have been set up</source>
         <translation>批次中完成的舵机达到此数量后结束</translation>
     </message>
     <message>
@@ -4878,11 +4870,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>历史记录中没有符合条件的内容。</translation>
     </message>
     <message>
-        <source>Servos have no serial number: servos with the same model, firmware, ID and label are listed as one.</source>
+        <source>Servos have no serial number, so servos with the same model, firmware, ID and label are listed as one.</source>
         <translation>舵机没有序列号：型号、固件、ID 和标签都相同的舵机视为同一个。</translation>
     </message>
     <message>
-        <source>--kind must be writes, snapshots, alarms, recordings, runs or servos; on a server also benches</source>
+        <source>--kind must be writes, snapshots, alarms, recordings, runs, servos or (on a server only) benches</source>
         <translation>--kind 必须是 writes、snapshots、alarms、recordings、runs 或 servos；查看服务器时还可用 benches</translation>
     </message>
     <message>
@@ -4890,7 +4882,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>--csv 和 --export 只能选一个</translation>
     </message>
     <message>
-        <source>kind of entries: writes (default), snapshots, alarms, recordings, runs, servos; on a server also benches</source>
+        <source>kind of entries: writes (default), snapshots, alarms, recordings, runs, servos or (on a server only) benches</source>
         <translation>内容类型：writes（默认）、snapshots、alarms、recordings、runs、servos；查看服务器时还可用 benches</translation>
     </message>
     <message>
@@ -4898,12 +4890,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>改为把所有符合条件的内容写入 JSON 文件</translation>
     </message>
     <message>
-        <source>list writes, snapshots, alarms, recordings and tests of servos; needs no port</source>
+        <source>list writes, snapshots, alarms, recordings and tests of servos; no port is needed</source>
         <translation>列出舵机的写入、快照、报警、录制和测试；不需要端口</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a row number</source>
-        <translation>“%1”不是行号</translation>
+        <source>&quot;%1&quot; is not a valid entry number</source>
+        <translation>“%1”不是有效的编号</translation>
     </message>
     <message>
         <source>%1, ID %2, %3, on %4 at %5 baud, by %6</source>
@@ -4933,7 +4925,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The ID was changed to %1 on %2; writes made with the new ID are in the history of the servo with ID %1, not here</source>
-        <translation>ID 已于 %2 改为 %1；以新 ID 进行的写入在 ID %1 舵机的历史记录中，不在此处</translation>
+        <translation>ID 已于 %2 改为 %1；改 ID 之后的写入记录在 ID 为 %1 的舵机的历史记录中，不在此处</translation>
     </message>
     <message>
         <source>show a write and everything written together with it</source>
@@ -4960,7 +4952,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>从现在起，把以此型号和 ID 应答的舵机视为另一个舵机，使用此标签；之前的记录仍归原来的舵机</translation>
     </message>
     <message>
-        <source>save a snapshot from the history as a file for snapshot restore</source>
+        <source>save a snapshot from the history as a file for &quot;snapshot restore&quot;</source>
         <translation>把历史记录中的快照存为供 snapshot restore 使用的文件</translation>
     </message>
     <message>
@@ -4972,7 +4964,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>输出文件，例如 NAME.servo.json；已有文件会被覆盖</translation>
     </message>
     <message>
-        <source>save a servo&apos;s memory table as it was at a given time (last snapshot plus the writes up to then) to a file for snapshot restore</source>
+        <source>save a servo&apos;s memory table as it was at a given time (last snapshot plus the writes up to then) to a file for &quot;snapshot restore&quot;</source>
         <translation>把舵机在某一时刻的内存表存为供 snapshot restore 使用的文件：取该时刻前的最后一个快照，加上快照之后到该时刻为止的写入</translation>
     </message>
     <message>
@@ -4981,19 +4973,19 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>Server and bench name saved; the desktop program uses them too</source>
-        <translation>已保存服务器和工位名称，窗口程序也会使用</translation>
+        <translation>已保存服务器和工位名称，桌面程序也会使用</translation>
     </message>
     <message>
         <source>Server and bench name were not saved</source>
         <translation>未保存服务器和工位名称</translation>
     </message>
     <message>
-        <source>send missing history to a history server (PostgreSQL); needs no port</source>
-        <translation>向历史记录服务器（PostgreSQL）补发其缺少的数据；不需要端口</translation>
+        <source>send history entries that a history server (PostgreSQL) does not have yet; no port is needed</source>
+        <translation>把服务器上尚缺的历史记录发送到历史记录服务器（PostgreSQL）；不需要端口</translation>
     </message>
     <message>
-        <source>connection string, for example postgresql://USER@HOST/DATABASE, without a password (store it in ~/.pgpass); default: the remembered server. A server on another computer needs a valid TLS certificate, unless ?sslmode=... specifies otherwise</source>
-        <translation>连接字符串，例如 postgresql://USER@HOST/DATABASE，不含密码（密码存放在 ~/.pgpass）；默认：已记住的服务器。其他计算机上的服务器必须有有效的 TLS 证书，除非用 ?sslmode=... 另行指定</translation>
+        <source>connection string, for example postgresql://USER@HOST/DATABASE, without a password (store the password in ~/.pgpass); default: the remembered server. By default, a server on another computer needs a valid TLS certificate; to change this, use ?sslmode=...</source>
+        <translation>连接字符串，例如 postgresql://USER@HOST/DATABASE，不含密码（密码存放在 ~/.pgpass）；默认：已记住的服务器。其他计算机上的服务器默认必须有有效的 TLS 证书；如需更改，请使用 ?sslmode=...</translation>
     </message>
     <message>
         <source>name of this bench on the server</source>
@@ -5001,7 +4993,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>use this server and name from now on, in the desktop program too; saved after the first successful connection</source>
-        <translation>从现在起使用此服务器和名称，窗口程序也一样；连接成功后才保存</translation>
+        <translation>从现在起使用此服务器和名称，桌面程序也一样；首次连接成功后才保存</translation>
     </message>
     <message>
         <source>The LED of servo %1 is blinking. Press Ctrl-C to stop.</source>
@@ -5025,14 +5017,14 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The EPROM is unlocked because a change to this servo was interrupted. To finish or undo the change: %1</source>
-        <translation>EPROM 未上锁，因为对该舵机的更改被中断。要完成或撤销该更改，请运行：%1</translation>
+        <translation>EPROM 未上锁，因为该舵机有未写完的更改。要完成或撤销该更改，请运行：%1</translation>
     </message>
     <message>
         <source>The EPROM is unlocked. To lock it: servodesk-cli write %1 lock=1</source>
         <translation>EPROM 未上锁。上锁命令：servodesk-cli write %1 lock=1</translation>
     </message>
     <message>
-        <source>show model and state of a servo, and remedies for its alarms</source>
+        <source>show the model and state of a servo and how to clear its alarms</source>
         <translation>显示舵机的型号与状态，以及报警的解除方法</translation>
     </message>
     <message>
@@ -5041,7 +5033,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>ID %1 is specified twice</source>
-        <translation>ID %1 重复指定</translation>
+        <translation>重复指定了 ID %1</translation>
     </message>
     <message>
         <source>--how must be write, sync or async</source>
@@ -5112,7 +5104,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>没有未写完的更改“%1”</translation>
     </message>
     <message>
-        <source>several changes start with &quot;%1&quot;</source>
+        <source>the names of several changes start with &quot;%1&quot;</source>
         <translation>有多个更改的名称以“%1”开头</translation>
     </message>
     <message>
@@ -5120,8 +5112,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>--finish 和 --undo 只能选一个</translation>
     </message>
     <message>
-        <source>show interrupted changes; finish or undo them</source>
-        <translation>显示被中断的更改，并可完成或撤销</translation>
+        <source>show unfinished changes, and finish or undo them</source>
+        <translation>显示未写完的更改，并可完成或撤销</translation>
     </message>
     <message>
         <source>complete the changes</source>
@@ -5144,16 +5136,16 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>也处理在其他端口上开始的更改：端口已不存在的直接处理，端口仍然存在的须加 --change。只要其他端口上开始的更改还有未写完的，退出码就为 1</translation>
     </message>
     <message>
-        <source>restore the parameters stored in the servo (instruction 0x06); ID and baud rate may change, so connect only this servo</source>
-        <translation>恢复舵机内备份的参数（0x06）；ID 和波特率可能改变，请只接这一个舵机</translation>
+        <source>reset a servo to its stored default settings (instruction 0x06); the ID and baud rate may change, so connect only this servo</source>
+        <translation>将舵机恢复为其内部存储的默认参数（指令 0x06）；ID 和波特率可能改变，请只接这一个舵机</translation>
     </message>
     <message>
         <source>possibly two servos with this ID</source>
-        <translation>可能有两个舵机用此 ID</translation>
+        <translation>可能有两个舵机使用此 ID</translation>
     </message>
     <message>
-        <source>family unclear: read-only</source>
-        <translation>系列不明：只读</translation>
+        <source>family unclear, so read-only</source>
+        <translation>系列不明，因此只读</translation>
     </message>
     <message>
         <source>Model number</source>
@@ -5168,8 +5160,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>已搜索的波特率：%1。只有飞特舵机使用 1000000；LX、Modbus 和多数 SMS 舵机使用 115200。</translation>
     </message>
     <message>
-        <source>Unreadable data was received, but no servo could be confirmed. Possible causes: another baud rate, two servos with the same ID, or noise.</source>
-        <translation>收到无法识别的数据，但不能确认有舵机。可能的原因：波特率不同、ID 重复，或有干扰。</translation>
+        <source>Unreadable data was received, but no servo could be confirmed. Possible causes: a different baud rate, two servos with the same ID, or noise.</source>
+        <translation>收到无法识别的数据，但无法确认有舵机。可能的原因：波特率不同、ID 重复，或有干扰。</translation>
     </message>
     <message>
         <source>Several servos replied late, so others may have been missed. Try again with --slow.</source>
@@ -5180,8 +5172,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>此适配器不支持波特率 %1。</translation>
     </message>
     <message>
-        <source>At %1 baud the line is never idle: a device is sending continuously. Servos may have been missed.</source>
-        <translation>波特率 %1 下线路一直没有空闲：有设备在不停发送。可能漏掉了舵机。</translation>
+        <source>At %1 baud, the bus is never idle: a device is sending continuously. Servos may have been missed.</source>
+        <translation>波特率为 %1 时，总线一直没有空闲：有设备在不停地发送数据。可能漏掉了舵机。</translation>
     </message>
     <message>
         <source>The search was stopped early.</source>
@@ -5192,11 +5184,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>只搜索这些 ID（默认：0-253）</translation>
     </message>
     <message>
-        <source>query silent IDs again with a longer timeout</source>
+        <source>retry IDs that did not reply, using a longer timeout</source>
         <translation>用更长的超时再次查询没有应答的 ID</translation>
     </message>
     <message>
-        <source>file created by snapshot save</source>
+        <source>file created by &quot;snapshot save&quot;</source>
         <translation>由 snapshot save 生成的文件</translation>
     </message>
     <message>
@@ -5204,11 +5196,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>“default”须与舵机或已知型号的文件一起给出</translation>
     </message>
     <message>
-        <source>specify at least two of: a file, an ID, default</source>
-        <translation>至少给出两项：文件、ID 或 default</translation>
+        <source>specify at least two sources: files, IDs or &quot;default&quot;</source>
+        <translation>请至少给出两个来源：文件、ID 或 default</translation>
     </message>
     <message>
-        <source>compare memory tables side by side: files, servos, factory default</source>
+        <source>compare memory tables from files, servos and the factory defaults side by side</source>
         <translation>并排对比内存表：文件、舵机、出厂默认值</translation>
     </message>
     <message>
@@ -5228,7 +5220,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>快照或模板，也可来自另一个舵机</translation>
     </message>
     <message>
-        <source>also write ID and baud rate, as the last step</source>
+        <source>also write the ID and baud rate, as the last step</source>
         <translation>也写入 ID 和波特率（放在最后写入）</translation>
     </message>
     <message>
@@ -5240,8 +5232,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>%1 不能试用；该舵机可用：%2</translation>
     </message>
     <message>
-        <source>The trial has ended. The servo has its old values again, unless a note says otherwise. To keep good values, use &quot;write&quot;.</source>
-        <translation>试用已结束。如果上面没有恢复失败的提示，舵机已恢复原值。效果好的值请用 write 保存。</translation>
+        <source>The trial has ended. The servo has its old values again unless a note says otherwise. To save values that worked well, use &quot;write&quot;.</source>
+        <translation>试用已结束。如果上面没有恢复失败的提示，舵机已恢复原值。要保存效果好的值，请使用“write”。</translation>
     </message>
     <message>
         <source>measure the step response of a servo, before and after changing its gains</source>
@@ -5272,15 +5264,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>第二次运行使用的值：position_p=40,position_d=20；之后恢复原值</translation>
     </message>
     <message>
-        <source>Gaps without readings: %1. No times or speeds are available for moves with such a gap.</source>
+        <source>Gaps in the readings: %1. Times and speeds are not available for moves that contain a gap.</source>
         <translation>无采样数据的时段：%1。包含此类时段的行程不给出时间和速度。</translation>
     </message>
     <message>
         <source>the report file name must end with .html, .pdf, .json or .csv</source>
-        <translation>报告文件须以 .html、.pdf、.json 或 .csv 结尾</translation>
+        <translation>报告文件名须以 .html、.pdf、.json 或 .csv 结尾</translation>
     </message>
     <message>
-        <source>Servo %1: most moves are too short for a verdict. A goal counts as reached within %2 steps, so each move needs at least %3 steps.</source>
+        <source>Servo %1: most moves are too short for a verdict. A goal counts as reached within %2 steps, so each move must be at least %3 steps long.</source>
         <translation>舵机 %1：大多数行程太短，无法得出结论。距目标 %2 步以内即视为到位，因此每个行程至少需要 %3 步。</translation>
     </message>
     <message>
@@ -5304,7 +5296,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>对比报告的文件名须以 .html 结尾</translation>
     </message>
     <message>
-        <source>compare two sweep tests; needs no port</source>
+        <source>compare two sweep tests; no port is needed</source>
         <translation>对比两次扫描测试；不需要端口</translation>
     </message>
     <message>
@@ -5324,7 +5316,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>将对比保存为网页（.html）</translation>
     </message>
     <message>
-        <source>create a report of an earlier sweep test; needs no port</source>
+        <source>create a report of an earlier sweep test; no port is needed</source>
         <translation>生成以往扫描测试的报告；不需要端口</translation>
     </message>
     <message>
@@ -5348,11 +5340,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>已将测试记录 %1 中 ID %2 的结果设为 %3 的参考</translation>
     </message>
     <message>
-        <source>Test run %1, ID %2, is not a reference for %3</source>
-        <translation>测试记录 %1 中 ID %2 的结果未设为 %3 的参考</translation>
+        <source>Test run %1, ID %2, is no longer a reference for %3</source>
+        <translation>测试记录 %1 中 ID %2 的结果不再是 %3 的参考</translation>
     </message>
     <message>
-        <source>list the sweep tests in the history; needs no port</source>
+        <source>list the sweep tests in the history; no port is needed</source>
         <translation>列出历史记录中的扫描测试；不需要端口</translation>
     </message>
     <message>
@@ -5360,8 +5352,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>仅限标签、备注、操作员或端口中含此文字的记录</translation>
     </message>
     <message>
-        <source>set a servo of a test run as the reference for its model</source>
-        <translation>将测试记录中的舵机设为其型号的参考</translation>
+        <source>mark a servo in a test run as the reference for its model</source>
+        <translation>将测试记录中的某个舵机设为其型号的参考</translation>
     </message>
     <message>
         <source>test run number in the history: 12, or 12:3 for ID 3 of that run</source>
@@ -5380,12 +5372,12 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>%1 只读</translation>
     </message>
     <message>
-        <source>%1 has no value in the source</source>
-        <translation>%1 在来源中没有值</translation>
+        <source>the snapshot or servo has no value for %1</source>
+        <translation>快照或舵机中没有 %1 的值</translation>
     </message>
     <message>
-        <source>save selected registers for writing to other servos</source>
-        <translation>保存选定的参数，用于写入其他舵机</translation>
+        <source>save selected registers as a template to write to other servos</source>
+        <translation>将选定的参数存为模板，用于写入其他舵机</translation>
     </message>
     <message>
         <source>snapshot file, or ID (reads the servo)</source>
@@ -5400,7 +5392,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>允许模板包含 ID 和波特率</translation>
     </message>
     <message>
-        <source>write a template or snapshot to several servos, with a result for each; never writes ID or baud rate</source>
+        <source>write a template or snapshot to several servos and report the result for each; never writes the ID or baud rate</source>
         <translation>把模板或快照写入多个舵机，并逐个给出结果；不会写入 ID 和波特率</translation>
     </message>
     <message>
@@ -5420,7 +5412,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>正在查询</translation>
     </message>
     <message>
-        <source>Canceled before confirmation (ID %1): torque off was sent, but may not have taken effect.</source>
+        <source>Canceled before confirmation (ID %1): the torque-off command was sent but may not have taken effect.</source>
         <translation>您在舵机确认前中止了操作（ID %1）：卸力指令已发送，但可能尚未生效。</translation>
     </message>
     <message>
@@ -5444,15 +5436,15 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>未知模式“%1”；可用的模式：%2</translation>
     </message>
     <message>
-        <source>switch torque: on holds the present position; off is sent even when other writes are refused</source>
-        <translation>开关扭矩；on 保持当前位置，off 在任何情况下都会发送</translation>
+        <source>set the torque state: on holds the present position; off is sent even when other writes are refused</source>
+        <translation>设置扭矩状态：on 保持当前位置；即使其他写入被拒绝，off 也会发送</translation>
     </message>
     <message>
         <source>servo IDs (1 2 3, 1-6 or 1,3), then the action</source>
         <translation>舵机 ID（1 2 3、1-6 或 1,3），最后是要做的操作</translation>
     </message>
     <message>
-        <source>stop the motion; torque stays as it is, but is turned off if holding cannot be confirmed</source>
+        <source>stop the motion without changing the torque state; if it cannot be confirmed that the servo is holding its position, torque is turned off</source>
         <translation>停止运动；扭矩状态不变，但如果无法确认舵机已保持位置，则卸力</translation>
     </message>
     <message>
@@ -5492,7 +5484,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>允许写入可能使舵机失联或反转的参数</translation>
     </message>
     <message numerus="yes">
-        <source>%n servo(s) saved to %1 (ID %2)</source>
+        <source>Settings of %n servo(s) saved to %1 (ID %2)</source>
         <translation>
             <numerusform>已把 %n 个舵机的参数保存到 %1（ID %2）</numerusform>
         </translation>
@@ -5627,7 +5619,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>maximum number of rows, newest first (default: 200)</source>
-        <translation>最多显示的行数，从最新的开始（默认 200）</translation>
+        <translation>最多显示的行数，从最新的开始（默认：200）</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid time; examples: 2026-11-22, 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w</source>
@@ -5666,7 +5658,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>起始位置：原始值（1024），或带单位的数值（90deg）</translation>
     </message>
     <message>
-        <source>end position: raw or with its unit</source>
+        <source>end position: raw value, or value with its unit</source>
         <translation>结束位置：原始值，或带单位的数值</translation>
     </message>
     <message>
@@ -5679,7 +5671,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>number of cycles (default: 10)</source>
-        <translation>循环次数（默认 10）</translation>
+        <translation>循环次数（默认：10）</translation>
     </message>
     <message>
         <source>end after this many seconds</source>
@@ -5707,14 +5699,14 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>warm-up time in seconds before measuring</source>
-        <translation>测量前的预热时间，秒</translation>
+        <translation>测量前的预热时间（秒）</translation>
     </message>
     <message>
         <source>turn torque off at the end (default: hold)</source>
-        <translation>结束时卸力（默认保持）</translation>
+        <translation>结束时卸力（默认：保持）</translation>
     </message>
     <message>
-        <source>stop at the first limit that is not met</source>
+        <source>stop as soon as a limit is violated</source>
         <translation>出现第一个不合格项时结束</translation>
     </message>
     <message>
@@ -5738,7 +5730,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>部分为新值，部分为原值</translation>
     </message>
     <message>
-        <source>another servo replies: not changed</source>
+        <source>different servo; not changed</source>
         <translation>应答的是另一个舵机：未作更改</translation>
     </message>
     <message>
@@ -5754,8 +5746,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>更改仍在另一个程序中进行</translation>
     </message>
     <message>
-        <source>value has since changed: left as it is</source>
-        <translation>数值此后已被改动：未作更改</translation>
+        <source>value has changed in the meantime; left as is</source>
+        <translation>数值后来又有变动，保持不变</translation>
     </message>
     <message numerus="yes">
         <source>%n register(s)</source>
@@ -5776,8 +5768,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>未更改</translation>
     </message>
     <message>
-        <source>In change %1, these registers were left as they are because their values have since changed or because writing them would move the servo: %2</source>
-        <translation>更改 %1：以下参数未处理，因为之后已被改动，或写入会使舵机转动：%2</translation>
+        <source>In change %1, these registers were not written because their values have changed in the meantime or because writing them would move the servo: %2</source>
+        <translation>更改 %1：以下参数未写入，因为其数值后来又有变动，或写入会使舵机转动：%2</translation>
     </message>
     <message>
         <source>State</source>
@@ -5793,7 +5785,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>ServoDesk cannot distinguish the servo from another one with the same model and ID. Run the following only if you are sure that the same servo is now connected to %1: %2</source>
-        <translation>ServoDesk 无法将该舵机与型号和 ID 相同的另一个舵机区分开。仅当您确定同一个舵机现在连接在 %1 上时，才运行：%2</translation>
+        <translation>ServoDesk 无法区分该舵机与型号和 ID 相同的另一个舵机。只有确定现在接在 %1 上的就是同一个舵机，才可运行：%2</translation>
     </message>
     <message>
         <source>An adapter may get a different port name when it is plugged in again. To list the changes, use the port to which the servo is now connected: %1</source>
@@ -5820,7 +5812,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>跳过</translation>
     </message>
     <message>
-        <source>The file is from another model: registers are matched by name.</source>
+        <source>The file is from a different model: registers are matched by name.</source>
         <translation>文件来自另一型号，参数按名称对应。</translation>
     </message>
     <message>
@@ -5828,11 +5820,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>电压、温度、电流和扭矩的限值默认不恢复；如需写入其中一项，请指明参数名称：--only 名称 --dangerous。</translation>
     </message>
     <message>
-        <source>The file is from another firmware version: registers are matched by name.</source>
+        <source>The file is from a different firmware version: registers are matched by name.</source>
         <translation>文件来自另一固件版本，参数按名称对应。</translation>
     </message>
     <message>
-        <source>%1, restored to the old value</source>
+        <source>%1, old value restored</source>
         <translation>%1，已恢复原值</translation>
     </message>
     <message>
@@ -5848,8 +5840,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>允许写入可能使舵机失联或转动的参数</translation>
     </message>
     <message>
-        <source>at the first failure, undo all writes (default: stop there)</source>
-        <translation>首次失败时撤销全部写入（默认就此停止）</translation>
+        <source>undo all writes at the first failure (default: stop without undoing)</source>
+        <translation>首次失败时撤销全部写入（默认：停止，不撤销）</translation>
     </message>
     <message>
         <source>show what would be written, without writing</source>
@@ -5904,7 +5896,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>请给出命令；--help 列出全部命令</translation>
     </message>
     <message>
-        <source>an option has no value, or is used twice (%1)</source>
+        <source>an option has no value or is used twice (%1)</source>
         <translation>选项缺少数值，或重复使用（%1）</translation>
     </message>
     <message>
@@ -5913,11 +5905,11 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>baud rate, or auto to try all (default: 1000000; 115200 for LX and Modbus)</source>
-        <translation>波特率；auto 表示逐个尝试所有波特率（默认 1000000；LX 和 Modbus 为 115200）</translation>
+        <translation>波特率；auto 表示逐个尝试所有波特率（默认：1000000；LX 和 Modbus 为 115200）</translation>
     </message>
     <message>
         <source>servo protocol: auto, feetech, modbus or lx (default: auto, which tries all protocols possible at the baud rate)</source>
-        <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认 auto，即尝试该波特率下所有可能的协议）</translation>
+        <translation>舵机使用的协议：auto、feetech、modbus 或 lx（默认：auto，即尝试该波特率下所有可能的协议）</translation>
     </message>
     <message>
         <source>number of retries after a communication error</source>
@@ -5945,19 +5937,19 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>A change on this port was interrupted (servo ID %1). To see, finish or undo the change: %2</source>
-        <translation>此端口上有被中断、尚未写完的更改（ID %1）。要查看、完成或撤销该更改：%2</translation>
+        <translation>此端口上有未写完的更改（ID %1）。要查看、完成或撤销，请运行：%2</translation>
     </message>
     <message>
         <source>Servo %1 replies at %2 baud.</source>
-        <translation>舵机 %1 在波特率 %2 下应答。</translation>
+        <translation>舵机 %1 以波特率 %2 应答。</translation>
     </message>
     <message>
         <source>The settings of servo %1 could not be saved, so nothing was written to it.</source>
         <translation>未能保存舵机 %1 的设置，因此未向其写入任何内容。</translation>
     </message>
     <message>
-        <source>No setting was changed; %1 has been deleted.</source>
-        <translation>没有更改任何设置；已将 %1 删除。</translation>
+        <source>No settings were changed, so %1 was deleted.</source>
+        <translation>设置均未更改，因此已删除 %1。</translation>
     </message>
     <message>
         <source>Saved to the history as test run %1</source>
@@ -5968,8 +5960,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>测试结果无法存入历史记录：%1</translation>
     </message>
     <message>
-        <source>The test could not be saved to a file next to the history either</source>
-        <translation>测试结果也无法存为历史记录所在文件夹中的文件</translation>
+        <source>The test could not be saved to a file in the history folder either</source>
+        <translation>测试结果也无法存入历史记录所在的文件夹</translation>
     </message>
     <message>
         <source>The test was saved to %1 instead</source>
@@ -6047,7 +6039,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>only this servo: its label, or its number as listed by &quot;history --kind servos&quot;</source>
-        <translation>仅此舵机：它的标签，或“history --kind servos”列出的编号</translation>
+        <translation>仅限此舵机：填写其标签，或“history --kind servos”列出的编号</translation>
     </message>
     <message>
         <source>only servos with this label</source>
@@ -6062,11 +6054,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>%1 中没有阶跃响应</translation>
     </message>
     <message>
-        <source>create a report of an earlier step response; needs no port</source>
+        <source>create a report of an earlier step response; no port is needed</source>
         <translation>生成以往阶跃响应的报告；不需要端口</translation>
     </message>
     <message>
-        <source>compare two step responses; needs no port</source>
+        <source>compare two step responses; no port is needed</source>
         <translation>对比两次阶跃响应；不需要端口</translation>
     </message>
     <message>
@@ -6078,11 +6070,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>更改后的阶跃响应</translation>
     </message>
     <message>
-        <source>write both runs to a file</source>
+        <source>write both step responses to a file</source>
         <translation>把两次阶跃响应写入文件</translation>
     </message>
     <message>
-        <source>list the step responses in the history; needs no port</source>
+        <source>list the step responses in the history; no port is needed</source>
         <translation>列出历史记录中的阶跃响应；不需要端口</translation>
     </message>
     <message>
@@ -6128,15 +6120,15 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
 “servodesk-cli help 命令”显示该命令的详细说明。</translation>
     </message>
     <message>
-        <source>reply timeout in milliseconds, on top of the transmission time (default: 25, longer for slow adapters; a servo counts as silent after 500)</source>
-        <translation>应答超时（毫秒），不含传输时间（默认 25，适配器慢时更长；超过 500 毫秒才判定舵机无应答）</translation>
+        <source>reply timeout in milliseconds, in addition to the transmission time (default: 25, longer for slow adapters; a servo counts as silent after 500 ms)</source>
+        <translation>应答超时（毫秒），不含传输时间（默认：25，适配器慢时更长；超过 500 毫秒才判定舵机无应答）</translation>
     </message>
     <message>
         <source>Examples:</source>
         <translation>示例：</translation>
     </message>
     <message>
-        <source>New servos all have the same ID. Give each its own, connected one at a time: servodesk-cli commission --help</source>
+        <source>New servos all have the same ID. Connect them one at a time and give each its own ID: servodesk-cli commission --help</source>
         <translation>新舵机的 ID 都相同。请逐个连接，并为每个舵机设置各自的 ID：servodesk-cli commission --help</translation>
     </message>
     <message>
@@ -6156,7 +6148,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>诊断已提前停止。</translation>
     </message>
     <message>
-        <source>find out why a servo does not reply; writes nothing</source>
+        <source>find out why a servo is not replying; writes nothing</source>
         <translation>查找舵机不应答的原因；不写入任何内容</translation>
     </message>
     <message>
@@ -6169,7 +6161,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Recovering</source>
-        <translation>正在处理中断的写入</translation>
+        <translation>正在处理未写完的更改</translation>
     </message>
     <message>
         <source>cycle %1, %2</source>
@@ -6180,7 +6172,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>正在与舵机对比</translation>
     </message>
     <message>
-        <source>write all matching entries to a CSV file for programs (without a byte order mark) instead</source>
+        <source>write all matching entries to a CSV file instead (for other programs; without a byte order mark)</source>
         <translation>改为把所有符合条件的内容写入供程序读取的 CSV 文件（不带 BOM）</translation>
     </message>
     <message>
@@ -6189,27 +6181,27 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>the report file name must end with .html or .pdf</source>
-        <translation>报告文件须以 .html 或 .pdf 结尾</translation>
+        <translation>报告文件名须以 .html 或 .pdf 结尾</translation>
     </message>
     <message>
         <source>%1 contains no servos</source>
         <translation>%1 中没有舵机</translation>
     </message>
     <message>
-        <source>create a report of a commissioning batch; needs no port</source>
+        <source>create a report of a commissioning batch; no port is needed</source>
         <translation>生成批量设置报告；不需要端口</translation>
     </message>
     <message>
-        <source>batch list file (.csv)</source>
-        <translation>批次清单文件（.csv）</translation>
+        <source>batch file (.csv)</source>
+        <translation>批次文件（.csv）</translation>
     </message>
     <message>
         <source>report file: .html or .pdf</source>
         <translation>报告文件：.html 或 .pdf</translation>
     </message>
     <message>
-        <source>also write the table to one page</source>
-        <translation>同时将内存表写成一页报告</translation>
+        <source>also save the memory table as a report</source>
+        <translation>同时将内存表保存为报告</translation>
     </message>
 </context>
 <context>
@@ -6228,7 +6220,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>torque cannot be turned on or off on this servo</source>
-        <translation>舵机没有扭矩开关</translation>
+        <translation>此舵机不支持打开扭矩或卸力</translation>
     </message>
     <message>
         <source>the servo does not report its position</source>
@@ -6255,7 +6247,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>端口正被 %1 占用</translation>
     </message>
     <message>
-        <source>A safe change requires more than writing one register.</source>
+        <source>Changing this value safely requires more than writing one register.</source>
         <translation>要安全地完成此更改，只写一个参数是不够的。</translation>
     </message>
     <message>
@@ -6431,7 +6423,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>资料未说明 %3 断电后是否保存。</translation>
     </message>
     <message>
-        <source>%3 is 0, which allows no current: the servo has no torque.</source>
+        <source>%3 is 0, so no current is allowed and the servo has no torque.</source>
         <translation>%3 为 0，即不允许有电流，因此舵机没有扭矩。</translation>
     </message>
     <message>
@@ -6451,8 +6443,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>该系列没有这种指令。</translation>
     </message>
     <message>
-        <source>Write the values back one by one.</source>
-        <translation>请逐个写回数值。</translation>
+        <source>Write the default values one by one.</source>
+        <translation>请逐个写入出厂默认值。</translation>
     </message>
     <message>
         <source>This family has no packet that addresses several servos.</source>
@@ -6465,7 +6457,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>not reported</source>
         <comment>alarms</comment>
-        <translation>不报告</translation>
+        <translation>不上报</translation>
     </message>
     <message>
         <source>overload</source>
@@ -6664,8 +6656,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>历史记录服务器与本机无法就加密方式达成一致</translation>
     </message>
     <message>
-        <source>One side requires TLS and the other does not offer it. Servers on other computers must use TLS (sslmode=verify-full) unless sslmode specifies otherwise.</source>
-        <translation>一方要求 TLS，而另一方不支持。其他计算机上的服务器必须使用 TLS（sslmode=verify-full），除非用 sslmode 另行指定。</translation>
+        <source>One side requires TLS and the other does not offer it. By default, servers on other computers must use TLS (sslmode=verify-full).</source>
+        <translation>一方要求 TLS，而另一方不支持。其他计算机上的服务器默认必须使用 TLS（sslmode=verify-full）。</translation>
     </message>
     <message>
         <source>Enable TLS on the server (ssl = on). On a trusted network, you can use sslmode=disable in the connection string instead; all data is then sent unencrypted.</source>
@@ -6692,8 +6684,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>请从连接字符串中删除密码，并将其存放在 ~/.pgpass 中：格式为一行 HOST:PORT:DATABASE:USER:PASSWORD，文件权限 0600。</translation>
     </message>
     <message>
-        <source>limit of another model</source>
-        <translation>其他型号的限制</translation>
+        <source>limit from a different model</source>
+        <translation>其他型号的限值</translation>
     </message>
     <message>
         <source>would cause an alarm now</source>
@@ -6701,7 +6693,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>this test did not finish, so it cannot be a reference</source>
-        <translation>此测试未完成，不能作为参考</translation>
+        <translation>此测试未完成，不能设为参考</translation>
     </message>
     <message>
         <source>the step is negative</source>
@@ -6734,7 +6726,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>this servo failed the test, so it cannot be a reference</source>
-        <translation>该舵机测试不合格，不能作为参考</translation>
+        <translation>该舵机测试不合格，不能设为参考</translation>
     </message>
     <message>
         <source>Choose a servo that passed.</source>
@@ -6745,12 +6737,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>连接字符串中含有不接受的参数</translation>
     </message>
     <message>
-        <source>Use host, hostaddr, port, dbname, user, service, connect_timeout, application_name, target_session_attrs and the parameters that begin with ssl, gss or keepalives.</source>
-        <translation>可使用 host、hostaddr、port、dbname、user、service、connect_timeout、application_name、target_session_attrs，以及以 ssl、gss 或 keepalives 开头的参数。</translation>
+        <source>Use only host, hostaddr, port, dbname, user, service, connect_timeout, application_name, target_session_attrs and parameters that begin with ssl, gss or keepalives.</source>
+        <translation>只能使用 host、hostaddr、port、dbname、user、service、connect_timeout、application_name、target_session_attrs，以及以 ssl、gss 或 keepalives 开头的参数。</translation>
     </message>
     <message>
         <source>Port → Interrupted writes</source>
-        <translation>“端口 → 中断的写入”</translation>
+        <translation>“端口 → 未写完的更改”</translation>
     </message>
     <message>
         <source>recover</source>
@@ -6758,39 +6750,39 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>“recover”</translation>
     </message>
     <message>
-        <source>The load was above its threshold for too long: a stall, a jammed bracket, or more torque than the servo is rated for. Only the protection torque remains.</source>
-        <translation>负载超过阈值的时间过长：堵转、支架卡死，或所需扭矩超过额定值。舵机只剩保护扭矩。</translation>
+        <source>The load was above its threshold for too long. Possible causes: a stall, a jammed bracket, or more load than the servo is rated for. The servo now provides only the protection torque.</source>
+        <translation>负载超过阈值的时间过长。可能的原因：堵转、支架卡死，或所需扭矩超过额定值。舵机现在只输出保护扭矩。</translation>
     </message>
     <message>
-        <source>The current was above its threshold for too long: a stall or a short circuit. The servo has turned its torque off.</source>
-        <translation>电流超过阈值的时间过长：堵转或短路。舵机已自动卸力。</translation>
+        <source>The current was above its threshold for too long. Possible causes: a stall or a short circuit. The servo has turned its torque off.</source>
+        <translation>电流超过阈值的时间过长。可能的原因：堵转或短路。舵机已自动卸力。</translation>
     </message>
     <message>
-        <source>The supply voltage is outside the servo&apos;s limits: a wrong or weak power supply, or thin wires with a voltage drop under load.</source>
-        <translation>供电电压超出舵机限值：电源不对、功率不足，或导线太细，带载时压降大。</translation>
+        <source>The supply voltage is outside the servo&apos;s limits. Possible causes: the wrong power supply, a power supply that is too weak, or thin wires that cause a voltage drop under load.</source>
+        <translation>供电电压超出舵机限值。可能的原因：电源不匹配、功率不足，或导线太细，带载时压降过大。</translation>
     </message>
     <message>
         <source>The servo has exceeded its temperature limit. Possible causes: a prolonged load, a stall, poor cooling, or a limit that is set too low. Remove the load and let the servo cool down.</source>
-        <translation>舵机过温：长时间负载、堵转、散热差，或温度上限设得太低。请去除负载，等待舵机冷却。</translation>
+        <translation>舵机温度超过上限。可能的原因：长时间负载、堵转、散热差，或温度上限设得太低。请去除负载，等待舵机冷却。</translation>
     </message>
     <message>
         <source>The magnet, the encoder or a cable inside the servo is faulty. If the alarm returns after a power cycle, the servo needs repair.</source>
-        <translation>磁铁、传感器或舵机内部连线故障。如果重新上电后仍然报警，舵机需要返修。</translation>
+        <translation>磁铁、编码器或舵机内部连线有故障。如果重新上电后仍然报警，舵机需要返修。</translation>
     </message>
     <message>
         <source>No alarms.</source>
         <translation>没有报警。</translation>
     </message>
     <message>
-        <source>Setting a goal slightly back from the stalled position clears this alarm: the shaft turns back a little and holds there.</source>
-        <translation>设定一个从堵转位置稍微往回的目标，即可解除此报警：输出轴往回转一点并保持在那里。</translation>
+        <source>Setting a goal slightly back from the stalled position clears this alarm: the shaft turns back a little and holds that position.</source>
+        <translation>将目标设在离堵转位置稍远的位置，即可解除此报警：输出轴往回转一点，并保持在那里。</translation>
     </message>
     <message>
-        <source>Setting a new goal at the present position clears this alarm: torque is turned on and the servo holds there.</source>
+        <source>Setting a new goal at the present position clears this alarm: torque is turned on, and the servo holds that position.</source>
         <translation>把当前位置设为新目标，即可解除此报警：舵机打开扭矩并保持在该位置。</translation>
     </message>
     <message>
-        <source>Writing the fault reset register clears this alarm. Before that, the servo is set to hold its position.</source>
+        <source>Writing to the fault reset register clears this alarm. The servo is first set to hold its position.</source>
         <translation>写入故障复位参数即可解除此报警。写入之前，会先让舵机保持在当前位置。</translation>
     </message>
     <message>
@@ -6814,8 +6806,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>舵机的运行模式未知</translation>
     </message>
     <message>
-        <source>an earlier register did not accept its value</source>
-        <translation>前面有一个参数的数值未被接受</translation>
+        <source>the servo did not accept the value of an earlier register</source>
+        <translation>舵机没有接受前面一个参数的数值</translation>
     </message>
     <message>
         <source>ServoDesk cannot switch the baud rate through a TCP bridge</source>
@@ -6862,7 +6854,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>此参数不能直接写入</translation>
     </message>
     <message>
-        <source>in this mode the goal needs a unit (%1)</source>
+        <source>in this mode, the goal needs a unit (%1)</source>
         <translation>此模式下目标必须带单位（%1）</translation>
     </message>
     <message>
@@ -6882,8 +6874,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>此 ID 无应答，但 ID %1 有应答</translation>
     </message>
     <message>
-        <source>another servo replies with this ID: %1</source>
-        <translation>此 ID 下应答的是另一个舵机：%1</translation>
+        <source>a different servo is replying with this ID: %1</source>
+        <translation>以此 ID 应答的是另一个舵机：%1</translation>
     </message>
     <message>
         <source>the present position is outside the servo&apos;s limits (%1)</source>
@@ -6907,7 +6899,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Another program has changed the value, or the servo was replaced by one of the same model.</source>
-        <translation>此后有其他程序改动了该值，或舵机被换成了同型号的另一个。</translation>
+        <translation>此后有其他程序改动了该值，或舵机已换成同型号的另一个。</translation>
     </message>
     <message>
         <source>The service mistakes an adapter with this chip for a braille display, and the adapter&apos;s port disappears.</source>
@@ -6919,11 +6911,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Close other programs that use the bus, connect only this servo, and search for it.</source>
-        <translation>请关闭使用总线的其他程序，只连接这个舵机并进行搜索。</translation>
+        <translation>请关闭使用总线的其他程序，只连接这个舵机，然后搜索该舵机。</translation>
     </message>
     <message>
-        <source>If you need the value %1, set it in the memory table; this step will not be offered again.</source>
-        <translation>如果需要数值 %1，请在内存表中写入；程序不会再提供此步骤。</translation>
+        <source>If you need the value %1, set it in the memory table; this undo or redo is no longer available.</source>
+        <translation>如果需要数值 %1，请在内存表中写入；此次撤销或重做已不再可用。</translation>
     </message>
     <message>
         <source>If braille is not used on this computer, run &quot;sudo apt remove brltty&quot;, then plug the adapter in again.</source>
@@ -6978,8 +6970,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>适配器被拔掉、断电，或对方关闭了连接。</translation>
     </message>
     <message>
-        <source>Plug the adapter in again. If a change was in progress, check the interrupted writes (%recover) first.</source>
-        <translation>重新插好适配器。如果正在修改参数，请先查看中断的写入（%recover）。</translation>
+        <source>Plug the adapter in again. If a change was in progress, check the interrupted writes (%recover) before you continue.</source>
+        <translation>重新插好适配器。如果正在修改参数，请先查看未写完的更改（%recover），再继续操作。</translation>
     </message>
     <message>
         <source>The servo has no power, a wire is loose, or the ID, baud rate or protocol does not match.</source>
@@ -6987,7 +6979,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Measure the voltage at the servo, check the wires, and search at all baud rates.</source>
-        <translation>测量舵机端电压，检查接线，并搜索所有波特率。</translation>
+        <translation>测量舵机端电压，检查接线，并以所有波特率搜索。</translation>
     </message>
     <message>
         <source>the reply could not be decoded</source>
@@ -6999,7 +6991,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect only this servo, check the ground wire, and search at all baud rates.</source>
-        <translation>只接这一个舵机，检查地线，并搜索所有波特率。</translation>
+        <translation>只接这一个舵机，检查地线，并以所有波特率搜索。</translation>
     </message>
     <message>
         <source>the reply does not match the request</source>
@@ -7014,11 +7006,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>关闭使用总线的其他程序，只接这一个舵机。</translation>
     </message>
     <message>
-        <source>the line is never idle: a device is sending continuously</source>
-        <translation>线路一直没有空闲：有设备在不停地发送数据</translation>
+        <source>the bus is never idle: a device is sending continuously</source>
+        <translation>总线一直没有空闲：有设备在不停地发送数据</translation>
     </message>
     <message>
-        <source>Possible causes: a device that sends unprompted, a second controller on the bus, an adapter or bridge used for something else, or noise on an open line.</source>
+        <source>Possible causes: a device that sends data on its own, a second controller on the bus, an adapter or bridge used for something else, or noise on an open line.</source>
         <translation>可能的原因：有设备主动发送数据、总线上有另一个主机、适配器或网桥被用于其他用途，或线路悬空引入噪声。</translation>
     </message>
     <message>
@@ -7106,7 +7098,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>请使用范围内的数值，或先修改限制。</translation>
     </message>
     <message>
-        <source>writing this register can make the servo unreachable or dangerous</source>
+        <source>writing to this register can make the servo unreachable or dangerous</source>
         <translation>写入此参数可能使舵机失联或造成危险</translation>
     </message>
     <message>
@@ -7118,7 +7110,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>舵机的系列、固件或当前模式没有这项功能。</translation>
     </message>
     <message>
-        <source>Check the servo&apos;s model and mode, and use functions that the servo supports.</source>
+        <source>Check the servo&apos;s model and mode, and use only functions that it supports.</source>
         <translation>请查看舵机的型号和模式，只使用该舵机支持的功能。</translation>
     </message>
     <message>
@@ -7159,7 +7151,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>the EPROM lock could not be confirmed</source>
-        <translation>不能确认 EPROM 已上锁</translation>
+        <translation>无法确认 EPROM 已上锁</translation>
     </message>
     <message>
         <source>The connection failed during a change.</source>
@@ -7170,11 +7162,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>恢复连接后完成或撤销修改（%recover）；舵机断电再上电后，EPROM 也会上锁。</translation>
     </message>
     <message>
-        <source>no memory table fits this servo</source>
+        <source>no memory table matches this servo</source>
         <translation>没有适用于此舵机的内存表</translation>
     </message>
     <message>
-        <source>The firmware version belongs to no known family, so writing could cause damage.</source>
+        <source>The firmware version does not belong to any known family, so writing could cause damage.</source>
         <translation>固件版本不属于任何已知系列，写入可能造成损坏。</translation>
     </message>
     <message>
@@ -7202,7 +7194,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>请逐个单独连接舵机并更改其 ID。如果总线上确实只有这一个舵机，请检查信号线和地线后重试，重试时会重新检查 ID 是否重复。卸力指令对两个舵机都有效。</translation>
     </message>
     <message>
-        <source>another servo replies with this ID</source>
+        <source>a different servo is replying with this ID</source>
         <translation>以此 ID 应答的是另一个舵机</translation>
     </message>
     <message>
@@ -7238,7 +7230,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>文件名写错，或文件已被移走。</translation>
     </message>
     <message>
-        <source>You have no permission to read the file, or the disk reports an error.</source>
+        <source>You do not have permission to read the file, or the disk reports an error.</source>
         <translation>没有读取权限，或磁盘出错。</translation>
     </message>
     <message>
@@ -7266,7 +7258,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>磁盘没有剩余空间，或配额已用完。</translation>
     </message>
     <message>
-        <source>Free some space, then try again.</source>
+        <source>Free up some space, then try again.</source>
         <translation>请腾出磁盘空间后再试。</translation>
     </message>
     <message>
@@ -7279,7 +7271,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>%1 A torque-off command was sent anyway, but its effect is not confirmed.</source>
-        <translation>%1仍发送了卸力指令，但不能确认其已生效。</translation>
+        <translation>%1仍发送了卸力指令，但无法确认其已生效。</translation>
     </message>
     <message>
         <source>the servo family is unclear: according to firmware %1, byte order flag %2 and model number %3, the EPROM lock is at address %4, but the byte at that address is %5</source>
@@ -7322,8 +7314,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>另一个程序一直锁着历史记录，或者历史记录所在的网络盘没有响应。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
-        <source>Part of the file was lost on the disk, or the file is not a history file. Without the history, nothing is written to the servo.</source>
-        <translation>文件的一部分在磁盘上丢失，或者文件类型不对。历史记录不可用时，不向舵机写入任何内容。</translation>
+        <source>The file on the disk is incomplete, or it is not a history file. Without the history, nothing is written to the servo.</source>
+        <translation>磁盘上的文件不完整，或者不是历史记录文件。历史记录不可用时，不向舵机写入任何内容。</translation>
     </message>
     <message>
         <source>Close the program and move history.sqlite, together with history.sqlite-wal and history.sqlite-shm, to a safe place; a new history is created. &quot;sqlite3 history.sqlite .recover&quot; recovers what is still readable in the old file.</source>
@@ -7363,7 +7355,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Sending the goal turned torque on.</source>
-        <translation>发送目标使舵机打开了扭矩。</translation>
+        <translation>发送目标后，扭矩已自动打开。</translation>
     </message>
     <message>
         <source>Torque stays off until you turn it on.</source>
@@ -7383,23 +7375,23 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>The EPROM lock could not be confirmed; this is recorded in the journal. Use %recover when the servo replies again.</source>
-        <translation>不能确认 EPROM 已上锁；已记入写入日志。舵机恢复应答后，请使用%recover处理。</translation>
+        <translation>无法确认 EPROM 已上锁；已记入写入日志。舵机恢复应答后，请使用%recover处理。</translation>
     </message>
     <message>
         <source>%3 was set to 0 to prevent unexpected movement in the new mode.</source>
         <translation>%3 已置 0，以免切换模式后舵机意外转动。</translation>
     </message>
     <message>
-        <source>The angle limits %1 … %2 are saved and will be restored when you switch back to position mode.</source>
-        <translation>角度限制 %1～%2 已记下，切换回位置模式时恢复。</translation>
+        <source>The angle limits (%1 to %2) are saved and will be restored when you switch back to position mode.</source>
+        <translation>角度限制 %1～%2 已保存，切换回位置模式时恢复。</translation>
     </message>
     <message>
-        <source>The angle limits %1 … %2 were restored.</source>
+        <source>The angle limits (%1 to %2) were restored.</source>
         <translation>角度限制 %1～%2 已恢复。</translation>
     </message>
     <message>
-        <source>The previous angle limits are unknown, so %1 … %2 were set.</source>
-        <translation>没有记下原来的角度限制；已设为 %1～%2。</translation>
+        <source>The previous angle limits are unknown, so they were set to %1 and %2.</source>
+        <translation>原来的角度限制未知，已设为 %1～%2。</translation>
     </message>
     <message>
         <source>The speed for position mode, %1 (%3), was restored.</source>
@@ -7454,8 +7446,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>舵机现在以波特率 %1 应答。</translation>
     </message>
     <message>
-        <source>The servo keeps moving to the goal until it is stopped or torque is turned off.</source>
-        <translation>舵机仍在向目标位置运动；发出停止指令或卸力后才会停下。</translation>
+        <source>The servo will keep moving to the goal unless it is stopped or torque is turned off.</source>
+        <translation>舵机仍在向目标位置运动；如需停下，请发出停止指令或卸力。</translation>
     </message>
     <message>
         <source>The servo now replies as ID %1.</source>
@@ -7467,7 +7459,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>%3 was saved with the command from the data sheet; this can be verified only by turning the servo off and on.</source>
-        <translation>%3 已按资料所述的指令保存；只有断电再上电才能验证是否已保存。</translation>
+        <translation>%3 已用数据手册给出的指令保存；只有将舵机断电再上电，才能验证是否已保存。</translation>
     </message>
     <message>
         <source>The current limit %1 (%3) was restored.</source>
@@ -7506,8 +7498,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>不涉及</translation>
     </message>
     <message>
-        <source>The servo may keep moving to the goal, with torque on, until it is stopped or torque is turned off.</source>
-        <translation>舵机可能仍在向目标位置运动，扭矩仍打开；发出停止指令或卸力后才会停下。</translation>
+        <source>The servo may keep moving to the goal with torque on unless it is stopped or torque is turned off.</source>
+        <translation>舵机可能仍在向目标位置运动，扭矩也可能仍打开；如需停下，请发出停止指令或卸力。</translation>
     </message>
     <message>
         <source>TTL, half duplex</source>
@@ -7618,7 +7610,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>目标和时间在同一条指令中，单独写入时间会重新发送上一次的目标。</translation>
     </message>
     <message>
-        <source>Write goal and time together.</source>
+        <source>Write the goal and the time together.</source>
         <translation>请同时写入目标和时间。</translation>
     </message>
     <message>
@@ -7650,7 +7642,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>舵机的 LED 设置属于出厂参数</translation>
     </message>
     <message>
-        <source>To blink the LED, these values would have to be unlocked and rewritten many times.</source>
+        <source>Blinking the LED would require unlocking and rewriting these values many times.</source>
         <translation>要让 LED 闪烁，就得解锁并多次改写出厂参数。</translation>
     </message>
     <message>
@@ -7659,7 +7651,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Only turning in the opposite direction clears an overload alarm; in this mode, the shaft would keep turning.</source>
-        <translation>过载只能靠反方向转动解除，而在此模式下输出轴会一直转下去。</translation>
+        <translation>过载报警只能靠反方向转动解除，而在此模式下输出轴会一直转下去。</translation>
     </message>
     <message>
         <source>Remove the load and send a command in the opposite direction, or turn the power supply off and on.</source>
@@ -7670,7 +7662,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>无法判断堵转方向</translation>
     </message>
     <message>
-        <source>The servo is at its goal and pushes in neither direction.</source>
+        <source>The servo is at its goal and is not pushing in either direction.</source>
         <translation>舵机停在目标处，没有向任何一侧出力。</translation>
     </message>
     <message>
@@ -7751,7 +7743,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Put at least two goals in the file, one per line.</source>
-        <translation>请在文件中至少写两行目标。</translation>
+        <translation>请在文件中写入至少两个目标，每行一个。</translation>
     </message>
     <message>
         <source>The servo would be sent back before it has moved.</source>
@@ -7818,12 +7810,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>该参数不能试用</translation>
     </message>
     <message>
-        <source>A trial can set gains, startup force, integral limit and dead zones, if the servo has them.</source>
+        <source>A trial can change only the gains, the startup force, the integral limit and the dead zones, if the servo has them.</source>
         <translation>试用只能设置增益、启动力、积分限制和死区（视舵机而定）。</translation>
     </message>
     <message>
         <source>no data is being read</source>
-        <translation>没有正在读取的数据</translation>
+        <translation>当前没有读取任何数据</translation>
     </message>
     <message>
         <source>There is nothing to record.</source>
@@ -7834,7 +7826,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>请先连接总线，再选择舵机和通道。</translation>
     </message>
     <message>
-        <source>a test is using the bus exclusively</source>
+        <source>a test has exclusive use of the bus</source>
         <translation>测试正在独占总线</translation>
     </message>
     <message>
@@ -7883,7 +7875,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Only a goal away from the stalled position clears an overload alarm.</source>
-        <translation>须写入能使舵机离开堵转位置的目标，才能解除过载。</translation>
+        <translation>须写入能使舵机离开堵转位置的目标，才能解除过载报警。</translation>
     </message>
     <message>
         <source>Keep clear of the mechanism, then repeat this action and confirm it explicitly.</source>
@@ -7954,8 +7946,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>舵机在第一次阶跃之前已重启</translation>
     </message>
     <message>
-        <source>The power supply was interrupted and the trial values were lost: the servo moved with its old values.</source>
-        <translation>供电曾短暂中断，试用值随之丢失：舵机是以原值运动的。</translation>
+        <source>The power supply was interrupted and the trial values were lost, so the servo moved with its old values.</source>
+        <translation>供电曾短暂中断，试用值随之丢失，因此舵机是以原值运动的。</translation>
     </message>
     <message>
         <source>Check the plug and the power supply, then measure the step response again.</source>
@@ -7970,7 +7962,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>模式已被其他程序切换，这个目标在新模式下含义不同。</translation>
     </message>
     <message>
-        <source>Check the mode now shown, then send a goal for that mode.</source>
+        <source>Check which mode is now shown, then send a goal for that mode.</source>
         <translation>请先查看当前显示的模式，再发送适用于该模式的目标。</translation>
     </message>
     <message>
@@ -7990,7 +7982,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>这一步将超出 ±7.5 圈</translation>
     </message>
     <message>
-        <source>The servo cannot count beyond ±7.5 turns. The displayed total covers all steps since connecting.</source>
+        <source>The servo cannot count beyond ±7.5 turns. The displayed total includes all steps since you connected.</source>
         <translation>舵机的计数不能超过 ±7.5 圈。显示的总数是连接以来步进量的总和。</translation>
     </message>
     <message>
@@ -8062,16 +8054,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>写入后同一目标对应另一位置：输出轴可能立即转动，或在打开扭矩时转动。</translation>
     </message>
     <message>
-        <source>The factory set this value for this individual servo.</source>
+        <source>This value was set at the factory for this individual servo.</source>
         <translation>此值由厂家为该舵机单独设定。</translation>
     </message>
     <message>
-        <source>The file is from another model or firmware; this row cannot be written.</source>
-        <translation>文件来自另一型号或固件；此行无法写入。</translation>
+        <source>The file is from a different model or firmware version; this row cannot be written.</source>
+        <translation>文件来自其他型号或固件版本；此行无法写入。</translation>
     </message>
     <message>
-        <source>The file is from another model or firmware; this row stays unchanged.</source>
-        <translation>文件来自另一型号或固件；此行保持不变。</translation>
+        <source>The file is from a different model or firmware version; this row stays unchanged.</source>
+        <translation>文件来自其他型号或固件版本；此行保持不变。</translation>
     </message>
     <message>
         <source>The value could not be read when the file was saved.</source>
@@ -8111,19 +8103,19 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Voltage, temperature, current and torque limits depend on the model. Each is written only if you select its row.</source>
-        <translation>电压、温度、电流和扭矩的限制与型号有关。除非您自己勾选该行，否则不写入。</translation>
+        <translation>电压、温度、电流和扭矩的限值与型号有关。只有您勾选的行才会写入。</translation>
     </message>
     <message>
         <source>not permanent yet</source>
         <translation>尚未永久保存</translation>
     </message>
     <message>
-        <source>This value was written temporarily and would be lost at power-off. It will be written again permanently.</source>
+        <source>This value was written only temporarily and would be lost at power-off. It will be written again, this time permanently.</source>
         <translation>舵机现在已是此值，但属于临时写入，断电即失效。将再次写入，以永久保存。</translation>
     </message>
     <message>
         <source>The present reading is outside this limit: the servo would report an alarm as soon as the limit is written.</source>
-        <translation>当前测量值超出此限制：一旦写入该限制，舵机就会报警。</translation>
+        <translation>当前测量值超出此限值：一旦写入该限值，舵机就会报警。</translation>
     </message>
     <message>
         <source>turn torque off and leave it off</source>
@@ -8139,14 +8131,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>lock the EPROM and verify the lock</source>
-        <translation>EPROM 上锁并确认</translation>
+        <translation>将 EPROM 上锁并确认</translation>
     </message>
     <message>
         <source>failed; everything is unchanged</source>
         <translation>失败；一切保持原样</translation>
     </message>
     <message>
-        <source>another servo; not changed</source>
+        <source>different servo; not changed</source>
         <translation>是另一个舵机；未作更改</translation>
     </message>
     <message>
@@ -8215,7 +8207,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>The server name in the connection string does not match the certificate, or another computer is posing as the server.</source>
-        <translation>连接字符串中的服务器名称与证书不同，或者有另一台计算机在冒充该服务器。</translation>
+        <translation>连接字符串中的服务器名称与证书不符，或者有另一台计算机在冒充该服务器。</translation>
     </message>
     <message>
         <source>Use the host name in the certificate, or get a certificate for this host name. sslmode=verify-ca checks only the issuer.</source>
@@ -8234,7 +8226,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>历史记录服务器拒绝登录</translation>
     </message>
     <message>
-        <source>The server states the reason in its own language.</source>
+        <source>The server&apos;s message gives the reason, in the language set on the server.</source>
         <translation>具体原因见服务器返回的消息（语言取决于服务器设置）。</translation>
     </message>
     <message>
@@ -8255,7 +8247,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Another bench uses a newer version of this program, which has updated the tables on the server.</source>
-        <translation>另一工位使用了更新的版本，并升级了服务器上的表。</translation>
+        <translation>另一工位使用了本程序的较新版本，并已升级服务器上的表。</translation>
     </message>
     <message>
         <source>Update this program as well. Until then, all data is kept on this computer.</source>
@@ -8302,7 +8294,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>空间不足，无法存放数据库的表。</translation>
     </message>
     <message>
-        <source>Free some space on the server. Until then, data is kept on this computer and sent later.</source>
+        <source>Free up some space on the server. Until then, data is kept on this computer; it will be sent later.</source>
         <translation>请在服务器上腾出空间。在此之前数据保存在本机，之后补发。</translation>
     </message>
     <message>
@@ -8326,7 +8318,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>没有丢失任何数据，程序会自动重试。若一直如此，请查看服务器日志。</translation>
     </message>
     <message>
-        <source>another servo has this label</source>
+        <source>another servo already has this label</source>
         <translation>另一个舵机已有此标签</translation>
     </message>
     <message>
@@ -8334,11 +8326,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>两个舵机的型号、固件和 ID 都相同，只能靠标签区分。</translation>
     </message>
     <message>
-        <source>Choose another label, or specify that the servo now replying is the one with this label.</source>
+        <source>Choose another label, or confirm that the servo now replying is the one with this label.</source>
         <translation>请换一个标签；如果当前应答的舵机就是原来使用此标签的舵机，请予以确认。</translation>
     </message>
     <message>
-        <source>The servos found reply reliably.</source>
+        <source>The servos that were found reply reliably.</source>
         <translation>找到的舵机应答均正常。</translation>
     </message>
     <message>
@@ -8346,8 +8338,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>没有连接舵机，或舵机没有供电。</translation>
     </message>
     <message>
-        <source>Measure the supply voltage at a servo&apos;s connector. On an adapter board, connect the supply to the terminal next to the servo connectors; USB does not power servos. Then try one servo alone, with another lead, and check that RS-485 servos are on the RS-485 connector and the others on the TTL connector.</source>
-        <translation>在舵机插头处测量供电电压。使用调试板时，电源应接在舵机接口旁的端子上；USB 不给舵机供电。然后换一根线，只接一个舵机再试，并检查：RS-485 舵机应接 RS-485 接口，其他舵机应接 TTL 接口。</translation>
+        <source>Measure the supply voltage at a servo&apos;s connector. On an adapter board, connect the supply to the terminal next to the servo connectors; USB does not power servos. Then try one servo alone, with another cable, and check that RS-485 servos are connected to the RS-485 connector and all others to the TTL connector.</source>
+        <translation>在舵机插头处测量供电电压。使用调试板时，电源应接在舵机接口旁的端子上；USB 不给舵机供电。然后换一根线，只接一个舵机再试，并确认 RS-485 舵机接在 RS-485 接口上，其他舵机接在 TTL 接口上。</translation>
     </message>
     <message>
         <source>Only the adapter&apos;s echo comes back; no servo replies.</source>
@@ -8358,19 +8350,19 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>适配器工作正常。请在舵机插头处测量供电电压，检查数据线和地线是否接到舵机，并只接一个舵机再试。</translation>
     </message>
     <message>
-        <source>Servos use another baud rate.</source>
-        <translation>舵机使用的是另一个波特率。</translation>
+        <source>Some servos use a different baud rate.</source>
+        <translation>有舵机使用了不同的波特率。</translation>
     </message>
     <message>
         <source>Connect at the baud rate at which they were found. To use one rate for all servos, change it in each of them.</source>
         <translation>请用找到这些舵机时的波特率连接。如需统一波特率，请逐个修改舵机的设置。</translation>
     </message>
     <message>
-        <source>Servos use a different protocol from the one selected.</source>
-        <translation>舵机使用的协议与所选协议不同。</translation>
+        <source>Some servos use a protocol other than the one selected.</source>
+        <translation>有舵机使用的协议与所选协议不同。</translation>
     </message>
     <message>
-        <source>Select the protocol in which they were found, or automatic selection.</source>
+        <source>Select the protocol with which they were found, or use automatic selection.</source>
         <translation>请选择找到这些舵机时的协议，或选择自动识别。</translation>
     </message>
     <message>
@@ -8382,23 +8374,23 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>只保留其中一个，为它设置一个未使用的 ID，再接下一个。“批量设置”页会引导您完成。</translation>
     </message>
     <message>
-        <source>The adapter delivers replies late.</source>
+        <source>The adapter delays the replies.</source>
         <translation>适配器转发应答较慢。</translation>
     </message>
     <message>
-        <source>ServoDesk waits for them, but other programs may find no servo: set their timeout above this time. For an FTDI adapter, set the latency timer to 1 ms: in /sys/bus/usb-serial/devices/ttyUSB0/latency_timer on Linux, in the device manager on Windows. Use a wired connection to a network bridge.</source>
-        <translation>ServoDesk 会等待这些应答，但其他程序可能找不到舵机：请把它们的超时设得比此时间长。FTDI 适配器请把延迟定时器设为 1 毫秒：Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置。网桥请使用有线连接。</translation>
+        <source>ServoDesk waits for late replies, but other programs may not find any servos; set their timeouts to more than this delay. For an FTDI adapter, set the latency timer to 1 ms (on Linux in /sys/bus/usb-serial/devices/ttyUSB0/latency_timer, on Windows in Device Manager). If you use a network bridge, connect to it by cable.</source>
+        <translation>ServoDesk 会等待较晚的应答，但其他程序可能找不到舵机：请将这些程序的超时设为大于此延迟。FTDI 适配器请把延迟定时器设为 1 毫秒（Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置）。网桥请使用有线连接。</translation>
     </message>
     <message>
-        <source>Servos do not acknowledge writes (response level 0).</source>
-        <translation>舵机不应答写指令（应答级别为 0）。</translation>
+        <source>Some servos do not acknowledge writes (response level 0).</source>
+        <translation>有舵机不应答写指令（应答级别为 0）。</translation>
     </message>
     <message>
-        <source>ServoDesk reads every write back. Other programs may report that the servo does not reply: set the response level to 1.</source>
+        <source>ServoDesk reads back every value it writes. Other programs may report that the servo does not reply; to prevent this, set the response level to 1.</source>
         <translation>ServoDesk 每次写入后都会回读。其他程序可能报告舵机不应答：请把应答级别设为 1。</translation>
     </message>
     <message>
-        <source>Replies are damaged or get lost on the line.</source>
+        <source>Replies are damaged or lost on the line.</source>
         <translation>应答在线路上损坏或丢失。</translation>
     </message>
     <message>
@@ -8406,27 +8398,27 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>请检查插头和导线，将适配器与电源共地，并使用较短的导线。然后逐个拔下舵机：一个有故障的舵机就可能干扰整条总线。如果只在舵机转动时出现，说明电源功率不足。</translation>
     </message>
     <message>
-        <source>The port sends program text instead of servo data.</source>
-        <translation>从该端口收到的是某个程序的文本，而不是舵机数据。</translation>
+        <source>The device on this port sends text from its own program instead of servo data.</source>
+        <translation>该端口上的设备发送的是自身程序输出的文本，而不是舵机数据。</translation>
     </message>
     <message>
         <source>The port belongs to a board that runs its own firmware. Load a pass-through program onto it that forwards all bytes to the servos, or use a servo adapter.</source>
         <translation>该端口属于一块运行自身程序的开发板。请在板上烧录透传程序，或使用舵机适配器。</translation>
     </message>
     <message>
-        <source>%1 opens at %2 baud.</source>
+        <source>%1 can be opened at %2 baud.</source>
         <translation>%1 能以波特率 %2 打开。</translation>
     </message>
     <message>
-        <source>The adapter returns what is sent (echo). This is filtered out.</source>
-        <translation>适配器会返回发送的内容（回显），已被滤除。</translation>
+        <source>The adapter echoes what is sent; ServoDesk filters out the echo.</source>
+        <translation>适配器会返回发送的内容（回显），ServoDesk 会将其滤除。</translation>
     </message>
     <message>
-        <source>The adapter does not return what is sent (no echo).</source>
+        <source>The adapter does not echo what is sent.</source>
         <translation>适配器不返回发送的内容（无回显）。</translation>
     </message>
     <message numerus="yes">
-        <source>Nothing was received at any of %n baud rate(s).</source>
+        <source>Nothing was received at any of the %n baud rate(s) tried.</source>
         <translation>
             <numerusform>已尝试 %n 个波特率，均未收到任何数据。</numerusform>
         </translation>
@@ -8442,7 +8434,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>以波特率 %1 收到文本：%2</translation>
     </message>
     <message>
-        <source>At %1 baud the line is never idle: a device is sending continuously.</source>
+        <source>At %1 baud, the line is never idle: a device is sending continuously.</source>
         <translation>波特率 %1 下线路一直没有空闲：有设备在不停发送。</translation>
     </message>
     <message>
@@ -8465,11 +8457,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>ID %1: %2 of %3 replies were lost.</source>
-        <translation>ID %1：%3 个应答中丢失 %2 个。</translation>
+        <translation>ID %1：%3 个应答中有 %2 个丢失。</translation>
     </message>
     <message>
         <source>ID %1: %2 of %3 replies were damaged.</source>
-        <translation>ID %1：%3 个应答中损坏 %2 个。</translation>
+        <translation>ID %1：%3 个应答中有 %2 个损坏。</translation>
     </message>
     <message>
         <source>ID %1: %2 of %3 readings were damaged.</source>
@@ -8488,22 +8480,22 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>ID %1 不应答写指令。</translation>
     </message>
     <message numerus="yes">
-        <source>No reply to %n test query(s) was lost or damaged.</source>
+        <source>The replies to all %n test query(s) arrived undamaged.</source>
         <translation>
             <numerusform>%n 次测试查询的应答均无丢失或损坏。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Another program uses the port at the same time.</source>
+        <source>Another program is also using the port.</source>
         <translation>另一个程序正在同时使用该端口。</translation>
     </message>
     <message>
-        <source>Close the other program: each takes replies that belong to the other one.</source>
+        <source>Close the other program; otherwise, each program takes replies meant for the other.</source>
         <translation>请关闭另一个程序：两个程序会互相抢走对方的应答。</translation>
     </message>
     <message>
         <source>The port is also open in %1.</source>
-        <translation>该端口同时被 %1 打开。</translation>
+        <translation>%1 也打开了该端口。</translation>
     </message>
     <message>
         <source>The latency timer of the adapter is set to %1 ms.</source>
@@ -8514,7 +8506,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>每个舵机都立即应答。</translation>
     </message>
     <message>
-        <source>If a servo is missing, check its cable and power supply first. Then connect only that servo and run the diagnosis again: as long as no servo replies, the diagnosis tries more baud rates and protocols.</source>
+        <source>If a servo is missing, check its cable and power supply first. Then connect only that servo and run the diagnosis again; if no servo replies, the diagnosis tries more baud rates and protocols.</source>
         <translation>如果缺少某个舵机，请先检查它的导线和供电，然后只接这一个舵机重新诊断：没有舵机应答时会尝试更多波特率和协议。</translation>
     </message>
     <message>
@@ -8538,8 +8530,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>%1，约剩 %2</translation>
     </message>
     <message>
-        <source>with both angle limits at 0, the shaft is not limited</source>
-        <translation>两个角度限制均为 0 时，输出轴不受限制</translation>
+        <source>with both angle limits at 0, the movement of the shaft is not limited</source>
+        <translation>两个角度限制均为 0 时，输出轴的转动不受限制</translation>
     </message>
     <message>
         <source>Without limits, the shaft can turn past any position.</source>
@@ -8587,8 +8579,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>打开扭矩？</translation>
     </message>
     <message>
-        <source>The emergency stop has turned torque off for %1. Torque is turned on again at the servos&apos; present positions; nothing moves until you start a test.</source>
-        <translation>急停已让 %1 卸力。扭矩将在舵机当前位置重新打开；在您开始测试之前，舵机不会运动。</translation>
+        <source>The emergency stop turned torque off for %1. Torque will be turned on again at the servos&apos; present positions; nothing moves until you start a test.</source>
+        <translation>急停已让 %1 卸力。将在舵机当前位置重新打开扭矩；在您开始测试之前，舵机不会运动。</translation>
     </message>
     <message>
         <source>Keep hands and objects away from the servos. Esc immediately turns torque off on all servos.</source>
@@ -8603,7 +8595,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>扭矩未打开。</translation>
     </message>
     <message>
-        <source>Wait until the search or test has ended, then click Allow movement again.</source>
+        <source>Wait until the search or test has ended, then click “Allow movement” again.</source>
         <translation>请等搜索或测试结束，再点“允许运动”。</translation>
     </message>
     <message>
@@ -8618,20 +8610,20 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
 <context>
     <name>ui::AppearanceButtons</name>
     <message>
-        <source>Switch between English and Chinese</source>
-        <translation>切换中文和英文</translation>
+        <source>Switches between English and Chinese</source>
+        <translation>在中文和英文之间切换</translation>
     </message>
     <message>
-        <source>Switch between English and Chinese. No Chinese font is installed (Debian: fonts-noto-cjk).</source>
-        <translation>切换中英文。系统没有安装中文字体（Debian：fonts-noto-cjk）。</translation>
+        <source>Switches between English and Chinese; no Chinese font is installed (Debian: fonts-noto-cjk)</source>
+        <translation>在中文和英文之间切换；系统没有安装中文字体（Debian：fonts-noto-cjk）</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>语言</translation>
     </message>
     <message>
-        <source>Switch between light and dark</source>
-        <translation>切换浅色和深色</translation>
+        <source>Switches between the light and dark themes</source>
+        <translation>在浅色和深色主题之间切换</translation>
     </message>
     <message>
         <source>Theme</source>
@@ -8669,8 +8661,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>行数</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>结论</translation>
+        <source>Result</source>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Dry run</source>
@@ -8740,7 +8732,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Include IDs that now belong to another model</source>
-        <translation>即使该 ID 现在对应其他型号，也写入</translation>
+        <translation>包括现已换成其他型号的 ID</translation>
     </message>
     <message>
         <source>Matches registers by name; registers without a match are skipped and listed</source>
@@ -8763,7 +8755,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>把有差异的行写入每个已勾选的舵机</translation>
     </message>
     <message>
-        <source>Stops after the current servo has been written</source>
+        <source>Stops after finishing the current servo</source>
         <translation>写完当前舵机后停止</translation>
     </message>
     <message>
@@ -8781,15 +8773,15 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         </translation>
     </message>
     <message>
-        <source>Torque is turned off on each servo before writing and stays off.</source>
-        <translation>写入前舵机会卸力，并保持卸力。</translation>
+        <source>Torque will be turned off on each servo before writing and will stay off.</source>
+        <translation>每个舵机写入前都会先卸力，并保持卸力。</translation>
     </message>
     <message>
         <source>Dangerous rows are selected: a wrong value can make a servo unreachable.</source>
         <translation>已勾选的行中有危险项：错误的值可能使舵机失联。</translation>
     </message>
     <message>
-        <source>%1 of %2 servos failed; their tooltips show the reason.</source>
+        <source>The operation failed for %1 of %2 servos; their tooltips show the reason.</source>
         <translation>%2 个舵机中有 %1 个未成功；原因见各行提示。</translation>
     </message>
     <message>
@@ -8819,16 +8811,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>数值</translation>
     </message>
     <message>
-        <source>Bit %1, adds %2</source>
-        <translation>位 %1，加 %2</translation>
+        <source>Bit %1, adds %2 to the value</source>
+        <translation>位 %1，勾选后数值加 %2</translation>
     </message>
     <message>
         <source>The sum of the selected bits. %1</source>
         <translation>已勾选位的数值之和。%1</translation>
     </message>
     <message>
-        <source>Bit %1, adds %2; not named in the data sheet, so it is kept unchanged</source>
-        <translation>位 %1，加 %2；规格书中没有命名，因此保持原样</translation>
+        <source>Bit %1, adds %2 to the value; not named in the data sheet, so it is kept unchanged</source>
+        <translation>位 %1，勾选后数值加 %2；规格书中没有命名，因此保持原样</translation>
     </message>
 </context>
 <context>
@@ -8875,7 +8867,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Selected registers are read and shown</source>
-        <translation>勾选的参数会被读取并显示</translation>
+        <translation>读取并显示勾选的参数</translation>
     </message>
     <message>
         <source>Color</source>
@@ -8977,7 +8969,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>之后舵机将卸力。</translation>
     </message>
     <message>
-        <source>ID %1: the unfinished write is recorded in the journal. The next time you connect, ServoDesk offers to finish or undo it.</source>
+        <source>ID %1: the unfinished write is recorded in the journal. The next time you connect, ServoDesk will offer to finish or undo it.</source>
         <translation>ID %1：未写完的更改已记入写入日志。下次连接时可选择完成或撤销。</translation>
     </message>
     <message>
@@ -8990,27 +8982,27 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>The EPROM of the servo with ID %1 was unlocked, and ServoDesk could not confirm that it was locked again.</source>
-        <translation>ID %1 的舵机的 EPROM 曾被解锁，ServoDesk 未能确认其已重新上锁。</translation>
+        <translation>舵机（ID %1）的 EPROM 曾解锁，ServoDesk 未能确认是否已重新上锁。</translation>
     </message>
     <message>
         <source>Leave unlocked</source>
-        <translation>保持未上锁</translation>
+        <translation>不上锁</translation>
     </message>
     <message>
-        <source>The EPROM stays unlocked: settings written by any program are kept after power-off.</source>
-        <translation>EPROM 保持未上锁：任何程序写入的设置断电后仍会保留。</translation>
+        <source>The EPROM stays unlocked, so settings written by any program are kept after power-off.</source>
+        <translation>EPROM 不会上锁，因此任何程序写入的设置断电后仍会保留。</translation>
     </message>
     <message>
-        <source>Stopping ends the movement; torque stays on if the servo can hold its position.</source>
-        <translation>停止后运动结束；如果舵机能保持位置，扭矩保持打开。</translation>
+        <source>Once stopped, a servo keeps its torque on if it can hold its position.</source>
+        <translation>停止后，如果舵机能保持位置，则扭矩保持打开。</translation>
     </message>
     <message>
-        <source>A servo that keeps turning does not stop on its own, and ServoDesk can no longer stop it.</source>
-        <translation>如果舵机继续转动，则不会自行停止，ServoDesk 也无法再让其停止。</translation>
+        <source>If not stopped now, the servo will keep turning, and ServoDesk will no longer be able to stop it.</source>
+        <translation>如果现在不停止，舵机会一直转动，之后 ServoDesk 无法再让其停止。</translation>
     </message>
     <message>
-        <source>A servo that keeps moving continues to its goal, and ServoDesk can no longer stop it.</source>
-        <translation>如果舵机继续运动，会一直转到目标位置，ServoDesk 无法再让其停止。</translation>
+        <source>If not stopped now, the servo will continue to its goal, and ServoDesk will no longer be able to stop it.</source>
+        <translation>如果现在不停止，舵机会一直转到目标位置，之后 ServoDesk 无法再让其停止。</translation>
     </message>
     <message>
         <source>Do not stop</source>
@@ -9031,7 +9023,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>批次中的舵机</translation>
     </message>
     <message>
-        <source>One line per servo, as in the batch file</source>
+        <source>One row per servo, as in the batch file</source>
         <translation>每个舵机一行，与批次文件一致</translation>
     </message>
     <message>
@@ -9040,7 +9032,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Copies the labels of the selected servos, or of all servos if none is selected, one per line</source>
-        <translation>复制所选（或全部）舵机的标签，每行一个</translation>
+        <translation>复制所选舵机的标签（未选择时复制全部），每行一个</translation>
     </message>
     <message>
         <source>Next IDs: %1</source>
@@ -9075,7 +9067,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>保存报告…</translation>
     </message>
     <message>
-        <source>Saves the batch as a page to hand over with the servos</source>
+        <source>Saves the batch as a report to hand over with the servos</source>
         <translation>将批次保存为可随舵机交付的报告</translation>
     </message>
 </context>
@@ -9098,12 +9090,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>批次</translation>
     </message>
     <message>
-        <source>Lists (*.csv)</source>
-        <translation>清单 (*.csv)</translation>
+        <source>Batch files (*.csv)</source>
+        <translation>批次文件 (*.csv)</translation>
     </message>
     <message>
-        <source>Specify the batch list file.</source>
-        <translation>请指定批次清单文件。</translation>
+        <source>Specify the batch file.</source>
+        <translation>请指定批次文件。</translation>
     </message>
     <message>
         <source>The file name contains a character that is not allowed.</source>
@@ -9114,12 +9106,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>结束 ID 不能小于起始 ID。</translation>
     </message>
     <message>
-        <source>A wrong value can make a servo unreachable or dangerous: %1</source>
-        <translation>数值错误可能导致舵机失联或发生危险：%1</translation>
+        <source>A wrong value in these rows can make a servo unreachable or dangerous: %1</source>
+        <translation>以下各项的数值错误可能导致舵机失联或发生危险：%1</translation>
     </message>
     <message>
-        <source>Batch list file (CSV); an existing batch is resumed</source>
-        <translation>批次清单文件（CSV）；如果是已有批次，将继续该批次</translation>
+        <source>Batch file (CSV); an existing batch is resumed</source>
+        <translation>批次文件（CSV）；如果是已有批次，将继续该批次</translation>
     </message>
     <message>
         <source>Snapshot or template written to every servo; leave empty for none</source>
@@ -9154,8 +9146,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>标签</translation>
     </message>
     <message>
-        <source>Label text: {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
-        <translation>标签文字：{model} {id} {rate} {baud} {firmware} {date} {was_id}</translation>
+        <source>Label text, with placeholders: {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
+        <translation>标签文字，可含占位符：{model} {id} {rate} {baud} {firmware} {date} {was_id}</translation>
     </message>
     <message>
         <source>Select the batch file</source>
@@ -9182,8 +9174,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>自动设置，不逐个确认</translation>
     </message>
     <message>
-        <source>Sets up each servo without asking; servos with an alarm or a mismatch are set aside</source>
-        <translation>设置每个舵机时不再询问；有报警或核对不符的舵机会被剔除</translation>
+        <source>Sets up each servo without asking; servos with an alarm or another problem are set aside</source>
+        <translation>设置每个舵机时不再询问；有报警或其他问题的舵机会剔除</translation>
     </message>
     <message>
         <source>Include the template&apos;s dangerous rows</source>
@@ -9237,15 +9229,15 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>当前</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>设置项</translation>
+        <source>Settings written</source>
+        <translation>写入项数</translation>
     </message>
 </context>
 <context>
     <name>ui::CommissionPage</name>
     <message>
-        <source>Connect first.</source>
-        <translation>请先连接。</translation>
+        <source>Connect to a port first.</source>
+        <translation>请先连接端口。</translation>
     </message>
     <message>
         <source>Connect the next servo</source>
@@ -9280,8 +9272,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>无法读取模板。</translation>
     </message>
     <message>
-        <source>A wrong value can make a servo unreachable or dangerous, and these rows are written to every servo in the batch.</source>
-        <translation>数值错误可能导致舵机失联或发生危险，且该数值会写入本批次的每个舵机。</translation>
+        <source>A wrong value can make a servo unreachable or dangerous, and these rows will be written to every servo in the batch.</source>
+        <translation>数值错误可能导致舵机失联或发生危险；这些危险项会写入本批次的每个舵机。</translation>
     </message>
     <message>
         <source>The batch cannot be resumed.</source>
@@ -9324,8 +9316,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>保存报告</translation>
     </message>
     <message>
-        <source>Page to print (*.pdf)</source>
-        <translation>打印用页面 (*.pdf)</translation>
+        <source>Printable page (*.pdf)</source>
+        <translation>可打印页面 (*.pdf)</translation>
     </message>
     <message>
         <source>Web page (*.html)</source>
@@ -9351,7 +9343,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>接上下一个舵机</translation>
     </message>
     <message>
-        <source>Several servos reply: disconnect all but one</source>
+        <source>Several servos are replying: disconnect all but one</source>
         <translation>有多个舵机应答：请只留一个</translation>
     </message>
     <message>
@@ -9359,7 +9351,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>两个舵机 ID 相同：请只留一个</translation>
     </message>
     <message>
-        <source>A servo replies but cannot be identified</source>
+        <source>A servo is replying but cannot be identified</source>
         <translation>有舵机应答，但无法识别</translation>
     </message>
     <message>
@@ -9391,19 +9383,19 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>尚未设置完：%1。接上相应的舵机，再次开始同一批次即可完成设置。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished in this batch. Continue only if the connected servo is that one.</source>
+        <source>This batch contains an unfinished servo of the same model. Continue only if it is the one that is connected now.</source>
         <translation>此批次中有一个同型号的舵机尚未设置完。确认接上的就是该舵机后再继续。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished, and no IDs are left for other servos. If the connected servo is the unfinished one, click &quot;%1&quot;.</source>
+        <source>One servo of this model is still unfinished, and no IDs are left for other servos. If it is the one that is connected now, click &quot;%1&quot;.</source>
         <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点“%1”。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished; its assigned ID is %1. If the connected servo is the unfinished one, click &quot;%2&quot;; otherwise the connected servo is set up as a new one.</source>
+        <source>One servo of this model is still unfinished; its assigned ID is %1. If it is the one that is connected now, click &quot;%2&quot;; otherwise, the connected servo will be set up as a new one.</source>
         <translation>有一个同型号的舵机尚未设置完，已为其分配 ID %1。如果接上的就是该舵机，请点“%2”；否则接上的舵机将作为新舵机设置。</translation>
     </message>
     <message>
-        <source>Connect one servo at a time. Each servo receives the template, an ID and the baud rate; it is then checked and recorded in the batch. Nothing moves.</source>
+        <source>Connect one servo at a time. Each servo receives the template, an ID and the baud rate; it is then checked and recorded in the batch. The servos do not move.</source>
         <translation>每次只接一个舵机。程序会写入模板、ID 和波特率，检查后记入批次。舵机不会转动。</translation>
     </message>
     <message>
@@ -9412,7 +9404,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect all servos to the bus, then search the bus to see them.</source>
-        <translation>将全部舵机接到总线上再搜索，即可查看。</translation>
+        <translation>将全部舵机接到总线上，然后搜索总线，即可看到这些舵机。</translation>
     </message>
     <message>
         <source>Label: %1</source>
@@ -9431,16 +9423,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>%1：ID %2，波特率 %3</translation>
     </message>
     <message>
-        <source>unidentified</source>
-        <translation>未识别</translation>
+        <source>unidentified servo</source>
+        <translation>未识别的舵机</translation>
     </message>
     <message>
         <source>The servo will get ID %1.</source>
-        <translation>该舵机将设为 ID %1。</translation>
+        <translation>该舵机的 ID 将设为 %1。</translation>
     </message>
     <message>
         <source>Setup of this servo was interrupted earlier and is now being finished.</source>
-        <translation>该舵机先前尚未设置完，现在继续设置。</translation>
+        <translation>该舵机先前的设置中断，现在继续完成。</translation>
     </message>
     <message>
         <source>Set ID %1</source>
@@ -9459,7 +9451,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>继续设置</translation>
     </message>
     <message>
-        <source>Confirms that this is the servo whose setup was not finished, and gives it its assigned ID</source>
+        <source>Confirms that this is the unfinished servo, and sets its assigned ID</source>
         <translation>确认这就是尚未设置完的舵机，并写入原先分配的 ID</translation>
     </message>
     <message>
@@ -9472,7 +9464,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect</source>
-        <translation>连接</translation>
+        <translation>接上</translation>
     </message>
     <message>
         <source>Identify</source>
@@ -9488,7 +9480,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Disconnect</source>
-        <translation>断开</translation>
+        <translation>拔下</translation>
     </message>
 </context>
 <context>
@@ -9592,8 +9584,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>ID %1 当前</translation>
     </message>
     <message>
-        <source>Factory</source>
-        <translation>出厂</translation>
+        <source>Factory default</source>
+        <translation>出厂默认值</translation>
     </message>
     <message>
         <source>Factory default of this model, where known</source>
@@ -9611,10 +9603,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>ID %1 · read %2</source>
         <translation>ID %1 · %2读取</translation>
     </message>
-    <message>
-        <source>Factory default</source>
-        <translation>出厂默认值</translation>
-    </message>
 </context>
 <context>
     <name>ui::ConnectBar</name>
@@ -9624,7 +9612,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>%1/s · %2 err</source>
-        <translation>%1 次/秒 · %2 错误</translation>
+        <translation>%1 次/秒 · 错误 %2</translation>
     </message>
     <message>
         <source>Baud: auto</source>
@@ -9667,16 +9655,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>等待恢复…</translation>
     </message>
     <message>
-        <source>The adapter was unplugged or has no power. A running test continues when the adapter is back; torque is not turned on again on servos that have rebooted in the meantime.</source>
+        <source>The adapter was unplugged or lost power. A running test will continue when the adapter is back, but torque will not be turned back on for servos that rebooted in the meantime.</source>
         <translation>适配器已拔出或断电。适配器恢复后，正在运行的测试将继续，但不会为其间重启过的舵机重新打开扭矩。</translation>
     </message>
     <message>
-        <source>%1 reads/s · %2 error · bus %3 %</source>
-        <translation>%1 次/秒 · 错误 %2 · 总线 %3%</translation>
+        <source>%1 reads/s · %2 error · bus load %3 %</source>
+        <translation>读取 %1 次/秒 · 错误 %2 · 总线占用 %3%</translation>
     </message>
     <message>
-        <source>%1 reads/s · %2 errors · bus %3 %</source>
-        <translation>%1 次/秒 · 错误 %2 · 总线 %3%</translation>
+        <source>%1 reads/s · %2 errors · bus load %3 %</source>
+        <translation>读取 %1 次/秒 · 错误 %2 · 总线占用 %3%</translation>
     </message>
     <message>
         <source>Port: %1 at %2 baud
@@ -9693,12 +9681,12 @@ Retries: %9</source>
         <translation>往返时间：中位数 %1 毫秒，第 99 百分位 %2 毫秒</translation>
     </message>
     <message>
-        <source>Baud rate of the port. Auto: the factory baud rate of servos that use the selected protocol</source>
-        <translation>打开端口所用的波特率。自动：所选协议舵机的出厂波特率</translation>
+        <source>Baud rate of the port (auto: the factory baud rate of servos that use the selected protocol)</source>
+        <translation>端口的波特率（自动：使用所选协议的舵机的出厂波特率）</translation>
     </message>
     <message>
-        <source>Protocol of the servos. Auto: tries all protocols that are possible at the baud rate</source>
-        <translation>舵机的通信协议。自动：尝试该波特率下可能出现的全部协议</translation>
+        <source>Protocol of the servos (auto: tries all protocols that are possible at the selected baud rate)</source>
+        <translation>舵机的通信协议（自动：尝试所选波特率下可能使用的全部协议）</translation>
     </message>
     <message>
         <source> (changed)</source>
@@ -9720,8 +9708,8 @@ Retries: %9</source>
 <context>
     <name>ui::ControlField</name>
     <message>
-        <source>not accepted</source>
-        <translation>不接受</translation>
+        <source>invalid</source>
+        <translation>无效</translation>
     </message>
 </context>
 <context>
@@ -9754,7 +9742,7 @@ Retries: %9</source>
         <translation>目标</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Step size</source>
         <translation>步长</translation>
     </message>
     <message>
@@ -9782,16 +9770,16 @@ Retries: %9</source>
         <translation>停止转动</translation>
     </message>
     <message>
-        <source>Since connecting: %1 steps. Remaining: %2 %3, %4 %5 (±7.5 turns in total)</source>
-        <translation>连接以来：%1 步。剩余：%2 %3，%4 %5（总共 ±7.5 圈）</translation>
+        <source>Steps since connecting: %1. Remaining: %2 %3, %4 %5 (±7.5 turns in total)</source>
+        <translation>连接后累计步数：%1。剩余：%2 %3，%4 %5（总共 ±7.5 圈）</translation>
     </message>
     <message>
-        <source>Drag, or use the arrow keys, Page Up/Down, Home and End. Click once to enable the mouse wheel (Ctrl: fine, Shift: coarse).</source>
-        <translation>拖动，或用方向键、Page Up/Down、Home 和 End。点击之后滚轮才起作用（Ctrl：微调，Shift：粗调）。</translation>
+        <source>Drag, or use the arrow keys, Page Up/Down, Home and End; click once to enable the mouse wheel (Ctrl: fine, Shift: coarse)</source>
+        <translation>拖动，或用方向键、Page Up/Down、Home 和 End；点击一次后可用滚轮（Ctrl：微调，Shift：粗调）</translation>
     </message>
     <message>
-        <source>Moves one step in this direction from the end of the last step</source>
-        <translation>从上一步的终点朝这个方向再走一步</translation>
+        <source>Moves by the step size in this direction, starting where the last step ended</source>
+        <translation>从上一步的终点起，朝此方向移动一个步长</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -9852,8 +9840,8 @@ Retries: %9</source>
         <translation>未输入</translation>
     </message>
     <message>
-        <source>Percentage of the stall torque. Enter sends the value. Esc turns torque off on the whole bus and shows the present value again.</source>
-        <translation>堵转扭矩的百分比。按回车发送；按 Esc 让整条总线卸力，并重新显示当前值。</translation>
+        <source>Percentage of the stall torque (Enter sends the value; Esc turns torque off on the whole bus and shows the present value again)</source>
+        <translation>堵转扭矩的百分比（按回车发送；按 Esc 则整条总线卸力，并重新显示当前值）</translation>
     </message>
     <message>
         <source>Maximum output; sent when the slider is released</source>
@@ -9864,15 +9852,15 @@ Retries: %9</source>
         <translation>请输入规格书中对应供电电压的数值；该值按型号保存，不写入舵机</translation>
     </message>
     <message>
-        <source>Gripping: set the percentage of the stall torque that the part can withstand (10 % of 10 kg·cm is about 1 kg·cm). A lower limit also makes the servo slower. Use this method only for parts of equal mass.</source>
-        <translation>夹持：按工件能承受的力设置堵转扭矩的百分比（10 kg·cm 的 10% 约 1 kg·cm）。限制设得越低，舵机也越慢。此方法仅适合质量相同的工件。</translation>
+        <source>For gripping, set the percentage of the stall torque that the part can withstand (for example, 10 % of 10 kg·cm is 1 kg·cm). A lower limit also makes the servo slower. Use this method only for parts that all have the same mass.</source>
+        <translation>用于夹持时，按工件能承受的力设置堵转扭矩的百分比（例如 10 kg·cm 的 10% 为 1 kg·cm）。限制设得越低，舵机也越慢。此方法仅适合质量相同的工件。</translation>
     </message>
     <message>
         <source>Torque limit details</source>
         <translation>扭矩限制的详细设置</translation>
     </message>
     <message>
-        <source>Shows the slider, and how to set a gripping force</source>
+        <source>Shows the slider and explains how to set a gripping force</source>
         <translation>显示滑块以及如何设定夹持力</translation>
     </message>
 </context>
@@ -9883,8 +9871,8 @@ Retries: %9</source>
         <translation>运行模式</translation>
     </message>
     <message>
-        <source>%1. Click to preview what changes when you switch to this mode.</source>
-        <translation>%1。点击可预览切换到此模式会改变什么。</translation>
+        <source>%1 (click to preview what changes when you switch to this mode)</source>
+        <translation>%1（点击可预览切换到此模式后的变化）</translation>
     </message>
 </context>
 <context>
@@ -9933,8 +9921,8 @@ Retries: %9</source>
         <translation>异步写</translation>
     </message>
     <message>
-        <source>The goal waits in the servo until you choose Execute</source>
-        <translation>目标保存在舵机中，等待异步执行</translation>
+        <source>Stores the goal in the servo until you click Execute</source>
+        <translation>将目标存入舵机，点击“异步执行”后才开始运动</translation>
     </message>
     <message>
         <source>Executes all goals waiting in the servos</source>
@@ -9976,8 +9964,8 @@ Retries: %9</source>
         <translation>不保持位置，但转动输出轴时有阻力</translation>
     </message>
     <message>
-        <source>On: the servo holds its present position in any mode. Off: the shaft is free.</source>
-        <translation>打开：无论何种模式，舵机都保持在当前位置。关闭：输出轴可自由转动。</translation>
+        <source>When torque is on, the servo holds its present position in any mode; when it is off, the shaft turns freely</source>
+        <translation>打开扭矩时，无论何种模式，舵机都保持当前位置；卸力时，输出轴可自由转动</translation>
     </message>
     <message>
         <source>More torque options</source>
@@ -9985,7 +9973,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Damping and midpoint</source>
-        <translation>阻尼与设为中位</translation>
+        <translation>阻尼、设为中位</translation>
     </message>
 </context>
 <context>
@@ -10059,8 +10047,8 @@ Retries: %9</source>
         <translation>采样值的标准差</translation>
     </message>
     <message>
-        <source>Number of samples between A and B; ≈: for some of them, only the extremes are stored</source>
-        <translation>A、B 之间的采样数；≈：其中一部分只保留了极值</translation>
+        <source>Number of samples between A and B; ≈ means that only the extremes of some of them are stored</source>
+        <translation>A、B 之间的采样数；“≈”表示其中一部分只保留了极值</translation>
     </message>
     <message>
         <source>No cursors. Press C in the chart to show them, then drag A and B.</source>
@@ -10110,15 +10098,15 @@ Retries: %9</source>
         <translation>以此波特率重新打开端口</translation>
     </message>
     <message>
-        <source>Connect with all protocols</source>
-        <translation>用所有协议连接</translation>
+        <source>Connect and detect the protocol</source>
+        <translation>连接并自动识别协议</translation>
     </message>
     <message>
         <source>Opens the port again and detects the protocol</source>
         <translation>重新打开端口并自动识别协议</translation>
     </message>
     <message>
-        <source>Why does a servo not reply?</source>
+        <source>Why is a servo not replying?</source>
         <translation>舵机为何不应答？</translation>
     </message>
     <message>
@@ -10134,7 +10122,7 @@ Retries: %9</source>
         <translation>检查结果；不会向舵机写入任何内容</translation>
     </message>
     <message>
-        <source>Progress of the search</source>
+        <source>Search progress</source>
         <translation>搜索进度</translation>
     </message>
     <message>
@@ -10146,7 +10134,7 @@ Retries: %9</source>
         <translation>复制报告</translation>
     </message>
     <message>
-        <source>Copies checks and cause as text</source>
+        <source>Copies the checks and the cause as text</source>
         <translation>以文本形式复制检查结果和原因</translation>
     </message>
     <message>
@@ -10159,11 +10147,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Searching at %1 baud…</source>
-        <translation>正在以 %1 波特搜索…</translation>
+        <translation>正在以波特率 %1 搜索…</translation>
     </message>
     <message>
         <source>Connect at %1 baud</source>
-        <translation>以 %1 波特连接</translation>
+        <translation>以波特率 %1 连接</translation>
     </message>
     <message>
         <source>Result</source>
@@ -10189,11 +10177,11 @@ Retries: %9</source>
         <translation>参数</translation>
     </message>
     <message>
-        <source>From</source>
+        <source>Old</source>
         <translation>原值</translation>
     </message>
     <message>
-        <source>To</source>
+        <source>New</source>
         <translation>新值</translation>
     </message>
     <message>
@@ -10217,7 +10205,7 @@ Retries: %9</source>
         <translation>ID %1：无需写入。已勾选的行都已与舵机中的值一致。</translation>
     </message>
     <message>
-        <source>ID %1: the rows are written in this order, and each is read back. Nothing has been written yet.</source>
+        <source>ID %1: the rows will be written in this order, and each will be read back. Nothing has been written yet.</source>
         <translation>ID %1：将按此顺序写入，每一行都会回读；目前尚未写入任何内容。</translation>
     </message>
     <message>
@@ -10229,7 +10217,7 @@ Retries: %9</source>
         <translation>关闭对话框，不写入任何内容</translation>
     </message>
     <message>
-        <source>The snapshot is from another model: %1.</source>
+        <source>The snapshot is from a different model: %1.</source>
         <translation>此快照来自其他型号：%1。</translation>
     </message>
 </context>
@@ -10267,8 +10255,8 @@ Retries: %9</source>
         <translation>尚未测得静差。</translation>
     </message>
     <message>
-        <source>Error at goal</source>
-        <translation>到位误差</translation>
+        <source>Steady-state error</source>
+        <translation>静差</translation>
     </message>
 </context>
 <context>
@@ -10395,8 +10383,8 @@ Retries: %9</source>
         <translation>最近 30 天</translation>
     </message>
     <message>
-        <source>Last year</source>
-        <translation>最近一年</translation>
+        <source>Last 365 days</source>
+        <translation>最近 365 天</translation>
     </message>
     <message>
         <source>Custom range…</source>
@@ -10427,12 +10415,12 @@ Retries: %9</source>
         <translation>结束日期</translation>
     </message>
     <message>
-        <source>Only problems</source>
+        <source>Problems only</source>
         <translation>只看问题</translation>
     </message>
     <message>
-        <source>Failed writes, and alarms that are still active</source>
-        <translation>失败的写入和尚未解除的报警</translation>
+        <source>Shows only failed writes and alarms that are still active</source>
+        <translation>只看失败的写入和尚未解除的报警</translation>
     </message>
 </context>
 <context>
@@ -10499,7 +10487,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Loading…</source>
-        <translation>正在查询…</translation>
+        <translation>正在载入…</translation>
     </message>
     <message>
         <source>No entries</source>
@@ -10523,7 +10511,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>These registers were changed by unrecorded operations: %1.</source>
-        <translation>以下参数被未记录的操作更改过：%1。</translation>
+        <translation>有未记录的操作更改过以下参数：%1。</translation>
     </message>
     <message>
         <source>Restoring the memory table leaves these registers unchanged.</source>
@@ -10577,11 +10565,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Select a write.</source>
-        <translation>请选择一次写入。</translation>
+        <translation>请选择一条写入记录。</translation>
     </message>
     <message>
         <source>Undo this write</source>
-        <translation>撤销此写入</translation>
+        <translation>撤销此次写入</translation>
     </message>
     <message>
         <source>Writes the old value back to the servo after you confirm</source>
@@ -10604,21 +10592,21 @@ Retries: %9</source>
     <name>ui::HistorySendLabel</name>
     <message>
         <source>⚠ %1: new data will be sent later.</source>
-        <translation>⚠ %1：新内容将稍后发送。</translation>
+        <translation>⚠ %1：新数据将稍后发送。</translation>
     </message>
     <message>
         <source>History server</source>
         <translation>历史记录服务器</translation>
     </message>
     <message numerus="yes">
-        <source>%1: sending %Ln row(s)</source>
+        <source>Sending %Ln row(s) to %1</source>
         <translation>
-            <numerusform>%1：正在发送 %Ln 行</numerusform>
+            <numerusform>正在向 %1 发送 %Ln 行</numerusform>
         </translation>
     </message>
     <message>
-        <source>%1: sending</source>
-        <translation>%1：正在发送</translation>
+        <source>Sending to %1…</source>
+        <translation>正在向 %1 发送…</translation>
     </message>
     <message>
         <source>✔ %1 is up to date</source>
@@ -10664,8 +10652,8 @@ Retries: %9</source>
         <translation>密码请存放在 ~/.pgpass 中，不要写在连接字符串里。其他计算机上的服务器必须使用带有效证书的 TLS；如需更改，请在连接字符串后加 ?sslmode=…。</translation>
     </message>
     <message>
-        <source>PostgreSQL connection string; leave empty to send no copies</source>
-        <translation>PostgreSQL 的连接字符串；留空则不发送副本</translation>
+        <source>PostgreSQL connection string; leave empty to keep the history on this computer only</source>
+        <translation>PostgreSQL 连接字符串；留空则历史记录只保存在本机</translation>
     </message>
     <message>
         <source>Name under which other benches find this bench&apos;s history on the server</source>
@@ -10687,11 +10675,11 @@ Retries: %9</source>
 <context>
     <name>ui::LimitsDialog</name>
     <message>
-        <source>The tolerance must be a number of steps greater than 0, or empty.</source>
+        <source>Enter a tolerance greater than 0 steps, or leave the field empty.</source>
         <translation>允差必须是大于 0 的步数，或留空。</translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
+        <source>Row %1, %2: %3</source>
         <translation>第 %1 行，%2：%3</translation>
     </message>
     <message>
@@ -10712,7 +10700,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Tolerance, steps</source>
-        <translation>到位允差，步</translation>
+        <translation>到位允差（步）</translation>
     </message>
     <message>
         <source>any</source>
@@ -10756,7 +10744,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Add at least one limit; without limits, every servo would pass.</source>
-        <translation>没有任何限值时所有舵机都会合格。请至少添加一条。</translation>
+        <translation>请至少添加一条限值；没有限值时，所有舵机都会判为合格。</translation>
     </message>
     <message>
         <source>Uses these limits from now on</source>
@@ -10795,8 +10783,8 @@ Retries: %9</source>
         <translation>该系列默认值</translation>
     </message>
     <message>
-        <source>One line per metric; type or press F2 to change a value</source>
-        <translation>每行一个指标；直接输入或按 F2 修改</translation>
+        <source>One row per limit; type or press F2 to change a value</source>
+        <translation>每行一个限值；直接输入或按 F2 修改</translation>
     </message>
     <message>
         <source>Add limit</source>
@@ -10811,7 +10799,7 @@ Retries: %9</source>
         <translation>删除限值</translation>
     </message>
     <message>
-        <source>Removes the limit for the selected metric</source>
+        <source>Removes the selected limit</source>
         <translation>删除所选指标的限值</translation>
     </message>
     <message>
@@ -10854,12 +10842,12 @@ Retries: %9</source>
         <translation>请填写警告限值、不合格限值，或两者。</translation>
     </message>
     <message>
-        <source>The failure limit would be reached before the warning limit: change one of them.</source>
+        <source>The failure limit would be reached before the warning limit. Change one of them.</source>
         <translation>按此设置，会先判不合格、后警告：请修改其中一个限值。</translation>
     </message>
     <message>
-        <source>This metric already has a limit in this direction.</source>
-        <translation>该指标在同一方向已有限值。</translation>
+        <source>This metric already has a limit of this kind (at least or at most).</source>
+        <translation>该指标已有一条同类限值（至少或至多）。</translation>
     </message>
     <message>
         <source>Limit in the unit of the metric; leave empty for no limit</source>
@@ -10870,7 +10858,7 @@ Retries: %9</source>
     <name>ui::LinkErrorBanner</name>
     <message>
         <source>%1 was unplugged.</source>
-        <translation>%1 已被拔出。</translation>
+        <translation>%1 已拔出。</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -10948,16 +10936,16 @@ Retries: %9</source>
         <translation>舵机出厂设置为无校验</translation>
     </message>
     <message>
-        <source>Pause between Modbus frames. Auto: the standard pause for the baud rate</source>
-        <translation>Modbus 帧之间的停顿。自动：该波特率下的标准停顿</translation>
+        <source>Pause between Modbus frames (auto: the standard pause for the baud rate)</source>
+        <translation>Modbus 帧之间的停顿（自动：该波特率下的标准停顿）</translation>
     </message>
     <message>
         <source>Number of times a lost request is sent again, if it is safe to repeat</source>
         <translation>请求丢失时的重发次数（仅限可重复的请求）</translation>
     </message>
     <message>
-        <source>Time to wait for a reply, on top of the transmission time. Auto: adjusted to this adapter; a servo counts as silent after 500 ms</source>
-        <translation>等待应答的时间，不含传输时间。自动：按适配器调整；500 ms 后才判定舵机无应答</translation>
+        <source>Time to wait for a reply, in addition to the transmission time (auto: adjusted to this adapter; a servo counts as silent after 500 ms)</source>
+        <translation>等待应答的时间，不含传输时间（自动：按适配器调整，500 ms 后才判定舵机无应答）</translation>
     </message>
 </context>
 <context>
@@ -10988,10 +10976,10 @@ Retries: %9</source>
     </message>
     <message>
         <source>ServoDesk unlocked the EPROM for a write that has not finished. If no write is in progress, open Port → Interrupted writes.</source>
-        <translation>ServoDesk 为写入解锁了 EPROM，但这次写入尚未结束。如果当前没有写入在进行，请打开“端口 → 中断的写入”。</translation>
+        <translation>ServoDesk 为写入解锁了 EPROM，但这次写入尚未结束。如果当前没有写入在进行，请打开“端口 → 未写完的更改”。</translation>
     </message>
     <message>
-        <source>Another program left the EPROM unlocked, so every write by any program is kept after power-off. Lock the EPROM when you have finished with that program.</source>
+        <source>Another program left the EPROM unlocked, so values written by any program are kept after power-off. Lock the EPROM when you have finished with that program.</source>
         <translation>其他程序没有给 EPROM 上锁，因此任何程序写入的内容断电后都会保留。用完该程序后，请给 EPROM 上锁。</translation>
     </message>
     <message>
@@ -11068,11 +11056,11 @@ Retries: %9</source>
         <translation>没有符合筛选条件的参数。</translation>
     </message>
     <message>
-        <source>No public memory table matches this firmware, so a write could cause damage.</source>
+        <source>No published memory table matches this firmware, so a write could cause damage.</source>
         <translation>没有与此固件相符的公开内存表，写入可能造成损坏。</translation>
     </message>
     <message>
-        <source>Only identity and measurements are shown. Add a model file to allow writing.</source>
+        <source>Only the servo&apos;s identity and its measurements are shown. Add a model file to allow writing.</source>
         <translation>只显示身份信息和测量值。添加型号文件后才能写入。</translation>
     </message>
     <message>
@@ -11143,7 +11131,7 @@ Retries: %9</source>
         <translation>优先显示带单位的物理值，输入时也用物理值</translation>
     </message>
     <message>
-        <source>Read rate of the visible rows; nothing is written</source>
+        <source>How often the visible rows are read; nothing is written</source>
         <translation>可见行的读取频率；只读取，不写入</translation>
     </message>
     <message>
@@ -11364,8 +11352,8 @@ Retries: %9</source>
         <translation>确认</translation>
     </message>
     <message>
-        <source>Age and rate</source>
-        <translation>数据时间和频率</translation>
+        <source>Data age and reading rate</source>
+        <translation>数据更新时间和读取频率</translation>
     </message>
     <message>
         <source>alarms: –</source>
@@ -11396,9 +11384,9 @@ Retries: %9</source>
         <translation> — 已解除</translation>
     </message>
     <message numerus="yes">
-        <source>First seen %1, %n time(s) in total</source>
+        <source>First seen at %1 · %n occurrence(s)</source>
         <translation>
-            <numerusform>首次出现 %1，共 %n 次</numerusform>
+            <numerusform>首次出现：%1，共 %n 次</numerusform>
         </translation>
     </message>
     <message>
@@ -11414,8 +11402,8 @@ Retries: %9</source>
         <translation>从列表中移除已解除的报警；尚未解除的报警会保留</translation>
     </message>
     <message>
-        <source>Age of the newest value, and number of readings in the last second</source>
-        <translation>最新数据是多久前读取的，以及最近一秒的读取次数</translation>
+        <source>Age of the latest value and number of readings in the last second</source>
+        <translation>距最近一次读取的时间，以及最近一秒内的读取次数</translation>
     </message>
     <message>
         <source>Gauges</source>
@@ -11430,8 +11418,8 @@ Retries: %9</source>
         <translation>%1 Hz</translation>
     </message>
     <message>
-        <source>Derived from the limits: this servo does not report alarms</source>
-        <translation>由限值推算：该舵机不报告报警</translation>
+        <source>Derived from the limits because this servo does not report alarms</source>
+        <translation>根据限值判断得出，因为该舵机不上报报警</translation>
     </message>
 </context>
 <context>
@@ -11500,7 +11488,7 @@ Retries: %9</source>
 <context>
     <name>ui::PortDialog</name>
     <message>
-        <source>Another port</source>
+        <source>Other port</source>
         <translation>其他端口</translation>
     </message>
     <message>
@@ -11572,11 +11560,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1 (not plugged in)</source>
-        <translation>%1（当前未接入）</translation>
+        <translation>%1（未插入）</translation>
     </message>
     <message>
         <source>%1 is not plugged in; it stays selected</source>
-        <translation>%1 当前未插入，但仍为所选端口</translation>
+        <translation>%1 未插入，但仍为所选端口</translation>
     </message>
     <message>
         <source>Enter a path such as /dev/ttyUSB0 or an address such as tcp://192.168.1.20:4000</source>
@@ -11742,7 +11730,7 @@ Retries: %9</source>
 <context>
     <name>ui::RegisterEditor</name>
     <message>
-        <source>Enter writes, Esc cancels.</source>
+        <source>Press Enter to write or Esc to cancel.</source>
         <translation>按回车写入，按 Esc 取消。</translation>
     </message>
     <message>
@@ -11790,7 +11778,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Writes this value and reads it back; the value is kept after power-off if the register supports permanent storage</source>
-        <translation>写入该值并回读；如果该参数支持保存，断电后仍保留</translation>
+        <translation>写入该值并回读；如果该参数支持掉电保存，断电后仍保留</translation>
     </message>
     <message>
         <source>Writes the value without unlocking the EPROM; the value is lost at power-off</source>
@@ -11877,8 +11865,8 @@ Retries: %9</source>
         <translation>向 ID %1 的舵机写入？</translation>
     </message>
     <message>
-        <source>Torque is on: it is turned off first and stays off. A load held by the servo may drop.</source>
-        <translation>扭矩已打开：会先卸力并保持卸力。舵机托住的负载可能掉落。</translation>
+        <source>Torque is on; it will be turned off first and will stay off. A load held by the servo may drop.</source>
+        <translation>扭矩已打开；写入前会先卸力，并保持卸力。舵机托住的负载可能掉落。</translation>
     </message>
     <message>
         <source>Write anyway</source>
@@ -11905,8 +11893,8 @@ Retries: %9</source>
         <translation>包括 ID 和波特率</translation>
     </message>
     <message>
-        <source>Also selects ID and baud rate, which are written last. Afterwards, the servo can be reached only with the new settings</source>
-        <translation>同时勾选 ID 和波特率，这两项最后写入。之后只能以新设置与舵机通信</translation>
+        <source>Also selects ID and baud rate, which are written last; the servo can then be reached only with the new settings</source>
+        <translation>同时勾选 ID 和波特率，这两项最后写入；之后只能以新设置与舵机通信</translation>
     </message>
     <message>
         <source>If a row fails, restore all old values</source>
@@ -11918,7 +11906,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Writes only the selected rows that differ from the servo&apos;s present values</source>
-        <translation>只写入已勾选且数值不同的行</translation>
+        <translation>只写入已勾选且与舵机当前值不同的行</translation>
     </message>
     <message>
         <source>Dry run…</source>
@@ -11945,8 +11933,8 @@ Retries: %9</source>
         <translation>保存结果…</translation>
     </message>
     <message>
-        <source>%1: with both angle limits at 0, the shaft can turn past any position.</source>
-        <translation>%1：两个角度限制均为 0 时，输出轴可转过任意位置。</translation>
+        <source>%1: with both angle limits at 0, the shaft can turn without limit.</source>
+        <translation>%1：两个角度限制均为 0 时，输出轴的转动不受限制。</translation>
     </message>
 </context>
 <context>
@@ -12042,8 +12030,8 @@ Retries: %9</source>
         <translation>★ 参考</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>编号</translation>
+        <source>Test</source>
+        <translation>测试编号</translation>
     </message>
     <message>
         <source>Time</source>
@@ -12086,7 +12074,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Compare two</source>
-        <translation>对比两项</translation>
+        <translation>对比两次测试</translation>
     </message>
     <message>
         <source>Clear reference</source>
@@ -12114,11 +12102,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>This test did not finish, so it cannot be a reference</source>
-        <translation>此测试未完成，不能作为参考</translation>
+        <translation>此测试未完成，不能设为参考</translation>
     </message>
     <message>
         <source>This servo failed the test, so it cannot be a reference</source>
-        <translation>该舵机测试不合格，不能作为参考</translation>
+        <translation>该舵机测试不合格，不能设为参考</translation>
     </message>
     <message>
         <source>Saves the report of the selected test as a web page</source>
@@ -12172,7 +12160,7 @@ Retries: %9</source>
         <translation>停止</translation>
     </message>
     <message>
-        <source>Progress of the search</source>
+        <source>Search progress</source>
         <translation>搜索进度</translation>
     </message>
     <message>
@@ -12232,8 +12220,8 @@ Retries: %9</source>
         <translation>搜索的完成比例</translation>
     </message>
     <message>
-        <source>Servos that have replied; selecting one reads it and writes nothing. Hold Ctrl or Shift to select several servos and move them together</source>
-        <translation>有应答的舵机；选中时只读取，不写入。按住 Ctrl 或 Shift 可选择多个舵机，让所选舵机一起运动</translation>
+        <source>Servos that have replied; selecting one only reads it; hold Ctrl or Shift to select several servos and move them together</source>
+        <translation>有应答的舵机；选中时只读取，不写入；按住 Ctrl 或 Shift 可选择多个舵机，让所选舵机一起运动</translation>
     </message>
     <message>
         <source>Servos appear here when they are found.</source>
@@ -12267,8 +12255,8 @@ Retries: %9</source>
         <translation>结束 ID</translation>
     </message>
     <message>
-        <source>Protocol: as connected</source>
-        <translation>协议：与当前连接相同</translation>
+        <source>Current protocol</source>
+        <translation>当前协议</translation>
     </message>
     <message>
         <source>All protocols</source>
@@ -12291,7 +12279,7 @@ Retries: %9</source>
         <translation>搜索的结束 ID</translation>
     </message>
     <message>
-        <source>This baud rate</source>
+        <source>Current baud rate</source>
         <translation>当前波特率</translation>
     </message>
     <message>
@@ -12369,7 +12357,7 @@ Retries: %9</source>
         <translation>本舵机的历史记录</translation>
     </message>
     <message>
-        <source>No writes to this servo are recorded. Servos are identified by model, firmware and ID.</source>
+        <source>No writes to this servo have been recorded. Servos are identified by model, firmware and ID.</source>
         <translation>没有这个舵机的写入记录。舵机按型号、固件和 ID 识别。</translation>
     </message>
     <message>
@@ -12442,8 +12430,8 @@ Retries: %9</source>
         <translation>列出全部快捷键</translation>
     </message>
     <message>
-        <source>Action</source>
-        <translation>作用</translation>
+        <source>Description</source>
+        <translation>说明</translation>
     </message>
     <message>
         <source>All torque off</source>
@@ -12485,8 +12473,8 @@ Retries: %9</source>
         <translation>电子表格 (*.csv)</translation>
     </message>
     <message>
-        <source>Save all servos</source>
-        <translation>保存所有舵机</translation>
+        <source>Save snapshots of all servos</source>
+        <translation>保存所有舵机的快照</translation>
     </message>
     <message>
         <source>Bundle (*.bundle.json)</source>
@@ -12552,15 +12540,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>Save all servos as a bundle…</source>
-        <translation>把所有舵机保存为整组快照…</translation>
+        <translation>为所有舵机保存整组快照…</translation>
     </message>
     <message>
         <source>Delete from the history…</source>
         <translation>从历史记录中删除…</translation>
     </message>
     <message>
-        <source>Page to print (*.pdf)</source>
-        <translation>打印用页面 (*.pdf)</translation>
+        <source>Printable page (*.pdf)</source>
+        <translation>可打印页面 (*.pdf)</translation>
     </message>
     <message>
         <source>Web page (*.html)</source>
@@ -12598,19 +12586,19 @@ Retries: %9</source>
         <translation>显示哪些快照</translation>
     </message>
     <message>
-        <source>Snapshots whose model and ID match the selected servo, or all snapshots. Servos have no serial number; they are identified only by model, firmware and ID</source>
-        <translation>型号和 ID 与所选舵机相同的快照，或全部快照。舵机没有序列号，只能按型号、固件和 ID 识别</translation>
+        <source>Shows only snapshots whose model and ID match the selected servo, or all snapshots (servos have no serial number)</source>
+        <translation>只显示型号和 ID 与所选舵机相同的快照，或显示全部快照（舵机没有序列号）</translation>
     </message>
     <message>
         <source>The selected snapshot is used for comparing and restoring; Ctrl+click adds snapshots to the comparison</source>
         <translation>所选快照用于对比和恢复；按住 Ctrl 点击可添加更多快照进行对比</translation>
     </message>
     <message>
-        <source>Words in model, label, note or file name</source>
-        <translation>型号、标签、备注或文件名中的文字</translation>
+        <source>Searches the model, label, note and file name</source>
+        <translation>在型号、标签、备注和文件名中搜索</translation>
     </message>
     <message>
-        <source>No snapshots yet. Take one here; one is also saved before the first change to a servo.</source>
+        <source>No snapshots yet. Take one here; one is also saved automatically before the first change to a servo.</source>
         <translation>还没有快照。可在此保存一份；首次更改舵机之前也会自动保存。</translation>
     </message>
     <message>
@@ -12618,14 +12606,14 @@ Retries: %9</source>
         <translation>没有匹配的快照。</translation>
     </message>
     <message>
-        <source>No snapshots of this servo yet. Take one here; one is also saved before the first change.</source>
+        <source>No snapshots of this servo yet. Take one here; one is also saved automatically before the first change.</source>
         <translation>此舵机还没有快照。可在此保存一份；首次更改之前也会自动保存。</translation>
     </message>
 </context>
 <context>
     <name>ui::SnapshotPane</name>
     <message>
-        <source>≠ %1 differ</source>
+        <source>≠ %1 different</source>
         <translation>≠ %1 项不同</translation>
     </message>
     <message>
@@ -12637,7 +12625,7 @@ Retries: %9</source>
         <translation>对比列</translation>
     </message>
     <message>
-        <source>≠ %1 not restored</source>
+        <source>≠ %1 never restored</source>
         <translation>≠ %1 项不恢复</translation>
     </message>
     <message>
@@ -12675,8 +12663,8 @@ Retries: %9</source>
         <translation>也显示相同的行和只读的行</translation>
     </message>
     <message>
-        <source>Adds the factory default and other servos to the comparison. To compare more snapshots, hold Ctrl and click them</source>
-        <translation>同时与出厂默认值和其他舵机对比。按住 Ctrl 点击可选择更多快照</translation>
+        <source>Adds the factory defaults or other servos to the comparison; Ctrl+click snapshots to add them too</source>
+        <translation>将出厂默认值或其他舵机加入对比；要加入更多快照，请按住 Ctrl 点击快照</translation>
     </message>
     <message>
         <source>Memory tables side by side</source>
@@ -12714,8 +12702,8 @@ Retries: %9</source>
         <translation>请在左侧选择要与舵机对比的快照，或打开文件。</translation>
     </message>
     <message>
-        <source>Bundle with %1 servos; select one of them to compare it</source>
-        <translation>含 %1 个舵机的整组快照；选择其中一个进行对比</translation>
+        <source>Bundle (servos: %1); select a servo to compare it</source>
+        <translation>整组快照（舵机数：%1）；选择其中一个舵机即可对比</translation>
     </message>
     <message>
         <source>%1 vs. %2</source>
@@ -12769,8 +12757,8 @@ Retries: %9</source>
         <translation>从一个目标到下一个目标的时间；0：按阶跃所需时间自动确定</translation>
     </message>
     <message>
-        <source>Raw value, or a value with its unit; leave empty for the maximum. The previous value is restored afterwards</source>
-        <translation>原始值，或带单位的值；留空：最大值。结束后恢复原值</translation>
+        <source>Raw value, or a value with its unit; leave empty for the maximum (the previous value is restored after the run)</source>
+        <translation>原始值，或带单位的值；留空则使用最大值（运行结束后恢复原值）</translation>
     </message>
     <message>
         <source>present position</source>
@@ -12789,7 +12777,7 @@ Retries: %9</source>
     <name>ui::StepGains</name>
     <message>
         <source>This servo family has no gains to set.</source>
-        <translation>该系列没有可设置的增益。</translation>
+        <translation>该系列舵机没有可设置的增益。</translation>
     </message>
     <message>
         <source>%1: value to try</source>
@@ -12815,8 +12803,8 @@ Retries: %9</source>
 <context>
     <name>ui::StepPage</name>
     <message>
-        <source>Connect first.</source>
-        <translation>请先连接。</translation>
+        <source>Connect to a port first.</source>
+        <translation>请先连接端口。</translation>
     </message>
     <message>
         <source>Start the run?</source>
@@ -12852,7 +12840,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The old values are recorded in the journal. When the servo replies again, restore them under Port → Interrupted writes. At power-off, the servo discards the trial values.</source>
-        <translation>原值已记入写入日志。舵机恢复应答后，请在“端口 → 中断的写入”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
+        <translation>原值已记入写入日志。舵机恢复应答后，请在“端口 → 未写完的更改”中恢复原值。断电后舵机会自行丢弃试用值。</translation>
     </message>
     <message>
         <source>Select a servo in the list.</source>
@@ -12863,7 +12851,7 @@ Retries: %9</source>
         <translation>无法识别该舵机，ServoDesk 不会驱动它。</translation>
     </message>
     <message>
-        <source>A search is running; a run can start when the search has ended.</source>
+        <source>A search is running; you can start the run after it ends.</source>
         <translation>正在搜索；搜索结束后才能开始运行。</translation>
     </message>
     <message>
@@ -12871,7 +12859,7 @@ Retries: %9</source>
         <translation>另一项测试正在运行。</translation>
     </message>
     <message>
-        <source>The servo is in a mode that does not use positions. Select &quot;Switch to position mode for the run&quot;, or change the mode yourself.</source>
+        <source>The servo is in a mode that does not use positions. Select &quot;Switch to position mode for the run&quot; or change the mode yourself.</source>
         <translation>该舵机当前的运行模式不是位置控制。请勾选“运行期间切换到位置模式”，或自行更改模式。</translation>
     </message>
     <message>
@@ -12899,7 +12887,7 @@ Retries: %9</source>
         <translation>试用值仍在舵机中：%1。</translation>
     </message>
     <message>
-        <source>The settings changed for the run could not be restored.</source>
+        <source>The settings that were changed for the run could not be restored.</source>
         <translation>为本次运行所更改的设置未能恢复。</translation>
     </message>
     <message>
@@ -12927,7 +12915,7 @@ Retries: %9</source>
         <translation>放弃</translation>
     </message>
     <message>
-        <source>Restore old</source>
+        <source>Restore old values</source>
         <translation>恢复原值</translation>
     </message>
     <message>
@@ -12960,13 +12948,13 @@ Retries: %9</source>
     </message>
     <message>
         <source>Movement is blocked by the emergency stop, and torque is off. Click Allow movement to turn torque on; nothing moves until you click Measure or Try gains.</source>
-        <translation>急停后已卸力，禁止运动。点“允许运动”打开扭矩；点“测量”或“试用增益”之前，舵机不会运动。</translation>
+        <translation>急停后已卸力，禁止运动。点击“允许运动”可打开扭矩；点击“测量”或“试用增益”之前，舵机不会运动。</translation>
     </message>
 </context>
 <context>
     <name>ui::StepResults</name>
     <message>
-        <source>%1, back</source>
+        <source>%1, return</source>
         <translation>%1，回程</translation>
     </message>
     <message>
@@ -13014,7 +13002,7 @@ Retries: %9</source>
         <translation>&lt;b&gt;下一步建议&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>%1, out</source>
+        <source>%1, outbound</source>
         <translation>%1，去程</translation>
     </message>
     <message>
@@ -13063,7 +13051,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Earlier runs…</source>
-        <translation>以往运行…</translation>
+        <translation>以往的运行…</translation>
     </message>
     <message>
         <source>Lists the stored step responses; you can open one or compare two</source>
@@ -13086,8 +13074,8 @@ Retries: %9</source>
         <translation>响应 — %1</translation>
     </message>
     <message>
-        <source>Counted in steps from the start toward the goal, both out and back</source>
-        <translation>从起始位置朝目标方向的步数，去程和回程计法相同</translation>
+        <source>Movement in steps from the start toward the goal, on the way out and on the way back</source>
+        <translation>从起始位置朝目标方向走过的步数；去程和回程的计法相同</translation>
     </message>
     <message>
         <source>Click Measure to record the servo&apos;s step response. Then change a gain under Trial and click Try gains to compare.</source>
@@ -13117,8 +13105,8 @@ Retries: %9</source>
         <translation>打开</translation>
     </message>
     <message>
-        <source>Shows the selected runs on the Step response page. If two runs are selected, they are compared with each other; later runs are compared with the newer one</source>
-        <translation>在“阶跃响应”页显示所选运行。如果选择了两次运行，则互相对比；之后的运行与其中较新的一次对比</translation>
+        <source>Shows the selected run on the Step response page, or compares two selected runs there</source>
+        <translation>在“阶跃响应”页显示所选的一次运行，或对比所选的两次运行</translation>
     </message>
     <message>
         <source>Select one run to open it, or two to compare them.</source>
@@ -13147,7 +13135,7 @@ Retries: %9</source>
         <translation>报警</translation>
     </message>
     <message>
-        <source>Any alarm that the servo reports, such as over-temperature, overload or voltage</source>
+        <source>Any alarm that the servo reports, such as an over-temperature, overload or voltage alarm</source>
         <translation>舵机报告的任何报警，如过温、过载或过压欠压</translation>
     </message>
     <message>
@@ -13238,16 +13226,16 @@ Retries: %9</source>
         <translation>加速度</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>时间</translation>
+        <source>Travel time</source>
+        <translation>运行时间</translation>
     </message>
     <message>
         <source>Warm-up</source>
         <translation>预热</translation>
     </message>
     <message>
-        <source>Afterwards</source>
-        <translation>结束后</translation>
+        <source>After the test</source>
+        <translation>测试结束后</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -13270,7 +13258,7 @@ Retries: %9</source>
         <translation> 分钟</translation>
     </message>
     <message>
-        <source>by speed</source>
+        <source>set by speed</source>
         <translation>由速度决定</translation>
     </message>
     <message>
@@ -13286,8 +13274,8 @@ Retries: %9</source>
         <translation>循环次数</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>保持扭矩</translation>
+        <source>Hold position</source>
+        <translation>保持位置</translation>
     </message>
     <message>
         <source>Torque off</source>
@@ -13310,8 +13298,8 @@ Retries: %9</source>
         <translation>双向</translation>
     </message>
     <message>
-        <source>Approaches the midpoint from both directions: shows hysteresis</source>
-        <translation>从两个方向到达中间位置：可查看回差</translation>
+        <source>Approaches the middle of the range from both directions; shows hysteresis</source>
+        <translation>从两个方向到达行程范围的中间；可查看回差</translation>
     </message>
     <message>
         <source>The goal follows a sine wave: shows how well the servo follows</source>
@@ -13326,12 +13314,12 @@ Retries: %9</source>
         <translation>目标取自文件，每行一个</translation>
     </message>
     <message>
-        <source>A raw value, or an angle with its unit: 90deg</source>
-        <translation>原始值，或带单位的角度：90deg</translation>
+        <source>A raw value, or an angle with its unit, such as 90deg</source>
+        <translation>原始值，或带单位的角度，如 90deg</translation>
     </message>
     <message>
-        <source>A number of steps, or an angle with its unit: 10deg</source>
-        <translation>原始步数，或带单位的角度：10deg</translation>
+        <source>A number of steps, or an angle with its unit, such as 10deg</source>
+        <translation>原始步数，或带单位的角度，如 10deg</translation>
     </message>
     <message>
         <source>Duration of one full sine period, to the end and back</source>
@@ -13351,7 +13339,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>A text file: one goal per line, optionally followed by a comma and a pause in milliseconds</source>
-        <translation>文本文件：每行一个目标，可再加逗号和停顿毫秒数</translation>
+        <translation>文本文件：每行一个目标，后面可加逗号和停顿时间（毫秒）</translation>
     </message>
     <message>
         <source>Pause after the goal is reached</source>
@@ -13366,24 +13354,24 @@ Retries: %9</source>
         <translation>结束条件</translation>
     </message>
     <message>
-        <source>Condition that completes the test</source>
-        <translation>完成测试的条件</translation>
+        <source>Condition that ends the test</source>
+        <translation>满足此条件时测试结束</translation>
     </message>
     <message>
         <source>Counted from the first move</source>
         <translation>从第一个行程算起</translation>
     </message>
     <message>
-        <source>Raw value, or a value with its unit: 30rpm. Leave empty to use the present setting</source>
-        <translation>原始值，或带单位的值：30rpm。留空：用舵机现有值</translation>
+        <source>Raw value, or a value with its unit, such as 30rpm; leave empty to use the present setting</source>
+        <translation>原始值，或带单位的值，如 30rpm；留空则使用舵机的现有设置</translation>
     </message>
     <message>
-        <source>Raw value. Leave empty to use the present setting</source>
-        <translation>原始值。留空：用舵机现有值</translation>
+        <source>Raw value; leave empty to use the present setting</source>
+        <translation>原始值；留空则使用舵机的现有设置</translation>
     </message>
     <message>
-        <source>Travel time of a move in milliseconds. Leave empty to let the speed determine it</source>
-        <translation>一个行程的运动时间（毫秒）。留空：由速度决定</translation>
+        <source>Travel time of a move in milliseconds; leave empty to let the speed determine it</source>
+        <translation>一个行程的运行时间（毫秒）；留空则由速度决定</translation>
     </message>
     <message>
         <source>How long the servo moves before measuring starts</source>
@@ -13402,8 +13390,8 @@ Retries: %9</source>
         <translation>不改变</translation>
     </message>
     <message>
-        <source>A duration</source>
-        <translation>一段时间</translation>
+        <source>A set time</source>
+        <translation>时长</translation>
     </message>
 </context>
 <context>
@@ -13413,8 +13401,8 @@ Retries: %9</source>
         <translation>打开目标列表</translation>
     </message>
     <message>
-        <source>Goals, one per line: goal,pause in ms (*.csv *.txt)</source>
-        <translation>目标列表，每行：目标,停顿毫秒数 (*.csv *.txt)</translation>
+        <source>Goal lists (*.csv *.txt)</source>
+        <translation>目标列表 (*.csv *.txt)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -13446,8 +13434,8 @@ Retries: %9</source>
         <translation>%1（原值 %2）</translation>
     </message>
     <message>
-        <source>Test settings are still in the servo: %1.</source>
-        <translation>测试的设置仍在舵机中：%1。</translation>
+        <source>Test settings are still in effect: %1.</source>
+        <translation>测试用的设置仍然有效：%1。</translation>
     </message>
 </context>
 <context>
@@ -13459,7 +13447,7 @@ Retries: %9</source>
     <message numerus="yes">
         <source>%n reading(s) lost</source>
         <translation>
-            <numerusform>丢失采样数据：%n</numerusform>
+            <numerusform>丢失 %n 个采样数据</numerusform>
         </translation>
     </message>
 </context>
@@ -13475,7 +13463,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation>%1 小时 %2 分</translation>
+        <translation>%1 小时 %2 分钟</translation>
     </message>
     <message>
         <source>cycle %1 of %2</source>
@@ -13570,8 +13558,8 @@ Retries: %9</source>
         <translation>开始测试：舵机将会运动</translation>
     </message>
     <message>
-        <source>Ends the test; the servos hold their position, or torque is turned off, as selected under Afterwards</source>
-        <translation>结束测试；舵机按“结束后”的选择保持位置或卸力</translation>
+        <source>Ends the test; the servos hold their position, or torque is turned off, as selected under &quot;After the test&quot;</source>
+        <translation>结束测试；舵机按“测试结束后”的选择保持位置或卸力</translation>
     </message>
     <message>
         <source>Switches back after the test; nothing is stored permanently in the servo</source>
@@ -13610,12 +13598,12 @@ Retries: %9</source>
         <translation>此正弦所需的速度超过舵机的最高速度，周期至少需要 %1。</translation>
     </message>
     <message>
-        <source>the longest move takes %1 at this speed: the servo would turn back before it arrives.</source>
-        <translation>按此速度，最长行程需要 %1：延时太短，舵机未到达就会折返。</translation>
+        <source>the longest move takes %1 at this speed, so the servo would turn back before it arrives.</source>
+        <translation>按此速度，最长行程需要 %1；延时太短，舵机未到达就会折返。</translation>
     </message>
     <message>
-        <source>most moves are too short for a verdict: a goal counts as reached within %1 steps, so each move needs at least %2 steps.</source>
-        <translation>大多数行程太短，无法得出结论：距目标 %1 步以内即视为到位，因此每个行程至少需要 %2 步。</translation>
+        <source>most moves are too short for a verdict; a goal counts as reached within %1 steps, so each move must be at least %2 steps long.</source>
+        <translation>大多数行程太短，无法得出结论；距目标 %1 步以内即视为到位，因此每个行程至少需要 %2 步。</translation>
     </message>
     <message>
         <source>the speed is unknown, so the delay cannot be checked.</source>
@@ -13626,8 +13614,8 @@ Retries: %9</source>
         <translation>按此速度，最长行程需要 %1。</translation>
     </message>
     <message>
-        <source>the longest move takes %1 at this speed: the delay is long enough.</source>
-        <translation>按此速度，最长行程需要 %1：延时够用。</translation>
+        <source>the longest move takes %1 at this speed; the delay is long enough.</source>
+        <translation>按此速度，最长行程需要 %1，延时够用。</translation>
     </message>
     <message>
         <source>About %1 in total.</source>
@@ -13635,7 +13623,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>No reply from %1 for %2</source>
-        <translation>%1 已持续 %2 无应答</translation>
+        <translation>%1 无应答，已持续 %2</translation>
     </message>
     <message>
         <source>Warming up; not measuring yet</source>
@@ -13643,7 +13631,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Movement is blocked by the emergency stop, and torque is off: %1. Click Allow movement to turn torque on; nothing moves until you click Run.</source>
-        <translation>急停后已卸力，禁止运动：%1。点“允许运动”打开扭矩；点“运行”之前，舵机不会运动。</translation>
+        <translation>急停后已卸力，禁止运动：%1。点击“允许运动”可打开扭矩；点击“运行”之前，舵机不会运动。</translation>
     </message>
     <message>
         <source>ID %1: </source>
@@ -13693,12 +13681,12 @@ Retries: %9</source>
         <translation>无应答</translation>
     </message>
     <message>
-        <source>No test has been run yet. Select a test on the left, check start and end, then click Run: the servo will move.</source>
-        <translation>尚未运行测试。在左侧选择测试，确认起始和结束位置，然后点“运行”：舵机将会运动。</translation>
+        <source>No test has been run yet. Select a test on the left, check the start and end positions, then click Run; the servo will move.</source>
+        <translation>尚未运行测试。请在左侧选择测试，确认起始和结束位置，然后点击“运行”；舵机将会运动。</translation>
     </message>
     <message>
         <source>Hover over a row for details</source>
-        <translation>鼠标停在某一行上可看到更多内容</translation>
+        <translation>将鼠标悬停在某一行上可查看详情</translation>
     </message>
     <message>
         <source>Also shows metrics that have no limit</source>
@@ -13721,9 +13709,9 @@ Retries: %9</source>
         <translation>列出已保存的测试；可对比两次测试，或选定参考舵机</translation>
     </message>
     <message numerus="yes">
-        <source>The test waited for %n bus interruption(s) to end.</source>
+        <source>The test was paused by %n bus interruption(s).</source>
         <translation>
-            <numerusform>测试期间通信中断 %n 次，均等到恢复后继续。</numerusform>
+            <numerusform>测试期间总线中断 %n 次，每次恢复后测试继续。</numerusform>
         </translation>
     </message>
     <message>
@@ -13744,14 +13732,6 @@ Retries: %9</source>
     <message>
         <source>Servo</source>
         <translation>舵机</translation>
-    </message>
-    <message>
-        <source>Own start</source>
-        <translation>单独起始</translation>
-    </message>
-    <message>
-        <source>Own end</source>
-        <translation>单独结束</translation>
     </message>
     <message>
         <source>Limits…</source>
@@ -13798,7 +13778,7 @@ Retries: %9</source>
     <name>ui::SweepVerdictModel</name>
     <message>
         <source>no limit</source>
-        <translation>无限值</translation>
+        <translation>未设限值</translation>
     </message>
 </context>
 <context>
@@ -13834,7 +13814,7 @@ Retries: %9</source>
         <translation>制作模板</translation>
     </message>
     <message>
-        <source>Select the rows to write to other servos. ID and baud rate are never part of a template. Rows that differ from the factory default are preselected.</source>
+        <source>Select the rows to write to other servos. ID and baud rate are never part of a template. Rows that differ from the factory defaults are preselected.</source>
         <translation>勾选要写入其他舵机的行。模板不包含 ID 和波特率。与出厂默认值不同的行已预先勾选。</translation>
     </message>
     <message>
@@ -13857,18 +13837,18 @@ Retries: %9</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Before turning torque on for the first time in this session</source>
-        <translation>本次启动程序后，首次打开扭矩之前</translation>
+        <source>Check before turning torque on for the first time in this session</source>
+        <translation>本次启动程序后首次打开扭矩前，请检查</translation>
     </message>
     <message>
-        <source>• No bracket or horn that can catch or jam
-• Fingers and cables away from the shaft
-• Polarity and voltage of the power supply checked
-• Thick wires above 12 V</source>
-        <translation>• 支架和舵盘不会被钩住或卡住
+        <source>• The bracket and horn cannot catch or jam
+• Fingers and cables are away from the shaft
+• The polarity and voltage of the power supply are correct
+• Above 12 V, the power wires are thick enough</source>
+        <translation>• 支架和舵盘不会钩住或卡住
 • 手指和线缆远离输出轴
-• 已检查电源极性和电压
-• 高于 12 V 时使用粗导线</translation>
+• 电源的极性和电压正确
+• 电压高于 12 V 时，电源线足够粗</translation>
     </message>
     <message>
         <source>Applies to later sessions too</source>
@@ -13910,8 +13890,8 @@ Retries: %9</source>
         <translation>无法写入 %1：%2</translation>
     </message>
     <message>
-        <source>All recorded data. Drag the frame to show another part, or its edges to show more or less.</source>
-        <translation>全部录制数据。拖动方框可查看其他部分，拖动方框边缘可扩大或缩小显示范围。</translation>
+        <source>All recorded data; drag the frame to show another part, or drag its edges to show more or less.</source>
+        <translation>全部录制数据；拖动方框可查看其他部分，拖动方框边缘可扩大或缩小显示范围。</translation>
     </message>
     <message>
         <source>No channels selected</source>
@@ -14103,7 +14083,7 @@ Retries: %9</source>
         <translation>分栏</translation>
     </message>
     <message>
-        <source>Shows each quantity in a lane of its own</source>
+        <source>Shows each quantity in its own lane</source>
         <translation>每种物理量各占一栏</translation>
     </message>
     <message>
@@ -14111,8 +14091,8 @@ Retries: %9</source>
         <translation>触发、读取频率、导出、录制文件和已保存的视图</translation>
     </message>
     <message>
-        <source>The chart no longer waits for the event</source>
-        <translation>曲线不再等待该事件</translation>
+        <source>Stops waiting for the event</source>
+        <translation>停止等待该事件</translation>
     </message>
     <message>
         <source>Ends the recording and closes its file</source>
@@ -14124,7 +14104,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>&amp;Memory for readings</source>
-        <translation>采样数据占用内存(&amp;M)</translation>
+        <translation>采样数据可用内存(&amp;M)</translation>
     </message>
     <message>
         <source>%1 MB</source>
@@ -14134,8 +14114,8 @@ Retries: %9</source>
 <context>
     <name>ui::TriggerControl</name>
     <message>
-        <source>Cancel waiting</source>
-        <translation>取消等待</translation>
+        <source>Stop waiting</source>
+        <translation>停止等待</translation>
     </message>
     <message>
         <source>Triggered…</source>
@@ -14225,8 +14205,8 @@ Retries: %9</source>
         <translation>通道</translation>
     </message>
     <message>
-        <source>Channel that is monitored</source>
-        <translation>被监视的通道</translation>
+        <source>Channel to monitor</source>
+        <translation>要监视的通道</translation>
     </message>
     <message>
         <source>In the unit of the channel</source>
@@ -14238,11 +14218,11 @@ Retries: %9</source>
     </message>
     <message>
         <source>Time shown before the trigger</source>
-        <translation>要显示的触发前时长</translation>
+        <translation>显示触发前多长时间的数据</translation>
     </message>
     <message>
         <source>Time shown after the trigger; then the chart pauses</source>
-        <translation>要显示的触发后时长；之后曲线暂停</translation>
+        <translation>显示触发后多长时间的数据；之后曲线暂停</translation>
     </message>
     <message>
         <source>Wait for trigger</source>
@@ -14261,14 +14241,14 @@ Retries: %9</source>
     </message>
     <message>
         <source>Try a simulated bus</source>
-        <translation>用模拟总线试用</translation>
+        <translation>试用模拟总线</translation>
     </message>
     <message>
         <source>Simulated servos; nothing needs to be connected</source>
         <translation>模拟舵机，无需连接任何硬件</translation>
     </message>
     <message>
-        <source>Plug in the adapter, turn on the servos&apos; power supply, and select the port above. Connecting and searching write nothing, and nothing moves.</source>
+        <source>Plug in the adapter, turn on the servos&apos; power supply, and select the port above. Connecting and searching do not write anything or move any servo.</source>
         <translation>插入适配器，打开舵机电源，在上方选择端口。连接和搜索不会写入任何内容，舵机也不会转动。</translation>
     </message>
     <message>

@@ -85,7 +85,7 @@ QString helpText(const Command* command)
             text += QLatin1Char('\n');
         for (const Positional& positional : command->positionals)
             text += entry(formatName(positional), positional.help);
-        text += optionList(translate("cli", "Options of this command:"), command->options);
+        text += optionList(translate("cli", "Options for this command:"), command->options);
         text += exampleList(*command);
     }
     text += optionList(translate("cli", "Options:"), globalOptions());

@@ -252,7 +252,7 @@ base::Result<ParsedCommandLine> Parser::parse(const QStringList& arguments)
         version.action = ParsedCommandLine::Action::Version;
         return version;
     } catch (const CLI::ArgumentMismatch& error) {
-        return badArgument(translate("cli", "an option has no value, or is used twice (%1)")
+        return badArgument(translate("cli", "an option has no value or is used twice (%1)")
                                .arg(QString::fromUtf8(error.what())));
     } catch (const CLI::Error& error) {
         return badArgument(QString::fromUtf8(error.what()));
@@ -279,8 +279,8 @@ const std::vector<Option>& globalOptions()
          "NAME"},
         {"--timeout",
          QT_TRANSLATE_NOOP(
-             "cli", "reply timeout in milliseconds, on top of the transmission time "
-                    "(default: 25, longer for slow adapters; a servo counts as silent after 500)"),
+             "cli", "reply timeout in milliseconds, in addition to the transmission time (default: "
+                    "25, longer for slow adapters; a servo counts as silent after 500 ms)"),
          "MS"},
         {"--retries", QT_TRANSLATE_NOOP("cli", "number of retries after a communication error"),
          "N"},
@@ -288,7 +288,7 @@ const std::vector<Option>& globalOptions()
          QT_TRANSLATE_NOOP("cli", "silence between Modbus frames in microseconds (default: 1750 "
                                   "above 19200 baud, as in the standard)"),
          "US"},
-        {"--json", QT_TRANSLATE_NOOP("cli", "print one JSON document")},
+        {"--json", QT_TRANSLATE_NOOP("cli", "print the result as a single JSON document")},
         {"--lang", QT_TRANSLATE_NOOP("cli", "output language"), "en|zh_CN"},
     };
     return options;

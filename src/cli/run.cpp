@@ -299,7 +299,7 @@ void Run::removeUnusedSnapshots()
     for (const auto& [id, file] : m_saved) {
         session::removeSafetySnapshot(file);
         m_console.printNote(
-            translate("cli", "No setting was changed; %1 has been deleted.").arg(file));
+            translate("cli", "No settings were changed, so %1 was deleted.").arg(file));
     }
     m_saved.clear();
 }

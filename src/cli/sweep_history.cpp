@@ -34,7 +34,7 @@ QString textFor(Console& console, const history::SavedRun& kept)
                              .arg(text::describe(*kept.trouble).message));
     console.printMessage(
         kept.file.isEmpty()
-            ? translate("cli", "The test could not be saved to a file next to the history either")
+            ? translate("cli", "The test could not be saved to a file in the history folder either")
             : translate("cli", "The test was saved to %1 instead").arg(kept.file));
     return {};
 }
@@ -142,7 +142,8 @@ base::Result<const results::SweepServo*> chooseServo(const results::SweepRun& ru
     if (word.servo) {
         if (const results::SweepServo* servo = results::servoOf(run, *word.servo))
             return servo;
-        return badArgument(translate("cli", "%1 has no servo %2").arg(word.name).arg(*word.servo));
+        return badArgument(
+            translate("cli", "%1 does not contain servo %2").arg(word.name).arg(*word.servo));
     }
     if (run.servos.size() == 1)
         return &run.servos.front();

@@ -86,7 +86,7 @@ QString unfinishedTable(const HtmlWriter& htmlWriter, const CommissionBatch& bat
     return htmlWriter.heading(2, translate("CommissionText", "Unfinished servos")) +
            table({htmlWriter.htmlText(words.model),
                   htmlWriter.htmlText(translate("CommissionText", "Before")),
-                  htmlWriter.htmlText(translate("CommissionText", "Intended")),
+                  htmlWriter.htmlText(translate("CommissionText", "Planned")),
                   htmlWriter.htmlText(words.remarks)},
                  rows);
 }

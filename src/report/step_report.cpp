@@ -134,7 +134,7 @@ QString body(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs,
            htmlWriter.heading(2, translate("StepText", "Gains")) + gains(htmlWriter, runs) +
            htmlWriter.heading(2, translate("StepText", "Metrics")) +
            htmlWriter.paragraph(translate("StepText",
-                                          "Values are means of all responses, out and back; "
+                                          "Values are means of all responses in both directions; "
                                           "steady-state errors are absolute values.")) +
            (runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
                             : single(htmlWriter, runs.front())) +

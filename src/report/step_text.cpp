@@ -99,12 +99,12 @@ Text stepSymptomText(StepSymptom symptom)
 {
     switch (symptom) {
     case StepSymptom::NotSeen:
-        return translate("StepText", "Readings were lost while the servo moved, so times and "
-                                     "speeds of the affected responses are unknown.");
+        return translate("StepText", "Readings were lost while the servo was moving, so the times "
+                                     "and speeds of the affected responses are unknown.");
     case StepSymptom::NoMotion:
         return translate("StepText", "The servo did not move, so its gains cannot be judged.");
     case StepSymptom::Blocked:
-        return translate("StepText", "The servo stopped far from its goal: its movement is "
+        return translate("StepText", "The servo stopped far from its goal because its movement is "
                                      "blocked, so its gains cannot be judged.");
     case StepSymptom::Lag:
         return translate("StepText", "The servo lags behind: P is too low.");

@@ -36,12 +36,12 @@ void fillHeading(SweepTexts& words)
 
 void fillTest(SweepTexts& words)
 {
-    words.shape = translate("SweepText", "Path");
+    words.shape = translate("SweepText", "Movement pattern");
     words.from = translate("SweepText", "Start");
     words.to = translate("SweepText", "End");
-    words.step = translate("SweepText", "Step");
+    words.step = translate("SweepText", "Step size");
     words.period = translate("SweepText", "Period");
-    words.seed = translate("SweepText", "Seed");
+    words.seed = translate("SweepText", "Random seed");
     words.points = translate("SweepText", "Goals");
     words.pace = translate("SweepText", "Next goal");
     words.cycles = translate("SweepText", "Cycles");
@@ -49,8 +49,8 @@ void fillTest(SweepTexts& words)
     words.duration = translate("SweepText", "Maximum duration");
     words.speed = translate("SweepText", "Speed");
     words.acceleration = translate("SweepText", "Acceleration");
-    words.moveTime = translate("SweepText", "Travel time (ms)");
-    words.asTheServoHasIt = translate("SweepText", "present setting of the servo");
+    words.moveTime = translate("SweepText", "Travel time, ms");
+    words.asTheServoHasIt = translate("SweepText", "the servo's present setting");
     words.warmUp = translate("SweepText", "Warm-up (not measured)");
     words.afterwards = translate("SweepText", "Afterwards");
     words.holds = translate("SweepText", "hold position");
@@ -58,10 +58,10 @@ void fillTest(SweepTexts& words)
     words.stopsOn = translate("SweepText", "End early after");
     words.stopOnAlarm = translate("SweepText", "an alarm");
     words.stopOnStall = translate("SweepText", "a stall");
-    words.stopOnFailure = translate("SweepText", "the first limit not met");
+    words.stopOnFailure = translate("SweepText", "the first failure");
     words.onlyOnLostLink = translate("SweepText", "only a lost connection");
     words.inSteps = translate("SweepText", "Range in steps");
-    words.tolerance = translate("SweepText", "Goal reached within");
+    words.tolerance = translate("SweepText", "Tolerance");
 }
 
 void fillFigures(SweepTexts& words)
@@ -85,13 +85,14 @@ void fillFigures(SweepTexts& words)
     words.count = translate("SweepText", "Count");
     words.notMeasured = translate("SweepText", "not measured");
     words.limits = translate("SweepText", "Limits");
-    words.gradingNote =
-        translate("SweepText", "Errors, overshoot, settling, following, phase lag, repeatability, "
-                               "current and load are judged by the worst move. Speeds and the time "
-                               "to goal are judged by their mean; counts are judged by their sum.");
+    words.gradingNote = translate(
+        "SweepText", "Errors, overshoot, settling time, phase lag, repeatability, current and load "
+                     "are judged by the worst move. Speeds and the time to goal are judged by "
+                     "their means; counts are judged by their sums.");
     words.paperNote = translate(
-        "SweepText", "The HTML report also has the memory tables and more about each move.");
-    words.hysteresisNote = translate("SweepText", "Positions are those reported by the servo: gear "
+        "SweepText",
+        "The HTML report also contains the memory tables and more details about each move.");
+    words.hysteresisNote = translate("SweepText", "Positions are as reported by the servo; gear "
                                                   "backlash beyond the encoder is not measured.");
 }
 
@@ -107,7 +108,7 @@ void fillCharts(SweepTexts& words)
     words.legsAxis = translate("SweepText", "Moves", "number");
     words.noSeries =
         translate("SweepText", "No chart is available because no readings were stored.");
-    words.noErrors = translate("SweepText", "No steady-state error was measured.");
+    words.noErrors = translate("SweepText", "Steady-state error was not measured.");
 }
 
 void fillLegs(SweepTexts& words)
@@ -124,30 +125,30 @@ void fillLegs(SweepTexts& words)
     words.at = translate("SweepText", "Time, s");
     words.start = translate("SweepText", "Start");
     words.target = translate("SweepText", "Goal");
-    words.reached = translate("SweepText", "Reached");
-    words.timeToTarget = translate("SweepText", "Time, ms");
+    words.reached = translate("SweepText", "Position reached");
+    words.timeToTarget = translate("SweepText", "Time to goal, ms");
     words.settling = translate("SweepText", "Settling, ms");
     words.overshoot = translate("SweepText", "Overshoot, %");
     words.steadyError = translate("SweepText", "Error, steps");
     words.meanSpeed = translate("SweepText", "Mean speed, step/s");
-    words.following = translate("SweepText", "Following error, step");
+    words.following = translate("SweepText", "Following error, steps");
     words.current = translate("SweepText", "Peak current, mA");
     words.load = translate("SweepText", "Peak load, %");
     words.voltage = translate("SweepText", "Min voltage, V");
     words.temperature = translate("SweepText", "Temp., °C");
-    words.lost = translate("SweepText", "Lost");
+    words.lost = translate("SweepText", "Lost readings");
     words.remarks = translate("SweepText", "Remarks");
-    words.missed = translate("SweepText", "missed");
-    words.flagWrong = translate("SweepText", "moving flag wrong");
+    words.missed = translate("SweepText", "goal missed");
+    words.flagWrong = translate("SweepText", "moving flag error");
 }
 
 void fillBus(SweepTexts& words)
 {
     words.bus = translate("SweepText", "Bus");
-    words.asked = translate("SweepText", "Readings and writes");
+    words.asked = translate("SweepText", "Reads and writes");
     words.timeouts = translate("SweepText", "No reply");
     words.badChecksums = translate("SweepText", "Wrong checksum");
-    words.foreign = translate("SweepText", "Foreign frames");
+    words.foreign = translate("SweepText", "Unexpected frames");
     words.late = translate("SweepText", "Late replies");
     words.gaps = translate("SweepText", "Interruptions");
     words.gapAt = translate("SweepText", "Time, s");
@@ -156,7 +157,7 @@ void fillBus(SweepTexts& words)
     words.parameters = translate("SweepText", "Memory table at the start");
     words.address = translate("SweepText", "Address");
     words.name = translate("SweepText", "Register");
-    words.raw = translate("SweepText", "Raw");
+    words.raw = translate("SweepText", "Raw value");
     words.area = translate("SweepText", "Area");
     words.readAt = translate("SweepText", "Read at");
     words.none = translate("SweepText", "none");
@@ -284,8 +285,8 @@ Text noVerdictReasonText(results::NoVerdictReason reason)
         return translate("SweepText", "There were fewer than 20 readings per period. Use a longer "
                                       "period, fewer servos or a higher baud rate.");
     case results::NoVerdictReason::TooFast:
-        return translate("SweepText", "The sine is faster than the speed set for the servo. Use a "
-                                      "longer period, a smaller range or a higher speed.");
+        return translate("SweepText", "The sine motion is faster than the speed set for the servo. "
+                                      "Use a longer period, a smaller range or a higher speed.");
     case results::NoVerdictReason::NoLimit:
         return translate("SweepText",
                          "No limits are set for how closely the servo follows its goal. Add limits "
@@ -316,15 +317,15 @@ Text endText(results::SweepEnd end)
     case results::SweepEnd::Stopped:
         return translate("SweepText", "Stopped by the user.");
     case results::SweepEnd::Emergency:
-        return translate("SweepText", "Ended by the emergency stop: torque off on the whole bus.");
+        return translate("SweepText",
+                         "Ended by the emergency stop; torque was turned off on the whole bus.");
     case results::SweepEnd::Alarm:
         return translate("SweepText", "Ended early: a servo raised an alarm.");
     case results::SweepEnd::Stall:
         return translate("SweepText", "Ended early: a servo stalled before reaching its goal.");
     case results::SweepEnd::Failure:
-        return translate(
-            "SweepText",
-            "Ended early: a limit was not met, and the test was set to stop at the first failure.");
+        return translate("SweepText", "Ended early: a limit was violated, and the test was set to "
+                                      "stop at the first failure.");
     case results::SweepEnd::Refused:
         return translate(
             "SweepText",
@@ -334,12 +335,13 @@ Text endText(results::SweepEnd end)
                          "Ended early: a servo lost torque because it rebooted or another program "
                          "turned torque off. Torque was not turned on again.");
     case results::SweepEnd::ServoReplaced:
-        return translate("SweepText",
-                         "Ended early: another servo replies with the ID of the tested servo.");
+        return translate(
+            "SweepText",
+            "Ended early: a different servo is now replying with the ID of the tested servo.");
     case results::SweepEnd::LinkLost:
         break;
     }
-    return translate("SweepText", "Ended early: the connection was lost and did not return.");
+    return translate("SweepText", "Ended early: the connection was lost and was not restored.");
 }
 
 Text shapeText(results::SweepShape shape)
@@ -350,7 +352,7 @@ Text shapeText(results::SweepShape shape)
     case results::SweepShape::Stairs:
         return translate("SweepText", "staircase up and down");
     case results::SweepShape::BothSides:
-        return translate("SweepText", "midpoint from both directions");
+        return translate("SweepText", "middle of the range from both directions");
     case results::SweepShape::Random:
         return translate("SweepText", "random goals");
     case results::SweepShape::Sine:

@@ -17,17 +17,18 @@ struct AlarmEntry {
 constexpr std::array alarms{
     AlarmEntry{"overload", QT_TRANSLATE_NOOP("text", "overload"),
                QT_TRANSLATE_NOOP("text",
-                                 "The load was above its threshold for too long: a stall, a "
-                                 "jammed bracket, or more torque than the servo is rated for. "
-                                 "Only the protection torque remains.")},
+                                 "The load was above its threshold for too long. Possible causes: "
+                                 "a stall, a jammed bracket, or more load than the servo is rated "
+                                 "for. The servo now provides only the protection torque.")},
     AlarmEntry{"current", QT_TRANSLATE_NOOP("text", "overcurrent"),
-               QT_TRANSLATE_NOOP("text",
-                                 "The current was above its threshold for too long: a stall or "
-                                 "a short circuit. The servo has turned its torque off.")},
-    AlarmEntry{"voltage", QT_TRANSLATE_NOOP("text", "voltage"),
                QT_TRANSLATE_NOOP(
-                   "text", "The supply voltage is outside the servo's limits: a wrong or weak "
-                           "power supply, or thin wires with a voltage drop under load.")},
+                   "text", "The current was above its threshold for too long. Possible causes: a "
+                           "stall or a short circuit. The servo has turned its torque off.")},
+    AlarmEntry{"voltage", QT_TRANSLATE_NOOP("text", "voltage"),
+               QT_TRANSLATE_NOOP("text",
+                                 "The supply voltage is outside the servo's limits. Possible "
+                                 "causes: the wrong power supply, a power supply that is too "
+                                 "weak, or thin wires that cause a voltage drop under load.")},
     AlarmEntry{"temperature", QT_TRANSLATE_NOOP("text", "temperature"),
                QT_TRANSLATE_NOOP("text",
                                  "The servo has exceeded its temperature limit. Possible causes: "
@@ -43,15 +44,16 @@ constexpr std::array alarms{
 constexpr std::array releases{
     NamedText{"nothing", QT_TRANSLATE_NOOP("text", "No alarms.")},
     NamedText{"turn-back",
-              QT_TRANSLATE_NOOP("text",
-                                "Setting a goal slightly back from the stalled position clears "
-                                "this alarm: the shaft turns back a little and holds there.")},
+              QT_TRANSLATE_NOOP(
+                  "text", "Setting a goal slightly back from the stalled position clears this "
+                          "alarm: the shaft turns back a little and holds that position.")},
     NamedText{"new-goal",
-              QT_TRANSLATE_NOOP("text", "Setting a new goal at the present position clears this "
-                                        "alarm: torque is turned on and the servo holds there.")},
+              QT_TRANSLATE_NOOP("text",
+                                "Setting a new goal at the present position clears this alarm: "
+                                "torque is turned on, and the servo holds that position.")},
     NamedText{"fault-reset",
-              QT_TRANSLATE_NOOP("text", "Writing the fault reset register clears this alarm. "
-                                        "Before that, the servo is set to hold its position.")},
+              QT_TRANSLATE_NOOP("text", "Writing to the fault reset register clears this alarm. "
+                                        "The servo is first set to hold its position.")},
     NamedText{
         "wait",
         QT_TRANSLATE_NOOP(

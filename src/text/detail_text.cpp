@@ -21,8 +21,9 @@ constexpr std::array details{
     NamedText{"torque",
               QT_TRANSLATE_NOOP("text", "torque cannot be turned on or off on this servo")},
     NamedText{"position", QT_TRANSLATE_NOOP("text", "the servo does not report its position")},
-    NamedText{"after-failure", QT_TRANSLATE_NOOP("text", "an earlier register did not accept its "
-                                                         "value")},
+    NamedText{
+        "after-failure",
+        QT_TRANSLATE_NOOP("text", "the servo did not accept the value of an earlier register")},
     NamedText{"register", QT_TRANSLATE_NOOP("text", "its memory table has no such register")},
     NamedText{"bridge", QT_TRANSLATE_NOOP(
                             "text", "ServoDesk cannot switch the baud rate through a TCP bridge")},
@@ -130,7 +131,7 @@ QString badArgumentText(const base::Error& error)
     if (isMoveTime(error))
         return translate("text", "time and speed cannot be combined");
     if (error.operation == QLatin1String("move") && error.detail.startsWith(QLatin1String("unit ")))
-        return translate("text", "in this mode the goal needs a unit (%1)")
+        return translate("text", "in this mode, the goal needs a unit (%1)")
             .arg(error.detail.mid(5));
     return {};
 }
@@ -189,7 +190,8 @@ QString specialCase(const base::Error& error)
     case ErrorCode::IdentityMismatch:
         return error.detail.isEmpty()
                    ? QString()
-                   : translate("text", "another servo replies with this ID: %1").arg(error.detail);
+                   : translate("text", "a different servo is replying with this ID: %1")
+                         .arg(error.detail);
     case ErrorCode::OutOfRange:
         return standsOutside(error)
                    ? translate("text", "the present position is outside the servo's limits (%1)")
@@ -239,7 +241,8 @@ QString specialCause(const base::Error& error)
         return translate("text", "The service mistakes an adapter with this chip for a braille "
                                  "display, and the adapter's port disappears.");
     if (procedureRemedy(error) != nullptr)
-        return translate("text", "A safe change requires more than writing one register.");
+        return translate("text",
+                         "Changing this value safely requires more than writing one register.");
     return {};
 }
 
@@ -257,8 +260,8 @@ QString specialRemedy(const base::Error& error)
         return translate("text", "Close other programs that use the bus, connect only this "
                                  "servo, and search for it.");
     if (const QStringList values = changedSince(error); !values.isEmpty())
-        return translate("text", "If you need the value %1, set it in the memory table; this step "
-                                 "will not be offered again.")
+        return translate("text", "If you need the value %1, set it in the memory table; this undo "
+                                 "or redo is no longer available.")
             .arg(values[2]);
     if (adaptersClaimedByBrltty(error))
         return translate("text", "If braille is not used on this computer, run \"sudo apt "

@@ -24,16 +24,17 @@ struct CauseEntry {
 
 /// A port that could not be opened has the texts of its error.
 constexpr std::array causes{
-    CauseEntry{Cause::Found, QT_TRANSLATE_NOOP("text", "The servos found reply reliably."),
+    CauseEntry{Cause::Found,
+               QT_TRANSLATE_NOOP("text", "The servos that were found reply reliably."),
                QT_TRANSLATE_NOOP(
                    "text", "If a servo is missing, check its cable and power supply first. Then "
-                           "connect only that servo and run the diagnosis again: as long as no "
-                           "servo replies, the diagnosis tries more baud rates and protocols.")},
-    CauseEntry{Cause::PortBusy,
-               QT_TRANSLATE_NOOP("text", "Another program uses the port at the same time."),
-               QT_TRANSLATE_NOOP("text",
-                                 "Close the other program: each takes replies that belong to the "
-                                 "other one.")},
+                           "connect only that servo and run the diagnosis again; if no servo "
+                           "replies, the diagnosis tries more baud rates and protocols.")},
+    CauseEntry{
+        Cause::PortBusy, QT_TRANSLATE_NOOP("text", "Another program is also using the port."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "Close the other program; otherwise, each program takes replies meant for the other.")},
     CauseEntry{
         Cause::NoServoOrNoPower,
         QT_TRANSLATE_NOOP("text", "No servo is connected, or the servos have no power."),
@@ -41,8 +42,8 @@ constexpr std::array causes{
             "text",
             "Measure the supply voltage at a servo's connector. On an adapter board, connect the "
             "supply to the terminal next to the servo connectors; USB does not power servos. Then "
-            "try one servo alone, with another lead, and check that RS-485 servos are on the "
-            "RS-485 connector and the others on the TTL connector.")},
+            "try one servo alone, with another cable, and check that RS-485 servos are connected "
+            "to the RS-485 connector and all others to the TTL connector.")},
     CauseEntry{
         Cause::EchoOnly,
         QT_TRANSLATE_NOOP("text", "Only the adapter's echo comes back; no servo replies."),
@@ -50,34 +51,36 @@ constexpr std::array causes{
             "text",
             "The adapter works. Measure the supply voltage at a servo's connector, check that the "
             "data wire and the ground reach the servo, and try one servo alone.")},
-    CauseEntry{Cause::WrongBaudRate, QT_TRANSLATE_NOOP("text", "Servos use another baud rate."),
+    CauseEntry{Cause::WrongBaudRate,
+               QT_TRANSLATE_NOOP("text", "Some servos use a different baud rate."),
                QT_TRANSLATE_NOOP("text", "Connect at the baud rate at which they were found. To "
                                          "use one rate for all servos, change it in each of "
                                          "them.")},
-    CauseEntry{Cause::OtherProtocol,
-               QT_TRANSLATE_NOOP("text", "Servos use a different protocol from the one selected."),
-               QT_TRANSLATE_NOOP("text",
-                                 "Select the protocol in which they were found, or automatic "
-                                 "selection.")},
+    CauseEntry{
+        Cause::OtherProtocol,
+        QT_TRANSLATE_NOOP("text", "Some servos use a protocol other than the one selected."),
+        QT_TRANSLATE_NOOP(
+            "text", "Select the protocol with which they were found, or use automatic selection.")},
     CauseEntry{Cause::TwoServosOneId, QT_TRANSLATE_NOOP("text", "Several servos have the same ID."),
                QT_TRANSLATE_NOOP(
                    "text", "Disconnect all but one of these servos, give it an unused ID, then "
                            "connect the next one. Commissioning guides you through the steps.")},
     CauseEntry{
-        Cause::LateAdapter, QT_TRANSLATE_NOOP("text", "The adapter delivers replies late."),
+        Cause::LateAdapter, QT_TRANSLATE_NOOP("text", "The adapter delays the replies."),
         QT_TRANSLATE_NOOP(
             "text",
-            "ServoDesk waits for them, but other programs may find no servo: set their timeout "
-            "above this time. For an FTDI adapter, set the latency timer to 1 ms: in "
-            "/sys/bus/usb-serial/devices/ttyUSB0/latency_timer on Linux, in the device manager on "
-            "Windows. Use a wired connection to a network bridge.")},
-    CauseEntry{Cause::ResponseLevel0,
-               QT_TRANSLATE_NOOP("text", "Servos do not acknowledge writes (response level 0)."),
-               QT_TRANSLATE_NOOP("text",
-                                 "ServoDesk reads every write back. Other programs may report "
-                                 "that the servo does not reply: set the response level to 1.")},
+            "ServoDesk waits for late replies, but other programs may not find any servos; set "
+            "their timeouts to more than this delay. For an FTDI adapter, set the latency timer to "
+            "1 ms (on Linux in /sys/bus/usb-serial/devices/ttyUSB0/latency_timer, on Windows in "
+            "Device Manager). If you use a network bridge, connect to it by cable.")},
     CauseEntry{
-        Cause::Noise, QT_TRANSLATE_NOOP("text", "Replies are damaged or get lost on the line."),
+        Cause::ResponseLevel0,
+        QT_TRANSLATE_NOOP("text", "Some servos do not acknowledge writes (response level 0)."),
+        QT_TRANSLATE_NOOP(
+            "text", "ServoDesk reads back every value it writes. Other programs may report that "
+                    "the servo does not reply; to prevent this, set the response level to 1.")},
+    CauseEntry{
+        Cause::Noise, QT_TRANSLATE_NOOP("text", "Replies are damaged or lost on the line."),
         QT_TRANSLATE_NOOP("text",
                           "Check the connectors and cables, connect the grounds of the adapter and "
                           "the power supply, and keep cables short. Then disconnect the servos one "
@@ -85,7 +88,9 @@ constexpr std::array causes{
                           "happens only while servos move, the power supply is too weak.")},
     CauseEntry{
         Cause::BoardNotAdapter,
-        QT_TRANSLATE_NOOP("text", "The port sends program text instead of servo data."),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The device on this port sends text from its own program instead of servo data."),
         QT_TRANSLATE_NOOP(
             "text",
             "The port belongs to a board that runs its own firmware. Load a pass-through program "
@@ -124,19 +129,22 @@ QString lineText(const Evidence& evidence)
 {
     switch (evidence.kind) {
     case EvidenceKind::PortOpened:
-        return translate("text", "%1 opens at %2 baud.").arg(evidence.text).arg(evidence.baud);
+        return translate("text", "%1 can be opened at %2 baud.")
+            .arg(evidence.text)
+            .arg(evidence.baud);
     case EvidenceKind::OtherProgram:
         return translate("text", "The port is also open in %1.").arg(evidence.text);
     case EvidenceKind::LatencyTimer:
         return translate("text", "The latency timer of the adapter is set to %1 ms.")
             .arg(milliseconds(evidence.time), 0, 'f', 0);
     case EvidenceKind::Echo:
-        return translate("text", "The adapter returns what is sent (echo). This is filtered out.");
+        return translate("text",
+                         "The adapter echoes what is sent; ServoDesk filters out the echo.");
     case EvidenceKind::NoEcho:
-        return translate("text", "The adapter does not return what is sent (no echo).");
+        return translate("text", "The adapter does not echo what is sent.");
     case EvidenceKind::NothingReceived:
-        return translate("text", "Nothing was received at any of %n baud rate(s).", nullptr,
-                         evidence.count);
+        return translate("text", "Nothing was received at any of the %n baud rate(s) tried.",
+                         nullptr, evidence.count);
     case EvidenceKind::BytesReceived:
         return translate("text", "%n byte(s) received after a query to all servos at %1 baud: %2",
                          nullptr, evidence.count)
@@ -147,8 +155,8 @@ QString lineText(const Evidence& evidence)
             .arg(evidence.baud)
             .arg(evidence.text);
     case EvidenceKind::LineNeverIdle:
-        return translate("text", "At %1 baud the line is never idle: a device is sending "
-                                 "continuously.")
+        return translate("text",
+                         "At %1 baud, the line is never idle: a device is sending continuously.")
             .arg(evidence.baud);
     case EvidenceKind::RatesRefused:
         return translate("text", "The adapter does not support these baud rates: %1")
@@ -185,7 +193,7 @@ QString evidenceText(const Evidence& evidence)
     case EvidenceKind::ReplyTime:
         return replyTimeText(evidence);
     case EvidenceKind::AllReplied:
-        return translate("text", "No reply to %n test query(s) was lost or damaged.", nullptr,
+        return translate("text", "The replies to all %n test query(s) arrived undamaged.", nullptr,
                          evidence.count);
     case EvidenceKind::LostReplies:
         return counted(QT_TRANSLATE_NOOP("text", "ID %1: %2 of %3 replies were lost."), evidence);

@@ -49,12 +49,12 @@ constexpr std::array errorEntries{
         QT_TRANSLATE_NOOP("text", "this adapter does not support that baud rate"),
         QT_TRANSLATE_NOOP("text", "The adapter's chip or driver supports only some baud rates."),
         QT_TRANSLATE_NOOP("text", "Use another baud rate or another adapter.")},
-    ErrorEntry{ErrorCode::LinkLost, QT_TRANSLATE_NOOP("text", "the connection was lost"),
-               QT_TRANSLATE_NOOP("text",
-                                 "The adapter was unplugged or lost power, or the other side "
-                                 "closed the connection."),
-               QT_TRANSLATE_NOOP("text", "Plug the adapter in again. If a change was in progress, "
-                                         "check the interrupted writes (%recover) first.")},
+    ErrorEntry{
+        ErrorCode::LinkLost, QT_TRANSLATE_NOOP("text", "the connection was lost"),
+        QT_TRANSLATE_NOOP("text", "The adapter was unplugged or lost power, or the other side "
+                                  "closed the connection."),
+        QT_TRANSLATE_NOOP("text", "Plug the adapter in again. If a change was in progress, check "
+                                  "the interrupted writes (%recover) before you continue.")},
     ErrorEntry{ErrorCode::NoReply, QT_TRANSLATE_NOOP("text", "no reply"),
                QT_TRANSLATE_NOOP("text", "The servo has no power, a wire is loose, or the ID, baud "
                                          "rate or protocol does not match."),
@@ -76,10 +76,11 @@ constexpr std::array errorEntries{
                                   "servo.")},
     ErrorEntry{
         ErrorCode::LineBusy,
-        QT_TRANSLATE_NOOP("text", "the line is never idle: a device is sending continuously"),
+        QT_TRANSLATE_NOOP("text", "the bus is never idle: a device is sending continuously"),
         QT_TRANSLATE_NOOP(
-            "text", "Possible causes: a device that sends unprompted, a second controller on the "
-                    "bus, an adapter or bridge used for something else, or noise on an open line."),
+            "text",
+            "Possible causes: a device that sends data on its own, a second controller on the bus, "
+            "an adapter or bridge used for something else, or noise on an open line."),
         QT_TRANSLATE_NOOP("text", "Connect only one servo, check the wires, and select the "
                                   "right port.")},
     ErrorEntry{
@@ -121,8 +122,8 @@ constexpr std::array errorEntries{
             "text", "The register's range or the servo's angle limits do not allow this value."),
         QT_TRANSLATE_NOOP("text", "Use a value within the range, or change the limits first.")},
     ErrorEntry{ErrorCode::NeedsConsent,
-               QT_TRANSLATE_NOOP("text", "writing this register can make the servo unreachable or "
-                                         "dangerous"),
+               QT_TRANSLATE_NOOP(
+                   "text", "writing to this register can make the servo unreachable or dangerous"),
                QT_TRANSLATE_NOOP("text", "This register affects the servo's communication, "
                                          "protection or direction of rotation."),
                QT_TRANSLATE_NOOP(
@@ -133,8 +134,7 @@ constexpr std::array errorEntries{
         QT_TRANSLATE_NOOP(
             "text", "The servo's family, firmware or present mode does not support this function."),
         QT_TRANSLATE_NOOP(
-            "text",
-            "Check the servo's model and mode, and use functions that the servo supports.")},
+            "text", "Check the servo's model and mode, and use only functions that it supports.")},
     ErrorEntry{
         ErrorCode::IdInUse, QT_TRANSLATE_NOOP("text", "another servo already has this ID"),
         QT_TRANSLATE_NOOP("text", "Two servos with the same ID reply at the same time, and "
@@ -159,13 +159,12 @@ constexpr std::array errorEntries{
                QT_TRANSLATE_NOOP("text",
                                  "Restore the connection and finish or undo the change (%recover); "
                                  "turning the servo off and on also locks the EPROM.")},
-    ErrorEntry{
-        ErrorCode::UnknownModel, QT_TRANSLATE_NOOP("text", "no memory table fits this servo"),
-        QT_TRANSLATE_NOOP(
-            "text",
-            "The firmware version belongs to no known family, so writing could cause damage."),
-        QT_TRANSLATE_NOOP("text",
-                          "Read only the servo's feedback, or add a model file for the servo.")},
+    ErrorEntry{ErrorCode::UnknownModel,
+               QT_TRANSLATE_NOOP("text", "no memory table matches this servo"),
+               QT_TRANSLATE_NOOP("text", "The firmware version does not belong to any known "
+                                         "family, so writing could cause damage."),
+               QT_TRANSLATE_NOOP(
+                   "text", "Read only the servo's feedback, or add a model file for the servo.")},
     ErrorEntry{
         ErrorCode::FamilyConflict, QT_TRANSLATE_NOOP("text", "the servo family is unclear"),
         QT_TRANSLATE_NOOP(
@@ -186,7 +185,7 @@ constexpr std::array errorEntries{
             "the wires and the ground, then try again; the check for duplicate IDs is repeated "
             "each time. A torque-off command still reaches both servos.")},
     ErrorEntry{ErrorCode::IdentityMismatch,
-               QT_TRANSLATE_NOOP("text", "another servo replies with this ID"),
+               QT_TRANSLATE_NOOP("text", "a different servo is replying with this ID"),
                QT_TRANSLATE_NOOP("text", "The servo was replaced, or its ID was changed."),
                QT_TRANSLATE_NOOP("text", "Connect the original servo, then try again.")},
     ErrorEntry{
@@ -209,8 +208,8 @@ constexpr std::array errorEntries{
                QT_TRANSLATE_NOOP("text", "Check the path.")},
     ErrorEntry{
         ErrorCode::FileUnreadable, QT_TRANSLATE_NOOP("text", "the file cannot be read"),
-        QT_TRANSLATE_NOOP("text",
-                          "You have no permission to read the file, or the disk reports an error."),
+        QT_TRANSLATE_NOOP(
+            "text", "You do not have permission to read the file, or the disk reports an error."),
         QT_TRANSLATE_NOOP("text", "Check the file permissions, or use a copy.")},
     ErrorEntry{ErrorCode::FileFormat, QT_TRANSLATE_NOOP("text", "the file content is not valid"),
                QT_TRANSLATE_NOOP(
@@ -222,7 +221,7 @@ constexpr std::array errorEntries{
                QT_TRANSLATE_NOOP("text", "Choose a folder you can write to.")},
     ErrorEntry{ErrorCode::DiskFull, QT_TRANSLATE_NOOP("text", "the disk is full"),
                QT_TRANSLATE_NOOP("text", "There is no space left, or your quota is used up."),
-               QT_TRANSLATE_NOOP("text", "Free some space, then try again.")},
+               QT_TRANSLATE_NOOP("text", "Free up some space, then try again.")},
 };
 
 QString messageFor(const base::Error& error, const ErrorEntry& entry)

@@ -23,8 +23,8 @@ constexpr RefusalText busy{
                               "again.")};
 constexpr RefusalText damaged{
     "damaged", QT_TRANSLATE_NOOP("text", "the history database is damaged"),
-    QT_TRANSLATE_NOOP("text", "Part of the file was lost on the disk, or the file is not a history "
-                              "file. Without the history, nothing is written to the servo."),
+    QT_TRANSLATE_NOOP("text", "The file on the disk is incomplete, or it is not a history file. "
+                              "Without the history, nothing is written to the servo."),
     QT_TRANSLATE_NOOP(
         "text", "Close the program and move history.sqlite, together with history.sqlite-wal and "
                 "history.sqlite-shm, to a safe place; a new history is created. \"sqlite3 "
@@ -37,10 +37,10 @@ constexpr RefusalText unwritable{
                               "data folder (SERVODESK_DATA_DIR).")};
 /// By the detail of the refusal.
 constexpr std::array refusals{
-    RefusalText{"label-in-use", QT_TRANSLATE_NOOP("text", "another servo has this label"),
+    RefusalText{"label-in-use", QT_TRANSLATE_NOOP("text", "another servo already has this label"),
                 QT_TRANSLATE_NOOP("text", "Both servos have the same model, firmware and ID, so "
                                           "only the label distinguishes them."),
-                QT_TRANSLATE_NOOP("text", "Choose another label, or specify that the servo now "
+                QT_TRANSLATE_NOOP("text", "Choose another label, or confirm that the servo now "
                                           "replying is the one with this label.")},
     RefusalText{"no-snapshot", QT_TRANSLATE_NOOP("text", "no snapshot was taken before that time"),
                 QT_TRANSLATE_NOOP(

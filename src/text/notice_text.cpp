@@ -40,13 +40,14 @@ constexpr std::array noticeEntries{
                 QT_TRANSLATE_NOOP(
                     "text", "%3 was set to 0 to prevent unexpected movement in the new mode.")},
     NoticeEntry{NoticeCode::LimitsSaved, "limits-kept",
-                QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are saved and will be restored "
-                                          "when you switch back to position mode.")},
+                QT_TRANSLATE_NOOP("text", "The angle limits (%1 to %2) are saved and will be "
+                                          "restored when you switch back to position mode.")},
     NoticeEntry{NoticeCode::LimitsRestored, "limits-restored",
-                QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 were restored.")},
+                QT_TRANSLATE_NOOP("text", "The angle limits (%1 to %2) were restored.")},
     NoticeEntry{
         NoticeCode::LimitsSetToDefault, "limits-defaulted",
-        QT_TRANSLATE_NOOP("text", "The previous angle limits are unknown, so %1 … %2 were set.")},
+        QT_TRANSLATE_NOOP("text",
+                          "The previous angle limits are unknown, so they were set to %1 and %2.")},
     NoticeEntry{NoticeCode::SpeedRestored, "speed-restored",
                 QT_TRANSLATE_NOOP("text", "The speed for position mode, %1 (%3), was restored.")},
     NoticeEntry{NoticeCode::SpeedZeroedForTime, "speed-zero-for-time",
@@ -92,11 +93,9 @@ constexpr std::array noticeEntries{
                 QT_TRANSLATE_NOOP("text", "The servo replied %1 ms after the reboot.")},
     NoticeEntry{NoticeCode::RateChanged, "rate-changed",
                 QT_TRANSLATE_NOOP("text", "The servo now replies at %1 baud.")},
-    NoticeEntry{
-        NoticeCode::StillMoving, "still-moving",
-        QT_TRANSLATE_NOOP(
-            "text",
-            "The servo keeps moving to the goal until it is stopped or torque is turned off.")},
+    NoticeEntry{NoticeCode::StillMoving, "still-moving",
+                QT_TRANSLATE_NOOP("text", "The servo will keep moving to the goal unless it is "
+                                          "stopped or torque is turned off.")},
     NoticeEntry{NoticeCode::IdChanged, "id-changed",
                 QT_TRANSLATE_NOOP("text", "The servo now replies as ID %1.")},
     NoticeEntry{
@@ -107,9 +106,9 @@ constexpr std::array noticeEntries{
     NoticeEntry{NoticeCode::SaveUnverified, "saved-per-sheet",
                 QT_TRANSLATE_NOOP("text", "%3 was saved with the command from the data sheet; this "
                                           "can be verified only by turning the servo off and on.")},
-    NoticeEntry{
-        NoticeCode::CurrentLimitZero, "no-current-allowed",
-        QT_TRANSLATE_NOOP("text", "%3 is 0, which allows no current: the servo has no torque.")},
+    NoticeEntry{NoticeCode::CurrentLimitZero, "no-current-allowed",
+                QT_TRANSLATE_NOOP(
+                    "text", "%3 is 0, so no current is allowed and the servo has no torque.")},
     NoticeEntry{NoticeCode::CurrentRestored, "current-restored",
                 QT_TRANSLATE_NOOP("text", "The current limit %1 (%3) was restored.")},
     NoticeEntry{NoticeCode::DerivedTemperature, "derived-temperature",
@@ -180,7 +179,7 @@ QStringList setBits(std::uint8_t status, const catalog::Profile* profile, Name&&
 QString describe(const base::Notice& notice)
 {
     if (notice.code == NoticeCode::StillMoving && notice.a == 1)
-        return translate("text", "The servo may keep moving to the goal, with torque on, until it "
+        return translate("text", "The servo may keep moving to the goal with torque on unless it "
                                  "is stopped or torque is turned off.");
     const NoticeEntry* entry = entryFor(noticeEntries, notice.code);
     return withRecoveryName(translate("text", entry->text))

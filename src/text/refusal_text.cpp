@@ -26,7 +26,7 @@ constexpr std::array notSupported{
     RefusalText{"no-restore",
                 QT_TRANSLATE_NOOP("text", "the servo cannot reset itself to factory defaults"),
                 QT_TRANSLATE_NOOP("text", "This family has no such command."),
-                QT_TRANSLATE_NOOP("text", "Write the values back one by one.")},
+                QT_TRANSLATE_NOOP("text", "Write the default values one by one.")},
     RefusalText{
         "no-sync", QT_TRANSLATE_NOOP("text", "the servo cannot share a packet with other servos"),
         QT_TRANSLATE_NOOP("text", "This family has no packet that addresses several servos."),
@@ -57,7 +57,7 @@ constexpr std::array notSupported{
                                           "a goal"),
                 QT_TRANSLATE_NOOP("text", "One command contains both goal and time, so writing "
                                           "only the time would send the last goal again."),
-                QT_TRANSLATE_NOOP("text", "Write goal and time together.")},
+                QT_TRANSLATE_NOOP("text", "Write the goal and the time together.")},
     RefusalText{
         "always-kept",
         QT_TRANSLATE_NOOP("text", "this setting is always kept after "
@@ -76,7 +76,7 @@ constexpr std::array notSupported{
         QT_TRANSLATE_NOOP("text", "the servo's LED setting is one of the factory values"),
         QT_TRANSLATE_NOOP(
             "text",
-            "To blink the LED, these values would have to be unlocked and rewritten many times."),
+            "Blinking the LED would require unlocking and rewriting these values many times."),
         QT_TRANSLATE_NOOP(
             "text",
             "With torque off, turn a shaft by hand and check which servo's position changes.")},
@@ -91,7 +91,8 @@ constexpr std::array notSupported{
                                   "or turn the power supply off and on.")},
     RefusalText{
         "release-direction", QT_TRANSLATE_NOOP("text", "the direction of the stall is unknown"),
-        QT_TRANSLATE_NOOP("text", "The servo is at its goal and pushes in neither direction."),
+        QT_TRANSLATE_NOOP("text",
+                          "The servo is at its goal and is not pushing in either direction."),
         QT_TRANSLATE_NOOP("text", "Remove the load and set a goal away from the stalled position, "
                                   "or turn the power supply off and on.")},
     RefusalText{
@@ -157,8 +158,9 @@ constexpr std::array badArgument{
             "All readings are stored, so a run is limited to fifty steps in each direction."),
         QT_TRANSLATE_NOOP("text", "Enter a number from 1 to 50.")},
     RefusalText{"no-gain", QT_TRANSLATE_NOOP("text", "this register cannot be used in a trial"),
-                QT_TRANSLATE_NOOP("text", "A trial can set gains, startup force, integral limit "
-                                          "and dead zones, if the servo has them."),
+                QT_TRANSLATE_NOOP("text",
+                                  "A trial can change only the gains, the startup force, the "
+                                  "integral limit and the dead zones, if the servo has them."),
                 QT_TRANSLATE_NOOP("text", "Use the memory table to write other registers.")},
     RefusalText{"nothing-read", QT_TRANSLATE_NOOP("text", "no data is being read"),
                 QT_TRANSLATE_NOOP("text", "There is nothing to record."),
@@ -166,7 +168,7 @@ constexpr std::array badArgument{
 };
 
 constexpr std::array held{
-    RefusalText{"test", QT_TRANSLATE_NOOP("text", "a test is using the bus exclusively"),
+    RefusalText{"test", QT_TRANSLATE_NOOP("text", "a test has exclusive use of the bus"),
                 QT_TRANSLATE_NOOP("text", "Other communication on the bus would distort the "
                                           "measurement."),
                 QT_TRANSLATE_NOOP("text", "Wait until the test ends, or stop it.")},
@@ -193,11 +195,13 @@ constexpr std::array consent{
         QT_TRANSLATE_NOOP(
             "text",
             "Keep clear of the mechanism, then repeat the write and confirm it explicitly.")},
-    RefusalText{"free-turning",
-                QT_TRANSLATE_NOOP("text", "with both angle limits at 0, the shaft is not limited"),
-                QT_TRANSLATE_NOOP("text", "Without limits, the shaft can turn past any position."),
-                QT_TRANSLATE_NOOP("text", "Keep clear of the mechanism, then repeat the write and "
-                                          "confirm it explicitly.")},
+    RefusalText{
+        "free-turning",
+        QT_TRANSLATE_NOOP("text",
+                          "with both angle limits at 0, the movement of the shaft is not limited"),
+        QT_TRANSLATE_NOOP("text", "Without limits, the shaft can turn past any position."),
+        QT_TRANSLATE_NOOP("text", "Keep clear of the mechanism, then repeat the write and "
+                                  "confirm it explicitly.")},
     RefusalText{
         "release-moves", QT_TRANSLATE_NOOP("text", "clearing this alarm moves the shaft"),
         QT_TRANSLATE_NOOP("text",
@@ -243,14 +247,15 @@ constexpr std::array refused{
     RefusalText{
         "trial-lost", QT_TRANSLATE_NOOP("text", "the servo rebooted before its first step"),
         QT_TRANSLATE_NOOP("text", "The power supply was interrupted and the trial values were "
-                                  "lost: the servo moved with its old values."),
+                                  "lost, so the servo moved with its old values."),
         QT_TRANSLATE_NOOP(
             "text", "Check the plug and the power supply, then measure the step response again.")},
     RefusalText{
         "mode-changed", QT_TRANSLATE_NOOP("text", "the servo's operating mode has changed"),
         QT_TRANSLATE_NOOP("text", "Another program has changed the mode. In the new mode, this "
                                   "goal has a different meaning."),
-        QT_TRANSLATE_NOOP("text", "Check the mode now shown, then send a goal for that mode.")},
+        QT_TRANSLATE_NOOP("text",
+                          "Check which mode is now shown, then send a goal for that mode.")},
     RefusalText{
         "forget-held",
         QT_TRANSLATE_NOOP("text", "a goal waiting in the servo could not be removed"),
@@ -260,7 +265,7 @@ constexpr std::array refused{
         QT_TRANSLATE_NOOP("text", "Turn the servo off and on to discard this goal.")},
     RefusalText{"too-many-turns", QT_TRANSLATE_NOOP("text", "this step would go beyond ±7.5 turns"),
                 QT_TRANSLATE_NOOP("text", "The servo cannot count beyond ±7.5 turns. The displayed "
-                                          "total covers all steps since connecting."),
+                                          "total includes all steps since you connected."),
                 QT_TRANSLATE_NOOP("text", "Step in the opposite direction.")},
 };
 

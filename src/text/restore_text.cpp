@@ -33,18 +33,22 @@ constexpr std::array reasons{
                                  "shaft may turn immediately or when torque is turned on.")},
     ReasonText{"read-only", QT_TRANSLATE_NOOP("text", "read-only"),
                QT_TRANSLATE_NOOP("text", "Set by the factory or by the servo itself.")},
-    ReasonText{"factory", QT_TRANSLATE_NOOP("text", "factory value"),
-               QT_TRANSLATE_NOOP("text", "The factory set this value for this individual servo.")},
+    ReasonText{
+        "factory", QT_TRANSLATE_NOOP("text", "factory value"),
+        QT_TRANSLATE_NOOP("text", "This value was set at the factory for this individual servo.")},
     ReasonText{"needs-consent", QT_TRANSLATE_NOOP("text", "dangerous: requires confirmation"),
                QT_TRANSLATE_NOOP("text", "This register affects the servo's communication, "
                                          "protection or direction of rotation.")},
-    ReasonText{"no-such-register", QT_TRANSLATE_NOOP("text", "this servo has no such register"),
-               QT_TRANSLATE_NOOP("text", "The file is from another model or firmware; this row "
-                                         "cannot be written.")},
-    ReasonText{"not-in-file", QT_TRANSLATE_NOOP("text", "not in the file"),
-               QT_TRANSLATE_NOOP("text",
-                                 "The file is from another model or firmware; this row stays "
-                                 "unchanged.")},
+    ReasonText{
+        "no-such-register", QT_TRANSLATE_NOOP("text", "this servo has no such register"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The file is from a different model or firmware version; this row cannot be written.")},
+    ReasonText{
+        "not-in-file", QT_TRANSLATE_NOOP("text", "not in the file"),
+        QT_TRANSLATE_NOOP(
+            "text",
+            "The file is from a different model or firmware version; this row stays unchanged.")},
     ReasonText{"no-value", QT_TRANSLATE_NOOP("text", "no value in the file"),
                QT_TRANSLATE_NOOP("text", "The value could not be read when the file was saved.")},
     ReasonText{"not-read", QT_TRANSLATE_NOOP("text", "could not be read"),
@@ -65,13 +69,14 @@ constexpr std::array reasons{
                                          "on this servo. It is not written by default.")},
     ReasonText{"not-chosen", QT_TRANSLATE_NOOP("text", "not selected"),
                QT_TRANSLATE_NOOP("text", "The request did not include this row.")},
-    ReasonText{"other-model-limit", QT_TRANSLATE_NOOP("text", "limit of another model"),
+    ReasonText{"other-model-limit", QT_TRANSLATE_NOOP("text", "limit from a different model"),
                QT_TRANSLATE_NOOP("text",
                                  "Voltage, temperature, current and torque limits depend on the "
                                  "model. Each is written only if you select its row.")},
     ReasonText{"only-temporary", QT_TRANSLATE_NOOP("text", "not permanent yet"),
-               QT_TRANSLATE_NOOP("text", "This value was written temporarily and would be lost at "
-                                         "power-off. It will be written again permanently.")},
+               QT_TRANSLATE_NOOP("text",
+                                 "This value was written only temporarily and would be lost at "
+                                 "power-off. It will be written again, this time permanently.")},
     ReasonText{"would-alarm", QT_TRANSLATE_NOOP("text", "would cause an alarm now"),
                QT_TRANSLATE_NOOP("text", "The present reading is outside this limit: the servo "
                                          "would report an alarm as soon as the limit is written.")},
@@ -94,7 +99,7 @@ constexpr std::array verdicts{
     NamedText{"rolled-back", QT_TRANSLATE_NOOP("text", "failed; everything is unchanged")},
     NamedText{"planned", QT_TRANSLATE_NOOP("text", "would be written")},
     NamedText{"no-answer", QT_TRANSLATE_NOOP("text", "no reply")},
-    NamedText{"other-servo", QT_TRANSLATE_NOOP("text", "another servo; not changed")},
+    NamedText{"other-servo", QT_TRANSLATE_NOOP("text", "different servo; not changed")},
     NamedText{"error", QT_TRANSLATE_NOOP("text", "not possible")},
 };
 

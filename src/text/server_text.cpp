@@ -42,10 +42,9 @@ constexpr std::array serverKinds{
         "tls",
         QT_TRANSLATE_NOOP("text", "the history server and this computer cannot agree on "
                                   "encryption"),
-        QT_TRANSLATE_NOOP(
-            "text",
-            "One side requires TLS and the other does not offer it. Servers on other computers "
-            "must use TLS (sslmode=verify-full) unless sslmode specifies otherwise."),
+        QT_TRANSLATE_NOOP("text",
+                          "One side requires TLS and the other does not offer it. By default, "
+                          "servers on other computers must use TLS (sslmode=verify-full)."),
         QT_TRANSLATE_NOOP("text", "Enable TLS on the server (ssl = on). On a trusted network, you "
                                   "can use sslmode=disable in the connection string instead; all "
                                   "data is then sent unencrypted.")},
@@ -79,14 +78,15 @@ constexpr std::array serverKinds{
         QT_TRANSLATE_NOOP("text", "the connection string contains a parameter that is "
                                   "not accepted"),
         QT_TRANSLATE_NOOP("text", "The parameter is misspelled, or it might contain a password."),
-        QT_TRANSLATE_NOOP("text", "Use host, hostaddr, port, dbname, user, service, "
-                                  "connect_timeout, application_name, "
-                                  "target_session_attrs and the parameters that begin "
-                                  "with ssl, gss or keepalives.")},
-    RefusalText{"refused", QT_TRANSLATE_NOOP("text", "the history server rejects the login"),
-                QT_TRANSLATE_NOOP("text", "The server states the reason in its own language."),
-                QT_TRANSLATE_NOOP("text", "Check the user, password and database in the connection "
-                                          "string, and check the server's log.")},
+        QT_TRANSLATE_NOOP("text", "Use only host, hostaddr, port, dbname, user, service, "
+                                  "connect_timeout, application_name, target_session_attrs and "
+                                  "parameters that begin with ssl, gss or keepalives.")},
+    RefusalText{
+        "refused", QT_TRANSLATE_NOOP("text", "the history server rejects the login"),
+        QT_TRANSLATE_NOOP(
+            "text", "The server's message gives the reason, in the language set on the server."),
+        QT_TRANSLATE_NOOP("text", "Check the user, password and database in the connection "
+                                  "string, and check the server's log.")},
     RefusalText{"driver",
                 QT_TRANSLATE_NOOP("text", "this computer cannot connect to PostgreSQL servers"),
                 QT_TRANSLATE_NOOP("text", "Qt's PostgreSQL driver is not installed."),
@@ -130,8 +130,8 @@ constexpr std::array serverKinds{
                                   "problem continues, check the server.")},
     RefusalText{"full", QT_TRANSLATE_NOOP("text", "the disk of the history server is full"),
                 QT_TRANSLATE_NOOP("text", "There is no space left for the database tables."),
-                QT_TRANSLATE_NOOP("text", "Free some space on the server. Until then, data is kept "
-                                          "on this computer and sent later.")},
+                QT_TRANSLATE_NOOP("text", "Free up some space on the server. Until then, data is "
+                                          "kept on this computer; it will be sent later.")},
     RefusalText{
         "string", QT_TRANSLATE_NOOP("text", "this is not a valid PostgreSQL connection string"),
         QT_TRANSLATE_NOOP(

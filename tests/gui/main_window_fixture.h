@@ -102,6 +102,13 @@ public:
         return window->findChild<Widget*>(QString::fromLatin1(name));
     }
 
+    /// A page is made when it is first shown.
+    bool isShown(const char* name)
+    {
+        const auto* widget = find<QWidget>(name);
+        return widget != nullptr && widget->isVisible();
+    }
+
     /// The one that is asked, soon; null: none.
     QDialog* question()
     {

@@ -102,12 +102,11 @@ void AppearanceButtons::retranslate()
     const QString name = hasFont ? QStringLiteral("中") : QStringLiteral("ZH");
     m_languageButton->setText(m_language.chinese() ? name + QStringLiteral(" / EN")
                                                    : QStringLiteral("EN / ") + name);
-    m_languageButton->setToolTip(
-        hasFont ? tr("Switch between English and Chinese")
-                : tr("Switch between English and Chinese. No Chinese font is installed (Debian: "
-                     "fonts-noto-cjk)."));
+    m_languageButton->setToolTip(hasFont ? tr("Switches between English and Chinese")
+                                         : tr("Switches between English and Chinese; no Chinese "
+                                              "font is installed (Debian: fonts-noto-cjk)"));
     m_languageButton->setAccessibleName(tr("Language"));
-    m_themeButton->setToolTip(tr("Switch between light and dark"));
+    m_themeButton->setToolTip(tr("Switches between the light and dark themes"));
     m_themeButton->setAccessibleName(tr("Theme"));
 }
 } // namespace ui

@@ -100,7 +100,7 @@ Question CloseConfirmation::openWritesQuestion(const QStringList& ids, const QSt
                             : tr("A write is unfinished. Disconnect anyway?");
     if (!ids.isEmpty())
         question.text = tr("ID %1: the unfinished write is recorded in the journal. The next time "
-                           "you connect, ServoDesk offers to finish or undo it.")
+                           "you connect, ServoDesk will offer to finish or undo it.")
                             .arg(ids.join(QStringLiteral(", ")));
     question.acceptText = closes ? tr("Close") : tr("Disconnect");
     if (!open.isEmpty()) {
@@ -118,8 +118,8 @@ Question CloseConfirmation::openWritesQuestion(const QStringList& ids, const QSt
     if (!open.isEmpty() && connected) {
         question.acceptText = closes ? tr("Lock and close") : tr("Lock and disconnect");
         question.alternativeText = tr("Leave unlocked");
-        question.alternativeToolTip = tr(
-            "The EPROM stays unlocked: settings written by any program are kept after power-off.");
+        question.alternativeToolTip = tr("The EPROM stays unlocked, so settings written by any "
+                                         "program are kept after power-off.");
     }
     return question;
 }
@@ -158,12 +158,11 @@ void CloseConfirmation::handleMotion(const std::vector<MovingServo>& moving)
         question.title =
             one ? tr("Servo %1 is turning. Stop it before disconnecting?").arg(which)
                 : tr("Servos %1 are turning. Stop them before disconnecting?").arg(which);
-    question.text = tr("Stopping ends the movement; torque stays on if the servo can hold its "
-                       "position.");
-    question.risk = endless ? tr("A servo that keeps turning does not stop on its own, and "
-                                 "ServoDesk can no longer stop it.")
-                            : tr("A servo that keeps moving continues to its goal, and ServoDesk "
-                                 "can no longer stop it.");
+    question.text = tr("Once stopped, a servo keeps its torque on if it can hold its position.");
+    question.risk = endless ? tr("If not stopped now, the servo will keep turning, and ServoDesk "
+                                 "will no longer be able to stop it.")
+                            : tr("If not stopped now, the servo will continue to its goal, and "
+                                 "ServoDesk will no longer be able to stop it.");
     question.acceptText = closes ? tr("Stop and close") : tr("Stop and disconnect");
     question.alternativeText = tr("Do not stop");
     question.alternativeToolTip = question.risk;

@@ -148,7 +148,7 @@ EventText exchanged(const Event& event, const session::ServoRegistry& registry)
                               ? servo->servo.profile->modelName
                               : text::translate("EventText", "unknown model");
     EventText eventText =
-        withWarning(text::translate("EventText", "Another servo replies with ID %1: %2")
+        withWarning(text::translate("EventText", "A different servo now replies with ID %1: %2")
                         .arg(event.id)
                         .arg(model));
     eventText.details << text::translate("EventText",
@@ -186,11 +186,11 @@ EventText stopChecked(const Event& event, const session::ServoRegistry& registry
     if (bad.isEmpty())
         return good(text::translate("EventText", "Emergency stop confirmed: torque is off, ID %1")
                         .arg(idsOf(stop.off, registry)));
-    EventText eventText{
-        text::translate("EventText", "Emergency stop check: %1").arg(text::joinClauses(bad)),
-        {},
-        Tone::Bad,
-        QStringLiteral("✗")};
+    EventText eventText{text::translate("EventText", "Emergency stop not confirmed: %1")
+                            .arg(text::joinClauses(bad)),
+                        {},
+                        Tone::Bad,
+                        QStringLiteral("✗")};
     if (!stop.stillOn.empty() || !stop.silent.empty())
         eventText.details << text::translate("EventText",
                                              "Keep clear. If in doubt, turn off the power supply.");
@@ -206,7 +206,7 @@ EventText stopSent(const Event& event)
 {
     if (!event.isPending)
         return withWarning(
-            text::translate("EventText", "Emergency stop: torque off sent to all servos"));
+            text::translate("EventText", "Emergency stop: torque-off command sent to all servos"));
     return {text::translate("EventText", "Emergency stop not sent yet: the connection is lost."),
             {supplyOff(),
              text::translate(
@@ -369,7 +369,7 @@ QString taskLabel(const QString& task)
         {"torque", QT_TRANSLATE_NOOP("EventText", "torque")},
         {"halt", QT_TRANSLATE_NOOP("EventText", "stop motion")},
         {"mode", QT_TRANSLATE_NOOP("EventText", "change mode")},
-        {"plan-mode", QT_TRANSLATE_NOOP("EventText", "check mode")},
+        {"plan-mode", QT_TRANSLATE_NOOP("EventText", "preview mode change")},
         {"clear-alarm", QT_TRANSLATE_NOOP("EventText", "clear alarm")},
         {"close-lock", QT_TRANSLATE_NOOP("EventText", "lock the EPROM")},
         {"recover", QT_TRANSLATE_NOOP("EventText", "interrupted writes")},
@@ -382,7 +382,7 @@ QString taskLabel(const QString& task)
         {"snapshot", QT_TRANSLATE_NOOP("EventText", "take snapshot")},
         {"dry-run", QT_TRANSLATE_NOOP("EventText", "dry run")},
         {"free-ids", QT_TRANSLATE_NOOP("EventText", "search for unused IDs")},
-        {"stop-check", QT_TRANSLATE_NOOP("EventText", "confirm stop")},
+        {"stop-check", QT_TRANSLATE_NOOP("EventText", "verify emergency stop")},
         {"motion", QT_TRANSLATE_NOOP("EventText", "check for motion")},
         {"lock", QT_TRANSLATE_NOOP("EventText", "lock the EPROM")},
     };

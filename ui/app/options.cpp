@@ -25,7 +25,7 @@ constexpr OptionRow rows[] = {
     {"select", QT_TRANSLATE_NOOP("Options", "ID of the servo to select"), "ID"},
     {"screenshot", QT_TRANSLATE_NOOP("Options", "save a screenshot of the window to this PNG file and quit"), "FILE"},
     {"size", QT_TRANSLATE_NOOP("Options", "window size, for example 1280x800"), "SIZE"},
-    {"after", QT_TRANSLATE_NOOP("Options", "delay before the screenshot in milliseconds"), "MS"},
+    {"after", QT_TRANSLATE_NOOP("Options", "delay before the screenshot, in milliseconds"), "MS"},
 };
 // clang-format on
 
@@ -70,7 +70,9 @@ void takeSize(const QString& size, ParsedOptions& parsed)
         parsed.options.size = {match.captured(1).toInt(), match.captured(2).toInt()};
     else if (!size.isEmpty())
         parsed.error =
-            text::translate("Options", "--size: \"%1\" is not a size such as 1280x800").arg(size);
+            text::translate("Options",
+                            "--size: \"%1\" is not a valid window size (for example, 1280x800)")
+                .arg(size);
 }
 
 void takeTheme(const QString& theme, ParsedOptions& parsed)

@@ -44,35 +44,60 @@ constexpr std::array allPages{
          QT_TRANSLATE_NOOP("ui::Pages", "Set up servos one at a time")},
     Page{"history", Command::PageHistory, QT_TRANSLATE_NOOP("ui::Pages", "History"),
          QT_TRANSLATE_NOOP("ui::Pages", "All writes, snapshots, tests and alarms")}};
+
+template <typename Page>
+Page* makePage(AppContext& context, session::Settings& settings, QWidget* parent)
+{
+    return new Page(context, settings, parent);
+}
+
+template <>
+MemoryPage* makePage(AppContext& context, session::Settings& settings, QWidget* parent)
+{
+    return new MemoryPage(context.workbench, context.commands, context.selection, settings, parent);
+}
 } // namespace
 
-/// A page made as a child of the stack that will hold it is laid out and styled once; as a child of
-/// the tabs, all its widgets would get their style a second time when it moves into the stack.
 Pages::Pages(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QTabWidget(parent)
+    , m_context(appContext)
+    , m_settings(settings)
 {
-    auto* stack = findChild<QStackedWidget*>();
-    m_operate = new OperatePage(appContext, settings, stack);
-    m_trend = m_operate->trend();
     setObjectName(QStringLiteral("pages"));
     setDocumentMode(true);
     tabBar()->setDrawBase(false);
-    auto* memory = new MemoryPage(appContext.workbench, appContext.commands, appContext.selection,
-                                  settings, stack);
-    auto* sweep = new SweepPage(appContext, settings, stack);
-    m_step = new StepPage(appContext, settings, stack);
-    m_snapshots = new SnapshotsPage(appContext, settings, stack);
-    auto* commission = new CommissionPage(appContext, settings, stack);
-    m_history = new HistoryPage(appContext, settings, stack);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_operate, memory, sweep, m_step,
-                                                         m_snapshots, commission, m_history})
-        addTab(page, QString());
-    for (int i = 0; i < count(); ++i)
-        widget(i)->layout()->setContentsMargins(cardMargin, cardMargin, cardMargin, cardMargin);
-    connectCommands(appContext.commands);
-    connectHistory(appContext.commands);
-    connect(sweep, &SweepPage::previousTestsRequested,
-            appContext.commands.action(Command::PreviousTests), &QAction::trigger);
+    m_operate = add<OperatePage>(&Pages::connectOperate);
+    m_memory = add<MemoryPage>();
+    add<SweepPage>(&Pages::connectSweep);
+    m_step = add<StepPage>();
+    m_snapshots = add<SnapshotsPage>();
+    add<CommissionPage>();
+    m_history = add<HistoryPage>(&Pages::connectHistory);
+    connectCommands();
+}
+
+/// As a child of the stack that will hold it, a page is laid out and styled once; as a child of the
+/// tabs, all its widgets would get their style a second time when it moves into the stack.
+template <typename Page>
+LazyPage<Page>* Pages::add(void (Pages::*connectPage)(Page&))
+{
+    auto* tab = new LazyPage<Page>(
+        [this, connectPage](QWidget* parent) {
+            auto* page = makePage<Page>(m_context, m_settings, parent);
+            if (connectPage != nullptr)
+                (this->*connectPage)(*page);
+            return page;
+        },
+        findChild<QStackedWidget*>());
+    addTab(tab, QString());
+    return tab;
+}
+
+template <typename Page>
+Page& Pages::open(LazyPage<Page>* page)
+{
+    setCurrentWidget(page);
+    return page->page();
 }
 
 void Pages::open(const QString& name)
@@ -89,7 +114,8 @@ void Pages::open(const QString& name)
 
 bool Pages::isUsableWithoutServo() const
 {
-    return m_openedWithoutServo || m_trend->isReplaying();
+    return m_openedWithoutServo ||
+           (m_operate->isMade() && m_operate->page().trend()->isReplaying());
 }
 
 void Pages::openWithoutServo(QWidget* page)
@@ -99,43 +125,58 @@ void Pages::openWithoutServo(QWidget* page)
     Q_EMIT usableWithoutServo();
 }
 
-void Pages::connectCommands(const Commands& commands)
+TrendPanel& Pages::openTrend()
 {
+    return *open(m_operate).trend();
+}
+
+void Pages::connectCommands()
+{
+    const Commands& commands = m_context.commands;
     for (const Page& page : allPages) {
         connect(commands.action(page.command), &QAction::triggered, this,
                 [this, name = QString::fromLatin1(page.name)] { open(name); });
     }
-    const auto on = [&](Command command, QWidget* page, auto slot) {
-        connect(commands.action(command), &QAction::triggered, this, [this, page, slot] {
-            setCurrentWidget(page);
-            slot();
-        });
+    const auto on = [&](Command command, auto slot) {
+        connect(commands.action(command), &QAction::triggered, this, slot);
     };
-    on(Command::TakeSnapshot, m_snapshots, [this] { m_snapshots->takeSnapshot(); });
-    on(Command::PauseTrend, m_operate, [this] { m_trend->toggleFollowing(); });
-    on(Command::Record, m_operate, [this] { m_trend->toggleRecording(); });
-    on(Command::OpenRecording, m_operate, [this] { m_trend->openRecording(); });
-    connect(m_trend, &TrendPanel::replayShown, this, &Pages::usableWithoutServo);
+    on(Command::TakeSnapshot, [this] { open(m_snapshots).takeSnapshot(); });
+    on(Command::PauseTrend, [this] { openTrend().toggleFollowing(); });
+    on(Command::Record, [this] { openTrend().toggleRecording(); });
+    on(Command::OpenRecording, [this] { openTrend().openRecording(); });
+}
+
+void Pages::connectOperate(OperatePage& page)
+{
+    connect(page.trend(), &TrendPanel::replayShown, this, &Pages::usableWithoutServo);
+}
+
+void Pages::connectSweep(SweepPage& page)
+{
+    connect(&page, &SweepPage::previousTestsRequested,
+            m_context.commands.action(Command::PreviousTests), &QAction::trigger);
 }
 
 /// What is found in the history is opened where it can be used.
-void Pages::connectHistory(const Commands& commands)
+void Pages::connectHistory(HistoryPage& page)
 {
-    connect(m_history, &HistoryPage::snapshotRequested, this, [this](std::int64_t number) {
-        setCurrentWidget(m_snapshots);
-        m_snapshots->showHistorySnapshot(number);
-    });
-    connect(m_history, &HistoryPage::tableRequested, this,
+    connect(&page, &HistoryPage::snapshotRequested, this,
+            [this](std::int64_t number) { open(m_snapshots).showHistorySnapshot(number); });
+    connect(&page, &HistoryPage::tableRequested, this,
             [this](const session::SharedSnapshot& table, const QString& title) {
-                setCurrentWidget(m_snapshots);
-                m_snapshots->showTable(table, title);
+                open(m_snapshots).showTable(table, title);
             });
-    connect(m_history, &HistoryPage::stepResponseRequested, this, [this](std::int64_t number) {
-        setCurrentWidget(m_step);
-        m_step->openStored({number});
-    });
-    connect(m_history, &HistoryPage::previousTestsRequested,
-            commands.action(Command::PreviousTests), &QAction::trigger);
+    connect(&page, &HistoryPage::stepResponseRequested, this,
+            [this](std::int64_t number) { open(m_step).openStored({number}); });
+    connect(&page, &HistoryPage::previousTestsRequested,
+            m_context.commands.action(Command::PreviousTests), &QAction::trigger);
+}
+
+void Pages::showEvent(QShowEvent* event)
+{
+    m_operate->page();
+    m_memory->page();
+    QTabWidget::showEvent(event);
 }
 
 /// The strip of the tabs belongs to the window's bars, not to the ground of the pages.

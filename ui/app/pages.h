@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of the window as tabs, and the commands and requests that lead from one to another.
-// Owned by the window, which shows them once there is something to show; main thread.
+// A page is made when it is first needed; operate and memory, which read the selected servo
+// whatever page is shown, with the first of them. Owned by the window, which shows them once there
+// is something to show; main thread.
 #pragma once
 
 #include "session/settings.h"
+#include "ui/app/lazy_page.h"
 #include "ui/common/app_context.h"
 
 #include <QTabWidget>
 
 namespace ui {
 class HistoryPage;
+class MemoryPage;
 class OperatePage;
 class SnapshotsPage;
 class StepPage;
+class SweepPage;
 class TrendPanel;
 
 class Pages final : public QTabWidget {
@@ -32,17 +37,27 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
-    void connectCommands(const Commands& commands);
-    void connectHistory(const Commands& commands);
+    template <typename Page>
+    LazyPage<Page>* add(void (Pages::*connectPage)(Page&) = nullptr);
+    template <typename Page>
+    Page& open(LazyPage<Page>* page);
+    void connectOperate(OperatePage& page);
+    void connectSweep(SweepPage& page);
+    void connectHistory(HistoryPage& page);
+    void connectCommands();
+    TrendPanel& openTrend();
     void openWithoutServo(QWidget* page);
 
-    OperatePage* m_operate;
-    StepPage* m_step;
-    SnapshotsPage* m_snapshots;
-    HistoryPage* m_history;
-    TrendPanel* m_trend;
+    AppContext& m_context;
+    session::Settings& m_settings;
+    LazyPage<OperatePage>* m_operate = nullptr;
+    LazyPage<MemoryPage>* m_memory = nullptr;
+    LazyPage<StepPage>* m_step = nullptr;
+    LazyPage<SnapshotsPage>* m_snapshots = nullptr;
+    LazyPage<HistoryPage>* m_history = nullptr;
     bool m_openedWithoutServo = false;
 };
 } // namespace ui

@@ -9,6 +9,7 @@
 #include "ui/common/theme.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QIcon>
 #include <QPixmap>
 #include <QTimer>
@@ -36,7 +37,8 @@ void screenshotLater(MainWindow& window, const Options& options)
     if (options.screenshot.isEmpty())
         return;
     QTimer::singleShot(options.afterMs, &window, [&window, file = options.screenshot] {
-        const bool saved = window.grab().save(file, "PNG");
+        const char* format = QFileInfo(file).suffix().isEmpty() ? "PNG" : nullptr;
+        const bool saved = window.grab().save(file, format);
         if (!saved)
             print(stderr, QStringLiteral("%1: the screenshot could not be written\n").arg(file));
         QCoreApplication::exit(saved ? 0 : 1);

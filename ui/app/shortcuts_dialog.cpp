@@ -30,7 +30,7 @@ ShortcutsDialog::ShortcutsDialog(const Commands& commands, QWidget* parent)
     list->setAccessibleName(tr("Keyboard shortcuts"));
     list->setToolTip(tr("Lists all shortcuts"));
     list->setRootIsDecorated(false);
-    list->setHeaderLabels({tr("Keys"), tr("Command"), tr("Action")});
+    list->setHeaderLabels({tr("Keys"), tr("Command"), tr("Description")});
     addRow(*list, QStringLiteral("Esc"), tr("All torque off"),
            tr("Immediately turns torque off on the whole bus. In a field of the motion panel, Esc "
               "also shows the present value again. In a menu, a dialog or a table cell being "

@@ -81,7 +81,8 @@ void CursorTable::retranslate()
         tr("Slope of the least-squares line through the samples, per second"));
     m_table->horizontalHeaderItem(Sigma)->setToolTip(tr("Standard deviation of the samples"));
     m_table->horizontalHeaderItem(Count)->setToolTip(
-        tr("Number of samples between A and B; ≈: for some of them, only the extremes are stored"));
+        tr("Number of samples between A and B; ≈ means that only the extremes of some of them are "
+           "stored"));
     for (int column = AtA; column < ColumnCount; ++column)
         m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     refresh();

@@ -21,7 +21,9 @@ struct TrendChannel {
     bool visible = true;
     bool steps = false;  ///< holds its value until the next sample: goals, flags
     bool dashed = false; ///< a goal, beside what is measured
-    double scale = 1.0;  ///< drawn as value × scale + offset; cursors show the value itself
+    /// Earlier values do not widen the value axis: goals of a time without torque.
+    base::Duration axisFrom = base::Duration::min();
+    double scale = 1.0; ///< drawn as value × scale + offset; cursors show the value itself
     double offset = 0.0;
 };
 

@@ -224,9 +224,8 @@ void TrendChart::retranslate()
         tr("Drag: pan. Wheel: zoom time. Shift+wheel: zoom values. Ctrl+drag: zoom into a box. "
            "Double-click: show all. Backspace: previous view. Space: pause."));
     m_private->overview->setAccessibleName(tr("Whole recording"));
-    m_private->overview->setToolTip(
-        tr("All recorded data. Drag the frame to show another part, or its edges to show more or "
-           "less."));
+    m_private->overview->setToolTip(tr("All recorded data; drag the frame to show another part, or "
+                                       "drag its edges to show more or less."));
     m_private->showNotice();
 }
 

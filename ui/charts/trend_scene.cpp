@@ -23,10 +23,11 @@ bool hasTrace(const TrendChannel& channel)
     return channel.visible && channel.id >= 0;
 }
 
-/// Of what is drawn; a scale may turn it upside down.
-std::optional<AxisRange> extremes(const TrendState& state, const TrendChannel& channel)
+/// Of what is drawn in `span`; a scale may turn it upside down.
+std::optional<AxisRange> extremes(const TrendState& state, const TrendChannel& channel,
+                                  const recording::TimeSpan& span)
 {
-    const auto range = state.store->range(channel.id, state.view.span());
+    const auto range = state.store->range(channel.id, span);
     if (!range)
         return {};
     const double a = range->first * channel.scale + channel.offset;
@@ -245,16 +246,25 @@ void TrendScene::showLaneLabels()
 /// Of the visible curves of one axis.
 std::optional<AxisRange> TrendScene::rangeInView(const QString& unit) const
 {
-    std::optional<AxisRange> range;
+    std::optional<AxisRange> range; // of what the axis is for
+    std::optional<AxisRange> whole;
+    const auto add = [](std::optional<AxisRange>& to, const std::optional<AxisRange>& seen) {
+        if (seen)
+            to = to ? AxisRange{std::min(to->low, seen->low), std::max(to->high, seen->high)}
+                    : *seen;
+    };
     for (const TrendChannel& channel : m_state.channels) {
         if (!hasTrace(channel) || channel.unit != unit)
             continue;
-        if (const auto seen = extremes(m_state, channel))
-            range = range ? AxisRange{std::min(range->low, seen->low),
-                                      std::max(range->high, seen->high)}
-                          : *seen;
+        const recording::TimeSpan& view = m_state.view.span();
+        const std::optional<AxisRange> seen = extremes(m_state, channel, view);
+        add(whole, seen);
+        if (channel.axisFrom <= view.from)
+            add(range, seen);
+        else if (channel.axisFrom <= view.to)
+            add(range, extremes(m_state, channel, {channel.axisFrom, view.to}));
     }
-    return range;
+    return range ? range : whole;
 }
 
 void TrendScene::rangeAxes(Axes how)

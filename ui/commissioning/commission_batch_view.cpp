@@ -141,12 +141,12 @@ void CommissionBatchView::retranslate()
     m_emptyLabel->setText(
         tr("No servo has been set up yet. Click Start, then connect the first servo."));
     setAccessText(m_table, tr("Servos in the batch"),
-                  tr("One line per servo, as in the batch file"));
+                  tr("One row per servo, as in the batch file"));
     setButtonText(m_copy, tr("Copy labels"),
                   tr("Copies the labels of the selected servos, or of all servos if none is "
                      "selected, one per line"));
     setButtonText(m_report, tr("Save report…"),
-                  tr("Saves the batch as a page to hand over with the servos"));
+                  tr("Saves the batch as a report to hand over with the servos"));
     m_model.retranslate();
     showSummary();
 }

@@ -162,7 +162,7 @@ void CommissionForm::chooseTemplate()
 void CommissionForm::chooseBatch()
 {
     FileRequest request{
-        QStringLiteral("commissionBatchDialog"), tr("Batch"), {tr("Lists (*.csv)")}};
+        QStringLiteral("commissionBatchDialog"), tr("Batch"), {tr("Batch files (*.csv)")}};
     request.asksBeforeOverwrite = false; // an existing batch is continued
     askForSavePath(this, request, [this](const QString& path) { m_batch->setText(path); });
 }
@@ -185,7 +185,7 @@ bool CommissionForm::arePathsValid() const
 QString CommissionForm::pathProblem() const
 {
     if (m_batch->text().isEmpty())
-        return tr("Specify the batch list file.");
+        return tr("Specify the batch file.");
     if (!arePathsValid())
         return tr("The file name contains a character that is not allowed.");
     return {};
@@ -207,8 +207,9 @@ void CommissionForm::setDangerousKeys(const QStringList& keys)
 
 void CommissionForm::showDangerousKeys()
 {
-    m_dangerous->setToolTip(tr("A wrong value can make a servo unreachable or dangerous: %1")
-                                .arg(m_dangerousKeys.join(QStringLiteral(", "))));
+    m_dangerous->setToolTip(
+        tr("A wrong value in these rows can make a servo unreachable or dangerous: %1")
+            .arg(m_dangerousKeys.join(QStringLiteral(", "))));
 }
 
 bool CommissionForm::isDangerousIncluded() const
@@ -239,7 +240,7 @@ void CommissionForm::retranslate()
         setAccessText(control, name, tip);
     };
     field(m_batch->parentWidget(), m_batch, tr("Batch"),
-          tr("Batch list file (CSV); an existing batch is resumed"));
+          tr("Batch file (CSV); an existing batch is resumed"));
     field(m_template->parentWidget(), m_template, tr("Template"),
           tr("Snapshot or template written to every servo; leave empty for none"));
     field(m_firstId, m_firstId, tr("First ID"),
@@ -247,8 +248,9 @@ void CommissionForm::retranslate()
     field(m_lastId, m_lastId, tr("Last ID"),
           tr("Commissioning ends when this ID has been assigned"));
     field(m_rate, m_rate, tr("Baud rate"), tr("Baud rate to set on every servo"));
-    field(m_label, m_label, tr("Label"),
-          tr("Label text: {model} {id} {rate} {baud} {firmware} {date} {was_id}"));
+    field(
+        m_label, m_label, tr("Label"),
+        tr("Label text, with placeholders: {model} {id} {rate} {baud} {firmware} {date} {was_id}"));
     const QString browseBatch = tr("Select the batch file");
     setAccessText(m_browseBatch, browseBatch, browseBatch);
     const QString browseTemplate = tr("Select the template");
@@ -257,9 +259,9 @@ void CommissionForm::retranslate()
     setButtonText(m_center, tr("Set the present position as the midpoint"),
                   tr("Only for servos with a command to set the midpoint; move the horn to the "
                      "midpoint first"));
-    setButtonText(
-        m_automatic, tr("Set up without confirmation"),
-        tr("Sets up each servo without asking; servos with an alarm or a mismatch are set aside"));
+    setButtonText(m_automatic, tr("Set up without confirmation"),
+                  tr("Sets up each servo without asking; servos with an alarm or another problem "
+                     "are set aside"));
     m_dangerous->setText(tr("Include the template's dangerous rows"));
     m_dangerous->setAccessibleName(m_dangerous->text());
     showDangerousKeys();

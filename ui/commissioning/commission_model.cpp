@@ -143,7 +143,7 @@ QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, i
     case After:
         return tr("Now");
     case Written:
-        return tr("Settings");
+        return tr("Settings written");
     case Voltage:
         return tr("Voltage");
     default:

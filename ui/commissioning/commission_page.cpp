@@ -187,7 +187,7 @@ void CommissionPage::askForConfirmation()
     question.text = tr("The template contains: %1")
                         .arg(m_commissioning.files().dangerous.join(QStringLiteral(", ")));
     question.risk = tr("A wrong value can make a servo unreachable or dangerous, and these rows "
-                       "are written to every servo in the batch.");
+                       "will be written to every servo in the batch.");
     question.acceptText = tr("Write anyway");
     question.guard = this;
     ask(this, question, [this] {
@@ -218,7 +218,7 @@ void CommissionPage::askForReportPath()
         this,
         {QStringLiteral("commissionReportDialog"),
          tr("Save the report"),
-         {tr("Page to print (*.pdf)"), tr("Web page (*.html)")},
+         {tr("Printable page (*.pdf)"), tr("Web page (*.html)")},
          QFileInfo(m_commissioning.csvPath()).completeBaseName() + QStringLiteral(".pdf"),
          &m_settings,
          reportFolderKey()},
@@ -228,7 +228,7 @@ void CommissionPage::askForReportPath()
 QString CommissionPage::blockedReason() const
 {
     if (m_workbench.link().state() != session::LinkState::Open)
-        return tr("Connect first.");
+        return tr("Connect to a port first.");
     if (const QString problem = m_form->pathProblem(); !problem.isEmpty())
         return problem;
     if (m_commissioning.files().batchError)

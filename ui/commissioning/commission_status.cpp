@@ -126,10 +126,10 @@ QString CommissionStatus::headline() const
         return tr("Connect the next servo");
     case CommissionStep::Blocked:
         if (view.obstacle == jobs::CommissionObstacle::DuplicateId)
-            return tr("Several servos reply: disconnect all but one");
+            return tr("Several servos are replying: disconnect all but one");
         if (view.obstacle == jobs::CommissionObstacle::DuplicateIds)
             return tr("Two servos with the same ID: disconnect one");
-        return tr("A servo replies but cannot be identified");
+        return tr("A servo is replying but cannot be identified");
     case CommissionStep::Confirm:
         return tr("Set up as ID %1?").arg(view.newId);
     case CommissionStep::Unplug:
@@ -163,17 +163,17 @@ QString CommissionStatus::pendingQuestionText() const
 {
     const jobs::CommissionView& view = m_commissioning.view();
     if (view.isResumed)
-        return tr("Setup of a servo of this model was not finished in this batch. Continue only if "
-                  "the connected servo is that one.");
+        return tr("This batch contains an unfinished servo of the same model. Continue only if it "
+                  "is the one that is connected now.");
     if (view.candidateId < 0)
         return {};
     if (view.candidateId == view.newId)
-        return tr("Setup of a servo of this model was not finished, and no IDs are left for other "
-                  "servos. If the connected servo is the unfinished one, click \"%1\".")
+        return tr("One servo of this model is still unfinished, and no IDs are left for other "
+                  "servos. If it is the one that is connected now, click \"%1\".")
             .arg(m_same->text());
-    return tr("Setup of a servo of this model was not finished; its assigned ID is %1. If the "
-              "connected servo is the unfinished one, click \"%2\"; otherwise the connected servo "
-              "is set up as a new one.")
+    return tr("One servo of this model is still unfinished; its assigned ID is %1. If it is the "
+              "one that is connected now, click \"%2\"; otherwise, the connected servo will be set "
+              "up as a new one.")
         .arg(view.candidateId)
         .arg(m_same->text());
 }
@@ -181,8 +181,9 @@ QString CommissionStatus::pendingQuestionText() const
 QString CommissionStatus::stoppedDetail() const
 {
     if (!m_hasEnded)
-        return tr("Connect one servo at a time. Each servo receives the template, an ID and the "
-                  "baud rate; it is then checked and recorded in the batch. Nothing moves.");
+        return tr(
+            "Connect one servo at a time. Each servo receives the template, an ID and the baud "
+            "rate; it is then checked and recorded in the batch. The servos do not move.");
     if (!m_commissioning.batch().pending.empty())
         return unfinishedText();
     return m_search.isSearching()
@@ -213,7 +214,7 @@ QString CommissionStatus::detail() const
     QStringList parts{servoText()};
     for (const jobs::DetectedServo& one : view.detected)
         parts.append(tr("%1 with ID %2, %3 baud")
-                         .arg(one.model.isEmpty() ? tr("unidentified") : one.model)
+                         .arg(one.model.isEmpty() ? tr("unidentified servo") : one.model)
                          .arg(one.place.id)
                          .arg(one.place.baud));
     if (view.step == CommissionStep::Waiting && view.newId >= 0)
@@ -280,8 +281,7 @@ void CommissionStatus::retranslate()
 {
     m_steps->setSteps({tr("Connect"), tr("Identify"), tr("Write"), tr("Check"), tr("Disconnect")});
     setButtonText(m_same, tr("Resume setup"),
-                  tr("Confirms that this is the servo whose setup was not finished, and gives it "
-                     "its assigned ID"));
+                  tr("Confirms that this is the unfinished servo, and sets its assigned ID"));
     setButtonText(m_aside, tr("Set aside"),
                   tr("Writes nothing to this servo and records it in the batch as set aside"));
     showView();

@@ -257,15 +257,15 @@ void ConnectBar::showStatistics()
     if (connection != nullptr && connection->bus().isReconnecting()) {
         return m_status->setState(Tone::Warn, tr("adapter disconnected, waiting up to 5 s"),
                                   tr("waiting…"),
-                                  tr("The adapter was unplugged or has no power. A running test "
-                                     "continues when the adapter is back; torque is not turned on "
-                                     "again on servos that have rebooted in the meantime."));
+                                  tr("The adapter was unplugged or lost power. A running test will "
+                                     "continue when the adapter is back, but torque will not be "
+                                     "turned back on for servos that rebooted in the meantime."));
     }
     const LinkMeter::Values& now = m_meter.values();
     const bus::Statistics sum = m_workbench.link().statistics();
     const auto figure = [this](auto value) { return locale().toString(qulonglong(value)); };
-    const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · bus %3 %")
-                                           : tr("%1 reads/s · %2 errors · bus %3 %"))
+    const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · bus load %3 %")
+                                           : tr("%1 reads/s · %2 errors · bus load %3 %"))
                               .arg(figure(now.readsPerSecond), figure(now.errors))
                               .arg(qRound(now.busLoad * 100));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
@@ -289,14 +289,14 @@ void ConnectBar::retranslate()
 {
     m_baud->setItemText(0, tr("Baud: auto"));
     m_baud->setAccessibleName(tr("Baud rate"));
-    m_baud->setToolTip(tr("Baud rate of the port. Auto: the factory baud rate of servos that use "
-                          "the selected protocol"));
+    m_baud->setToolTip(tr("Baud rate of the port (auto: the factory baud rate of servos that use "
+                          "the selected protocol)"));
     m_protocol->setItemText(0, tr("Protocol: auto"));
     for (std::size_t i = 0; i < base::allProtocols.size(); ++i)
         m_protocol->setItemText(int(i) + 1, text::protocolText(base::allProtocols[i]));
     m_protocol->setAccessibleName(tr("Protocol"));
-    m_protocol->setToolTip(
-        tr("Protocol of the servos. Auto: tries all protocols that are possible at the baud rate"));
+    m_protocol->setToolTip(tr("Protocol of the servos (auto: tries all protocols that are possible "
+                              "at the selected baud rate)"));
     const QString set = m_options->isDefault() ? QString() : tr(" (changed)");
     m_more->setText(m_options->isDefault() ? QStringLiteral("…") : QStringLiteral("…*"));
     m_more->setToolButtonStyle(m_options->isDefault() ? Qt::ToolButtonIconOnly

@@ -94,10 +94,10 @@ void LinkOptions::retranslate()
     m_silence->setSuffix(tr(" µs"));
     name(m_parity, tr("Parity"), tr("Servos are set to no parity at the factory"));
     name(m_replyTimeout, tr("Timeout"),
-         tr("Time to wait for a reply, on top of the transmission time. Auto: adjusted to this "
-            "adapter; a servo counts as silent after 500 ms"));
+         tr("Time to wait for a reply, in addition to the transmission time (auto: adjusted to "
+            "this adapter; a servo counts as silent after 500 ms)"));
     name(m_silence, tr("Modbus frame gap"),
-         tr("Pause between Modbus frames. Auto: the standard pause for the baud rate"));
+         tr("Pause between Modbus frames (auto: the standard pause for the baud rate)"));
     name(m_retries, tr("Retries"),
          tr("Number of times a lost request is sent again, if it is safe to repeat"));
 }

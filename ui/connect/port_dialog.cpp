@@ -58,7 +58,7 @@ QString PortDialog::portFrom(const QString& portEntered)
 
 void PortDialog::retranslate()
 {
-    setWindowTitle(tr("Another port"));
+    setWindowTitle(tr("Other port"));
     m_label->setText(tr("Port path or TCP bridge address:"));
     m_edit->setPlaceholderText(tr("/dev/ttyUSB0 or tcp://192.168.1.20:4000"));
     m_edit->setToolTip(tr("For example /dev/ttyUSB0, /dev/serial/by-id/…, "

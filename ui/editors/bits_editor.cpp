@@ -186,12 +186,11 @@ void BitsEditor::retranslate()
     for (const Box& one : m_boxes) {
         const std::int64_t weight = std::int64_t{1} << one.bit;
         setButtonText(one.box, QStringLiteral("%1 (%2)").arg(bitLabel(one.bit)).arg(weight),
-                      isNamed(one.bit)
-                          ? tr("Bit %1, adds %2").arg(one.bit).arg(weight)
-                          : tr("Bit %1, adds %2; not named in the data sheet, so it is "
-                               "kept unchanged")
-                                .arg(one.bit)
-                                .arg(weight));
+                      isNamed(one.bit) ? tr("Bit %1, adds %2 to the value").arg(one.bit).arg(weight)
+                                       : tr("Bit %1, adds %2 to the value; not named in the data "
+                                            "sheet, so it is kept unchanged")
+                                             .arg(one.bit)
+                                             .arg(weight));
     }
 }
 

@@ -58,7 +58,7 @@ void RegisterEditor::markModified()
 QString RegisterEditor::keyHint() const
 {
     if (m_context.inCell)
-        return tr("Enter writes, Esc cancels.");
+        return tr("Press Enter to write or Esc to cancel.");
     const QString stops =
         tr("Esc turns torque off on the whole bus and shows the present value again.");
     return m_context.ownerHandlesEnter ? text::joinSentences({tr("Enter sends the value."), stops})

@@ -93,7 +93,7 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
 QString limitsRisk()
 {
     return translate("WriteQuestion",
-                     "With both angle limits at 0, the shaft can turn past any position.");
+                     "With both angle limits at 0, the shaft can turn without limit.");
 }
 
 QString roleRisk(const catalog::Register& reg, std::int64_t raw)
@@ -120,8 +120,9 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
             "WriteQuestion",
             "With protection turned off, the motor can burn out and the gears can break.");
     case Role::Phase:
-        return translate("WriteQuestion", "This changes the direction, feedback and drive of the "
-                                          "motor. A wrong value can make the motor run away.");
+        return translate("WriteQuestion",
+                         "This changes the direction, feedback and drive of the motor. A wrong "
+                         "value can make the motor run out of control.");
     case Role::PositionOffset:
     case Role::AngleResolution:
         return translate("WriteQuestion",

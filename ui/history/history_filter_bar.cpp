@@ -248,15 +248,15 @@ void HistoryFilterBar::retranslate()
                             HistoryFormatter::kindName(HistoryKind(m_kind->itemData(i).toInt())));
     setAccessText(m_servo, tr("Servo"), tr("Shows only entries for this servo"));
     setAccessText(m_register, tr("Register"), tr("Shows only writes to this register"));
-    const QString periods[] = {tr("Any time"),     tr("Today"),     tr("Last 7 days"),
-                               tr("Last 30 days"), tr("Last year"), tr("Custom range…")};
+    const QString periods[] = {tr("Any time"),     tr("Today"),         tr("Last 7 days"),
+                               tr("Last 30 days"), tr("Last 365 days"), tr("Custom range…")};
     for (int i = 0; i < m_period->count(); ++i)
         m_period->setItemText(i, periods[i]);
     setAccessText(m_period, tr("Time"), tr("Shows only entries from this period"));
     setAccessText(m_from, tr("From"), tr("First day"));
     setAccessText(m_until, tr("Until"), tr("Last day"));
-    setButtonText(m_onlyErrors, tr("Only problems"),
-                  tr("Failed writes, and alarms that are still active"));
+    setButtonText(m_onlyErrors, tr("Problems only"),
+                  tr("Shows only failed writes and alarms that are still active"));
     showSources();
 }
 

@@ -36,7 +36,7 @@ QString snapshotText(history::SnapshotReason reason)
     case history::SnapshotReason::Manual:
         return translate("History", "manual");
     case history::SnapshotReason::Bundle:
-        return translate("History", "all servos");
+        return translate("History", "bundle");
     case history::SnapshotReason::Commission:
         return translate("History", "before commissioning");
     }
@@ -119,8 +119,8 @@ QStringList HistoryFormatter::headers(HistoryKind kind)
         return {time,
                 servo,
                 translate("History", "Register"),
-                translate("History", "From"),
-                translate("History", "To"),
+                translate("History", "Old"),
+                translate("History", "New"),
                 translate("History", "Result"),
                 translate("History", "Type"),
                 translate("History", "Port")};

@@ -42,8 +42,8 @@ void HistorySendLabel::showState()
     case Phase::Waiting:
     case Phase::Sending:
         words = state.pending
-                    ? tr("%1: sending %Ln row(s)", nullptr, int(*state.pending)).arg(state.server)
-                    : tr("%1: sending").arg(state.server);
+                    ? tr("Sending %Ln row(s) to %1", nullptr, int(*state.pending)).arg(state.server)
+                    : tr("Sending to %1…").arg(state.server);
         break;
     case Phase::UpToDate:
         words = tr("✔ %1 is up to date").arg(state.server);

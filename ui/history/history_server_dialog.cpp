@@ -107,7 +107,8 @@ void HistoryServerDialog::retranslate()
     m_addressName->setText(tr("&Server"));
     m_address->setAccessibleName(tr("Server"));
     m_address->setPlaceholderText(QStringLiteral("postgresql://user@host/servodesk"));
-    m_address->setToolTip(tr("PostgreSQL connection string; leave empty to send no copies"));
+    m_address->setToolTip(
+        tr("PostgreSQL connection string; leave empty to keep the history on this computer only"));
     m_benchName->setText(tr("&Name of this bench"));
     m_bench->setAccessibleName(tr("Name of this bench"));
     m_bench->setToolTip(

@@ -60,7 +60,7 @@ void askToUndo(QWidget* page, session::Workbench& workbench, const history::Hist
     const auto risky = writeQuestion(entry, reg, write.oldRaw, write.temporary);
     Question question = risky.value_or(Question{});
     question.title = translate("History", "Undo this write?");
-    QStringList sentences{translate("History", "ID %1 · %2: %3 changes from %4 to %5.")
+    QStringList sentences{translate("History", "ID %1 · %2: %3 will change from %4 to %5.")
                               .arg(entry.servo.id)
                               .arg(entry.servo.profile->modelName, text::localized(reg.name),
                                    now ? QString::number(*now) : QStringLiteral("–"),

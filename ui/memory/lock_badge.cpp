@@ -118,8 +118,8 @@ void LockBadge::retranslate()
                  "is in progress, open Port → Interrupted writes.");
         break;
     case Lock::OpenByOthers:
-        tip = tr("Another program left the EPROM unlocked, so every write by any program is kept "
-                 "after power-off. Lock the EPROM when you have finished with that program.");
+        tip = tr("Another program left the EPROM unlocked, so values written by any program are "
+                 "kept after power-off. Lock the EPROM when you have finished with that program.");
         break;
     }
     m_word->setText(lockText(m_lock));

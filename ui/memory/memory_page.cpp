@@ -136,8 +136,9 @@ void MemoryPage::showServoState()
     m_banner->showMessage([] {
         return BannerText{
             Tone::Warn, tr("The firmware of this servo is not known."),
-            tr("No public memory table matches this firmware, so a write could cause damage."),
-            tr("Only identity and measurements are shown. Add a model file to allow writing.")};
+            tr("No published memory table matches this firmware, so a write could cause damage."),
+            tr("Only the servo's identity and its measurements are shown. Add a model file to "
+               "allow writing.")};
     });
 }
 

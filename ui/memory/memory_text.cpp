@@ -95,7 +95,8 @@ QString memoryHeaderHelp(MemoryColumn column)
     case MemoryColumn::Value:
         return translate("MemoryTable", "Raw value as read from the servo");
     case MemoryColumn::Physical:
-        return translate("MemoryTable", "Raw value converted to its unit or name");
+        return translate("MemoryTable",
+                         "Raw value converted to physical units, or the name it stands for");
     case MemoryColumn::Area:
         return translate("MemoryTable",
                          "Memory area: EPROM (kept after power-off), SRAM (lost at power-off), "

@@ -213,7 +213,7 @@ void MemoryToolbar::retranslate()
     setButtonText(m_order->segment(1), tr("Physical"),
                   tr("Shows physical values before raw values and uses physical values for input"));
     m_columns->setTitle(tr("&Columns"));
-    m_live->menuAction()->setToolTip(tr("Read rate of the visible rows; nothing is written"));
+    m_live->menuAction()->setToolTip(tr("How often the visible rows are read; nothing is written"));
     m_help->setText(tr("Explain this &row"));
     m_help->setToolTip(tr("Shows everything that is known about the selected row"));
     setAccessText(

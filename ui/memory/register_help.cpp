@@ -64,9 +64,8 @@ QString torqueText(const Register& reg)
         return translate("RegisterHelp",
                          "Torque must be off for this write. ServoDesk turns it off first.");
     case catalog::TorqueOff::WhenBothZero:
-        return translate(
-            "RegisterHelp",
-            "Setting both limits to 0 switches the mode. ServoDesk turns torque off first.");
+        return translate("RegisterHelp", "Setting both angle limits to 0 switches the operating "
+                                         "mode. ServoDesk turns torque off first.");
     case catalog::TorqueOff::NotNeeded:
         break;
     }
@@ -104,11 +103,11 @@ QStringList registerRelations(const MemoryRow& row, const catalog::Profile& prof
     }
     QStringList lines;
     if (!controllingRegisters.isEmpty())
-        lines << translate("RegisterHelp", "The meaning depends on: %1.")
+        lines << translate("RegisterHelp", "The meaning of this value depends on: %1.")
                      .arg(listed(controllingRegisters));
     if (!controllingRegisters.isEmpty() && row.meaning.assumed)
-        lines << translate("RegisterHelp",
-                           "That register has not been read, so the default unit is shown.");
+        lines << translate("RegisterHelp", "The register that determines the meaning has not been "
+                                           "read, so the default unit is shown.");
     if (!dependentRegisters.isEmpty())
         lines << translate("RegisterHelp", "Registers that depend on this one: %1.")
                      .arg(listed(dependentRegisters));
@@ -139,8 +138,8 @@ QString persistenceText(const Register& reg)
     case Retention::Never:
         return translate("RegisterHelp", "Takes effect immediately and is lost at power-off.");
     case Retention::NotStated:
-        return translate("RegisterHelp",
-                         "Takes effect immediately. Persistence is not documented.");
+        return translate("RegisterHelp", "Takes effect immediately. Whether the value is kept "
+                                         "after power-off is not documented.");
     }
     return {};
 }

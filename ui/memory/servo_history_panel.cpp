@@ -43,8 +43,8 @@ void ServoHistoryPanel::updateVisibility()
 {
     const bool empty = m_model.rowCount() == 0;
     m_emptyLabel->setText(m_hasServo
-                              ? tr("No writes to this servo are recorded. Servos are identified "
-                                   "by model, firmware and ID.")
+                              ? tr("No writes to this servo have been recorded. Servos are "
+                                   "identified by model, firmware and ID.")
                               : tr("Select a servo on the left to see what was written to it."));
     m_emptyLabel->setVisible(empty);
     m_list->setVisible(!empty);

@@ -57,7 +57,7 @@ QString stateDescription(const MemoryRow& row)
     case RowState::Read:
         return translate("MemoryTable", "The value was read from the servo.");
     case RowState::Unreadable:
-        return translate("MemoryTable", "The last reading failed, so no value is shown.");
+        return translate("MemoryTable", "The last read failed, so no value is shown.");
     case RowState::Pending:
         return translate("MemoryTable", "%1 is being written.").arg(row.requestedRaw);
     case RowState::Kept:

@@ -17,7 +17,7 @@ namespace ui {
 namespace {
 QString notAcceptedText()
 {
-    return QStringLiteral("✗ ") + ControlField::tr("not accepted");
+    return QStringLiteral("✗ ") + ControlField::tr("invalid");
 }
 } // namespace
 

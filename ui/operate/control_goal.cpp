@@ -175,13 +175,13 @@ void ControlGoal::fillSlider(const session::ServoEntry& entry)
 void ControlGoal::fillSteps(const Steps& steps)
 {
     m_repeat->setEnabled(steps.canRepeat);
-    const QString left = tr("Since connecting: %1 steps. Remaining: %2 %3, %4 %5 (±7.5 turns in "
-                            "total)")
-                             .arg(steps.sum)
-                             .arg(turnSymbol(m_positive, true))
-                             .arg(device::remainingSteps(steps.sum, true))
-                             .arg(turnSymbol(m_positive, false))
-                             .arg(device::remainingSteps(steps.sum, false));
+    const QString left =
+        tr("Steps since connecting: %1. Remaining: %2 %3, %4 %5 (±7.5 turns in total)")
+            .arg(steps.sum)
+            .arg(turnSymbol(m_positive, true))
+            .arg(device::remainingSteps(steps.sum, true))
+            .arg(turnSymbol(m_positive, false))
+            .arg(device::remainingSteps(steps.sum, false));
     m_stepsLeft->setText(left);
 }
 
@@ -273,7 +273,7 @@ void ControlGoal::retranslate()
         turnSymbol(m_positive, false) + QLatin1Char(' ') + turnText(m_positive, false);
     QString title = tr("Goal");
     if (m_kind == GoalKind::Step)
-        title = tr("Step");
+        title = tr("Step size");
     else if (m_kind == GoalKind::Speed)
         title = tr("Speed");
     else if (m_kind == GoalKind::Pwm)
@@ -286,13 +286,14 @@ void ControlGoal::retranslate()
             .arg(withDirection(turnSymbol(m_positive, false), turnText(m_positive, false)),
                  withDirection(turnSymbol(m_positive, true), turnText(m_positive, true))));
     m_slider->setAccessibleName(title);
-    m_slider->setToolTip(tr("Drag, or use the arrow keys, Page Up/Down, Home and End. Click once "
-                            "to enable the mouse wheel (Ctrl: fine, Shift: coarse)."));
+    m_slider->setToolTip(tr("Drag, or use the arrow keys, Page Up/Down, Home and End; click once "
+                            "to enable the mouse wheel (Ctrl: fine, Shift: coarse)"));
     m_minus->setText(minus);
     m_plus->setText(plus);
     for (QPushButton* button : {m_minus, m_plus}) {
         button->setAccessibleName(button->text());
-        button->setToolTip(tr("Moves one step in this direction from the end of the last step"));
+        button->setToolTip(
+            tr("Moves by the step size in this direction, starting where the last step ended"));
     }
     setButtonText(m_repeat, tr("Repeat"), tr("Repeats the last step"));
     m_stop->setText(tr("■ Stop"));

@@ -244,10 +244,10 @@ void ControlLimit::showForce()
 void ControlLimit::retranslate()
 {
     setAccessText(m_more, tr("Torque limit details"),
-                  tr("Shows the slider, and how to set a gripping force"));
+                  tr("Shows the slider and explains how to set a gripping force"));
     m_percent->setAccessibleName(tr("Torque limit"));
-    m_percent->setToolTip(tr("Percentage of the stall torque. Enter sends the value. Esc turns "
-                             "torque off on the whole bus and shows the present value again."));
+    m_percent->setToolTip(tr("Percentage of the stall torque (Enter sends the value; Esc turns "
+                             "torque off on the whole bus and shows the present value again)"));
     m_slider->setAccessibleName(tr("Torque limit"));
     m_slider->setToolTip(tr("Maximum output; sent when the slider is released"));
     m_stallTitle->setText(tr("Stall torque of this model"));
@@ -255,9 +255,10 @@ void ControlLimit::retranslate()
     m_stall->setAccessibleName(m_stallTitle->text());
     m_stall->setToolTip(tr("Enter the data sheet value for your supply voltage; the value is "
                            "stored for this model, not written to the servo"));
-    m_advice->setText(tr("Gripping: set the percentage of the stall torque that the part can "
-                         "withstand (10 % of 10 kg·cm is about 1 kg·cm). A lower limit also makes "
-                         "the servo slower. Use this method only for parts of equal mass."));
+    m_advice->setText(
+        tr("For gripping, set the percentage of the stall torque that the part can withstand (for "
+           "example, 10 % of 10 kg·cm is 1 kg·cm). A lower limit also makes the servo slower. Use "
+           "this method only for parts that all have the same mass."));
     fill();
 }
 

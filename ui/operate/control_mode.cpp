@@ -28,7 +28,7 @@ void ControlMode::build()
     for (const catalog::Mode& mode : m_profile->modes) {
         QAbstractButton* button = addSegment(QStringLiteral("mode_") + mode.key);
         setButtonText(button, modeTitle(mode),
-                      tr("%1. Click to preview what changes when you switch to this mode.")
+                      tr("%1 (click to preview what changes when you switch to this mode)")
                           .arg(modeHelp(mode.key)));
         new PressGuard(button);
     }

@@ -89,8 +89,8 @@ void ControlSend::retranslate()
                                                   "write is acknowledged")},
         std::pair{QT_TR_NOOP("Sync"),
                   QT_TR_NOOP("Sends one packet to all selected servos; they start together")},
-        std::pair{QT_TR_NOOP("Async"), QT_TR_NOOP("The goal waits in the servo until you choose "
-                                                  "Execute")}};
+        std::pair{QT_TR_NOOP("Async"),
+                  QT_TR_NOOP("Stores the goal in the servo until you click Execute")}};
     for (int i = 0; i < 3; ++i) {
         QAbstractButton* button = m_method->segment(i);
         setButtonText(button, tr(words[static_cast<std::size_t>(i)].first),

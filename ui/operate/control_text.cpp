@@ -128,8 +128,9 @@ QString modeHelp(const QString& key)
         {"motor", QT_TRANSLATE_NOOP("ControlText", "Turns continuously like a motor")},
         {"current", QT_TRANSLATE_NOOP("ControlText", "Controls the current and thus the torque")},
         {"position-pd",
-         QT_TRANSLATE_NOOP("ControlText", "Position control without integral term (newer "
-                                          "firmware); one turn only")},
+         QT_TRANSLATE_NOOP(
+             "ControlText",
+             "Position control without an integral term (newer firmware); one turn only")},
         {"release", QT_TRANSLATE_NOOP("ControlText", "Moves to an angle, then turns torque off")},
     };
     for (const auto& [mode, word] : words) {
@@ -148,7 +149,7 @@ void addLimits(QStringList& lines, const device::ModePlan& plan)
     if (plan.limitsSaved) {
         lines << translate(
                      "ControlText",
-                     "The angle limits %1 are saved and will be restored when you switch back.")
+                     "The angle limits %1 will be saved and then restored when you switch back.")
                      .arg(limits.arg(*plan.writes[0].oldRaw).arg(*plan.writes[1].oldRaw));
     }
     const QString now = limits.arg(plan.writes[0].newRaw).arg(plan.writes[1].newRaw);
@@ -187,7 +188,7 @@ QString modePlanText(const device::ModePlan& plan, const catalog::Profile& profi
                        "All written values are read back. The mode is kept after power-off.");
     if (others > 0) {
         lines << translate("ControlText",
-                           "%n other selected servo(s) will be switched the same way", nullptr,
+                           "%n other selected servo(s) will be switched in the same way.", nullptr,
                            others);
     }
     return lines.join(QLatin1Char('\n'));

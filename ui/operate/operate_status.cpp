@@ -180,10 +180,10 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry,
             words += QStringLiteral(" × %1").arg(alarm.count);
         const QString first = locale().toString(alarm.firstSeen.time(), QLocale::LongFormat);
         QString more =
-            tr("First seen %1, %n time(s) in total", nullptr, int(alarm.count)).arg(first);
+            tr("First seen at %1 · %n occurrence(s)", nullptr, int(alarm.count)).arg(first);
         if (alarm.what.derived)
             more += QLatin1Char('\n') +
-                    tr("Derived from the limits: this servo does not report alarms");
+                    tr("Derived from the limits because this servo does not report alarms");
         m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
     }
     m_noAlarm->setVisible(alarms.empty());
@@ -194,7 +194,7 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry,
         !judged ? tr("Unknown: the servo does not reply, or its alarm status has not been read")
         : reportsFaults(entry.servo)
             ? QString()
-            : tr("Derived from the limits: this servo does not report alarms"));
+            : tr("Derived from the limits because this servo does not report alarms"));
     m_acknowledge->setVisible(!alarms.empty());
 }
 
@@ -225,8 +225,8 @@ void OperateStatus::retranslate()
     m_ageOf = 0; // worded anew
     setButtonText(m_acknowledge, tr("Acknowledge"),
                   tr("Removes cleared alarms from this list; active alarms stay"));
-    m_age->setToolTip(tr("Age of the newest value, and number of readings in the last second"));
-    m_age->setAccessibleName(tr("Age and rate"));
+    m_age->setToolTip(tr("Age of the latest value and number of readings in the last second"));
+    m_age->setAccessibleName(tr("Data age and reading rate"));
     setAccessText(m_gauges, tr("Gauges"), tr("Shows or hides the gauges"));
 }
 

@@ -84,11 +84,11 @@ void TorqueHint::proceed()
 
 void TorqueHint::retranslate()
 {
-    m_title->setText(QStringLiteral("⚠ ") + tr("Before turning torque on for the first time in "
-                                               "this session"));
-    m_text->setText(
-        tr("• No bracket or horn that can catch or jam\n• Fingers and cables away from the "
-           "shaft\n• Polarity and voltage of the power supply checked\n• Thick wires above 12 V"));
+    m_title->setText(QStringLiteral("⚠ ") +
+                     tr("Check before turning torque on for the first time in this session"));
+    m_text->setText(tr("• The bracket and horn cannot catch or jam\n• Fingers and cables are away "
+                       "from the shaft\n• The polarity and voltage of the power supply are "
+                       "correct\n• Above 12 V, the power wires are thick enough"));
     setButtonText(m_neverAsk, tr("Do not show this again"), tr("Applies to later sessions too"));
     setButtonText(m_cancel, tr("Cancel"), tr("Leaves the servo as it is"));
     setButtonText(m_yes, tr("Continue"),

@@ -279,7 +279,7 @@ void DiagnosisDialog::showAction()
         words = tr("Connect at %1 baud").arg(rateText(*rate));
         tip = tr("Opens the port again at this baud rate");
     } else if (cause == Cause::OtherProtocol) {
-        words = tr("Connect with all protocols");
+        words = tr("Connect and detect the protocol");
         tip = tr("Opens the port again and detects the protocol");
     }
     if (!words.isEmpty())
@@ -326,13 +326,12 @@ QString DiagnosisDialog::report() const
 
 void DiagnosisDialog::retranslate()
 {
-    setWindowTitle(tr("Why does a servo not reply?"));
+    setWindowTitle(tr("Why is a servo not replying?"));
     setAccessibleName(windowTitle());
     m_evidenceTitle->setText(tr("Checks"));
     setAccessText(m_evidence, tr("Checks"), tr("What was found; nothing is written to a servo"));
-    setAccessText(m_progress, tr("Progress of the search"),
-                  tr("How much of the search is complete"));
-    setButtonText(m_copy, tr("Copy report"), tr("Copies checks and cause as text"));
+    setAccessText(m_progress, tr("Search progress"), tr("How much of the search is complete"));
+    setButtonText(m_copy, tr("Copy report"), tr("Copies the checks and the cause as text"));
     setButtonText(m_close, tr("Close"), tr("Closes this window"));
     update();
 }

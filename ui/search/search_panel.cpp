@@ -216,11 +216,11 @@ void SearchPanel::retranslate()
         button->setToolTip(m_commands.action(command)->toolTip());
         button->setAccessibleName(button->text());
     }
-    m_progress->setAccessibleName(tr("Progress of the search"));
+    m_progress->setAccessibleName(tr("Search progress"));
     m_progress->setToolTip(tr("How much of the search is complete"));
     m_list->setAccessibleName(tr("Servos"));
-    m_list->setToolTip(tr("Servos that have replied; selecting one reads it and writes nothing. "
-                          "Hold Ctrl or Shift to select several servos and move them together"));
+    m_list->setToolTip(tr("Servos that have replied; selecting one only reads it; hold Ctrl or "
+                          "Shift to select several servos and move them together"));
     m_empty->setText(emptyText());
     m_empty->setToolTip(m_empty->text());
     const QString tip = m_commands.action(Command::Diagnose)->toolTip();

@@ -169,7 +169,7 @@ void SearchScope::retranslate()
     m_idLabel->setText(tr("ID"));
     setAccessText(m_first, tr("First ID"), tr("First ID to search"));
     setAccessText(m_last, tr("Last ID"), tr("Last ID to search"));
-    m_rates->setItemText(ThisRate, tr("This baud rate"));
+    m_rates->setItemText(ThisRate, tr("Current baud rate"));
     m_rates->setItemText(ChosenRates, tr("Selected baud rates"));
     m_rates->setItemText(AllRates, tr("All baud rates"));
     setAccessText(m_rates, tr("Baud rates"),
@@ -177,7 +177,7 @@ void SearchScope::retranslate()
                       ? tr("Baud rates to search; the port's own baud rate is restored afterwards")
                       : tr("The other end of the TCP connection sets the baud rate"));
     setAccessText(m_choose, tr("Select baud rates"), tr("Select the baud rates to search"));
-    m_protocol->setItemText(AsConnected, tr("Protocol: as connected"));
+    m_protocol->setItemText(AsConnected, tr("Current protocol"));
     m_protocol->setItemText(AllProtocols, tr("All protocols"));
     for (std::size_t i = 0; i < base::allProtocols.size(); ++i)
         m_protocol->setItemText(FirstProtocol + int(i), text::protocolText(base::allProtocols[i]));

@@ -264,7 +264,7 @@ void ApplyDialog::retranslate()
                  "IDs and baud rates are never written here.")
                   .arg(m_source.name));
     m_table->setAccessibleName(tr("Servos"));
-    m_table->setHorizontalHeaderLabels({tr("Servo"), tr("Model"), tr("Rows"), tr("Verdict")});
+    m_table->setHorizontalHeaderLabels({tr("Servo"), tr("Model"), tr("Rows"), tr("Result")});
     const auto setTexts = [](QWidget* widget, const QString& name, const QString& tip) {
         if (auto* button = qobject_cast<QAbstractButton*>(widget))
             button->setText(name);
@@ -282,7 +282,7 @@ void ApplyDialog::retranslate()
              tr("Reads the servos and shows what would be written to "
                 "each"));
     setTexts(m_write, tr("Write"), tr("Writes the differing rows to each selected servo"));
-    setTexts(m_stop, tr("Stop"), tr("Stops after the current servo has been written"));
+    setTexts(m_stop, tr("Stop"), tr("Stops after finishing the current servo"));
     setTexts(m_save, tr("Save result…"), tr("Saves the result for each row to a file"));
     setTexts(m_close, tr("Close"), tr("Closes this window"));
     for (int row = 0; row < int(m_rows.size()); ++row)
@@ -321,7 +321,7 @@ void ApplyDialog::askForConfirmation()
 {
     Question question;
     question.title = tr("Write to %n servo(s)?", nullptr, int(selected().size()));
-    question.text = tr("Torque is turned off on each servo before writing and stays off.");
+    question.text = tr("Torque will be turned off on each servo before writing and will stay off.");
     if (dangerous())
         question.risk = tr("Dangerous rows are selected: a wrong value can make a servo "
                            "unreachable.");
@@ -398,9 +398,11 @@ void ApplyDialog::onFinished(const session::ApplyCompletion& end, bool dryRun)
         });
     m_result->showResult([dryRun, failedCount, partly, all] {
         if (failedCount > 0)
-            return TaskText{Tone::Bad, tr("%1 of %2 servos failed; their tooltips show the reason.")
-                                           .arg(failedCount)
-                                           .arg(all)};
+            return TaskText{
+                Tone::Bad,
+                tr("The operation failed for %1 of %2 servos; their tooltips show the reason.")
+                    .arg(failedCount)
+                    .arg(all)};
         if (partly > 0 && !dryRun)
             return TaskText{Tone::Warn, tr("Written, but rows were skipped on %1 of %2 servos; "
                                            "their tooltips show which rows and why.")

@@ -124,8 +124,8 @@ CompareTables::columns(const std::vector<SnapshotSelection>& snapshots) const
                                      snapshot::factorySnapshot(*servo()->servo.profile))
                                : m_workbench.snapshots().factorySnapshot(*all.front().table);
         if (factory)
-            all.push_back({tr("Factory"), tr("Factory default of this model, where known"), factory,
-                           all.front().profile});
+            all.push_back({tr("Factory default"), tr("Factory default of this model, where known"),
+                           factory, all.front().profile});
     }
     return all;
 }

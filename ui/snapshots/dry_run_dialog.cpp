@@ -93,14 +93,14 @@ void DryRunDialog::retranslate()
     setAccessibleName(windowTitle());
     m_title->setText(m_lines.empty()
                          ? tr("ID %1: nothing to write. All selected rows already match.").arg(m_id)
-                         : tr("ID %1: the rows are written in this order, and each is read back. "
-                              "Nothing has been written yet.")
+                         : tr("ID %1: the rows will be written in this order, and each will be "
+                              "read back. Nothing has been written yet.")
                                .arg(m_id));
     const QString warning = alarmsText();
     m_warning->setText(warning);
     m_warning->setVisible(!warning.isEmpty());
     m_table->setAccessibleName(tr("Steps"));
-    m_table->setHorizontalHeaderLabels({tr("Step"), tr("Register"), tr("From"), tr("To")});
+    m_table->setHorizontalHeaderLabels({tr("Step"), tr("Register"), tr("Old"), tr("New")});
     m_table->setRowCount(int(m_lines.size()));
     int row = 0;
     for (const Line& line : m_lines) {
@@ -128,7 +128,7 @@ QString DryRunDialog::alarmsText() const
 {
     QStringList lines;
     if (!m_otherModel.isEmpty())
-        lines << tr("The snapshot is from another model: %1.").arg(m_otherModel);
+        lines << tr("The snapshot is from a different model: %1.").arg(m_otherModel);
     for (const AlarmLine& alarm : m_alarms) {
         const QString words = text::restoreAlarmText(alarm.fault, alarm.limit, alarm.reading);
         const QString name = text::localized(alarm.name);

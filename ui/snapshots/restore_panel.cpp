@@ -241,7 +241,7 @@ QStringList RestorePanel::risks() const
             lines
                 << tr("%1: this limit comes from another model (%2).").arg(name, plan.sourceModel);
         else if (row->reasons.testFlag(RestoreReason::NeedsConsent) && isAngleLimit(plan, one.key))
-            lines << tr("%1: with both angle limits at 0, the shaft can turn past any position.")
+            lines << tr("%1: with both angle limits at 0, the shaft can turn without limit.")
                          .arg(name);
         else if (row->reasons.testFlag(RestoreReason::NeedsConsent))
             lines << tr("%1: a wrong value can make the servo unreachable or dangerous.").arg(name);
@@ -273,8 +273,8 @@ void RestorePanel::confirmWrite()
     Question question;
     question.title = tr("Write to ID %1?").arg(plan->id);
     if (torque)
-        question.text = tr("Torque is on: it is turned off first and stays off. A load held by "
-                           "the servo may drop.");
+        question.text = tr("Torque is on; it will be turned off first and will stay off. A load "
+                           "held by the servo may drop.");
     question.risk = lines.join(QLatin1Char('\n'));
     question.acceptText = plan->needsConsent() ? tr("Write anyway") : tr("Write");
     question.acceptIsDefault = lines.isEmpty();
@@ -360,8 +360,8 @@ void RestorePanel::saveResult()
 void RestorePanel::retranslate()
 {
     setButtonText(m_identity, tr("Include ID and baud rate"),
-                  tr("Also selects ID and baud rate, which are written last. Afterwards, the servo "
-                     "can be reached only with the new settings"));
+                  tr("Also selects ID and baud rate, which are written last; the servo can then be "
+                     "reached only with the new settings"));
     setButtonText(m_rollBack, tr("If a row fails, restore all old values"),
                   tr("Without this option, writing stops at the failed row; values already written "
                      "stay in the servo"));

@@ -164,7 +164,7 @@ void SnapshotActions::saveCopy()
                              .arg(table->at.toLocalTime().toString(QStringLiteral("yyyyMMdd")));
     askForPath(tr("Save the snapshot"), name + snapshotSuffix,
                {tr("Snapshot (*.servo.json)"), tr("Table for spreadsheets (*.csv)"),
-                tr("Page to print (*.pdf)"), tr("Web page (*.html)")},
+                tr("Printable page (*.pdf)"), tr("Web page (*.html)")},
                [this, table](const QString& path) {
                    m_snapshots.save(
                        table, report::isReportPath(path) ? path : withSuffix(path, snapshotSuffix),
@@ -175,7 +175,7 @@ void SnapshotActions::saveCopy()
 void SnapshotActions::saveBundle()
 {
     askForPath(
-        tr("Save all servos"), QStringLiteral("servos") + bundleSuffix,
+        tr("Save snapshots of all servos"), QStringLiteral("servos") + bundleSuffix,
         {tr("Bundle (*.bundle.json)")}, [this](const QString& path) {
             Q_EMIT started();
             m_snapshots.takeAll({QFileInfo(path).baseName(), {}, withSuffix(path, bundleSuffix)});

@@ -96,10 +96,10 @@ QString SnapshotBrowser::noneText() const
 {
     const session::ServoEntry* servo = m_workbench.registry().servo(m_selection.current());
     return m_servoFilter->currentIndex() == ThisServo && servo != nullptr && servo->servo.profile
-               ? tr("No snapshots of this servo yet. Take one here; one is also saved before the "
-                    "first change.")
-               : tr("No snapshots yet. Take one here; one is also saved before the first change to "
-                    "a servo.");
+               ? tr("No snapshots of this servo yet. Take one here; one is also saved "
+                    "automatically before the first change.")
+               : tr("No snapshots yet. Take one here; one is also saved automatically before the "
+                    "first change to a servo.");
 }
 
 void SnapshotBrowser::retranslate()
@@ -108,12 +108,11 @@ void SnapshotBrowser::retranslate()
     m_servoFilter->setItemText(ThisServo, tr("This servo"));
     m_servoFilter->setItemText(AllServos, tr("All servos"));
     m_servoFilter->setAccessibleName(tr("Snapshots to show"));
-    m_servoFilter->setToolTip(
-        tr("Snapshots whose model and ID match the selected servo, or all snapshots. Servos have "
-           "no serial number; they are identified only by model, firmware and ID"));
+    m_servoFilter->setToolTip(tr("Shows only snapshots whose model and ID match the selected "
+                                 "servo, or all snapshots (servos have no serial number)"));
     m_search->setPlaceholderText(tr("Search"));
     m_search->setAccessibleName(tr("Search snapshots"));
-    m_search->setToolTip(tr("Words in model, label, note or file name"));
+    m_search->setToolTip(tr("Searches the model, label, note and file name"));
     m_tree->setAccessibleName(tr("Snapshots"));
     m_tree->setToolTip(tr("The selected snapshot is used for comparing and restoring; Ctrl+click "
                           "adds snapshots to the comparison"));

@@ -114,11 +114,11 @@ void SnapshotPane::showCounts()
     m_age->setState(Tone::Warn, current ? QString() : m_ages.front(), {},
                     m_ages.mid(1).join(QLatin1Char('\n')));
     m_different->setState(different > 0 ? Tone::Accent : good,
-                          different > 0 ? tr("≠ %1 differ").arg(different)
+                          different > 0 ? tr("≠ %1 different").arg(different)
                           : current     ? tr("= no differences")
                                         : tr("= no differences at that time"));
     m_excluded->setVisible(some && several && !never.isEmpty());
-    m_excluded->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
+    m_excluded->setState(Tone::Quiet, tr("≠ %1 never restored").arg(never.size()), {},
                          never.join(QLatin1Char('\n')));
     m_same->setState(good, tr("= %1 identical").arg(found.identical));
     m_otherRows->setState(
@@ -165,8 +165,8 @@ void SnapshotPane::retranslate()
     m_all->setToolTip(tr("Shows identical and read-only rows too"));
     m_columns->setText(tr("Columns"));
     m_columns->setAccessibleName(m_columns->text());
-    m_columns->setToolTip(tr("Adds the factory default and other servos to the comparison. To "
-                             "compare more snapshots, hold Ctrl and click them"));
+    m_columns->setToolTip(tr("Adds the factory defaults or other servos to the comparison; "
+                             "Ctrl+click snapshots to add them too"));
     m_table->setAccessibleName(tr("Memory tables side by side"));
     m_table->setToolTip(tr("The space bar selects a row for writing"));
     m_model.retranslate();

@@ -27,7 +27,7 @@ QString reasonText(history::SnapshotReason reason)
     case history::SnapshotReason::Manual:
         return translate("SnapshotRow", "manual");
     case history::SnapshotReason::Bundle:
-        return translate("SnapshotRow", "all servos");
+        return translate("SnapshotRow", "bundle");
     case history::SnapshotReason::Commission:
         return translate("SnapshotRow", "before commissioning");
     }
@@ -36,7 +36,7 @@ QString reasonText(history::SnapshotReason reason)
 
 QString originText(const QString& firmware, const QString& port)
 {
-    return translate("SnapshotRow", "firmware %1, on %2").arg(firmware, port);
+    return translate("SnapshotRow", "firmware %1, port %2").arg(firmware, port);
 }
 
 struct RowText {

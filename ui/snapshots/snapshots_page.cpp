@@ -191,8 +191,7 @@ bool SnapshotsPage::isOfOtherModel(const snapshot::Snapshot& table) const
 QString SnapshotsPage::titleText() const
 {
     if (const session::SharedBundle bundle = m_browser->bundle())
-        return tr("Bundle with %1 servos; select one of them to compare it")
-            .arg(bundle->servos.size());
+        return tr("Bundle (servos: %1); select a servo to compare it").arg(bundle->servos.size());
     const session::ServoEntry* entry = m_tables->servo();
     const QString servo = entry != nullptr ? servoTitle(*entry) : QString();
     const std::vector<SnapshotSelection> selected = m_browser->selectedSnapshots();

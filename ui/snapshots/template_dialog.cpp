@@ -117,7 +117,7 @@ void TemplateDialog::retranslate()
     setAccessibleName(windowTitle());
     m_summary->setText(
         tr("Select the rows to write to other servos. ID and baud rate are never part of a "
-           "template. Rows that differ from the factory default are preselected."));
+           "template. Rows that differ from the factory defaults are preselected."));
     m_table->setAccessibleName(tr("Rows of the template"));
     m_table->setHorizontalHeaderLabels({tr("Register"), tr("Value"), tr("Meaning")});
     m_table->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -145,11 +145,11 @@ void StepForm::retranslate()
     setTexts(m_holdLabel, m_hold, tr("Wait"),
              tr("Time from one goal to the next; 0: as long as the step takes"));
     setTexts(m_speedLabel, m_speed, tr("Speed"),
-             tr("Raw value, or a value with its unit; leave empty for the maximum. The previous "
-                "value is restored afterwards"));
+             tr("Raw value, or a value with its unit; leave empty for the maximum (the previous "
+                "value is restored after the run)"));
     setTexts(m_accelerationLabel, m_acceleration, tr("Acceleration"),
-             tr("Raw value, or a value with its unit; leave empty for the maximum. The previous "
-                "value is restored afterwards"));
+             tr("Raw value, or a value with its unit; leave empty for the maximum (the previous "
+                "value is restored after the run)"));
     m_from->setPlaceholderText(tr("present position"));
     m_speed->setPlaceholderText(tr("maximum"));
     m_acceleration->setPlaceholderText(tr("maximum"));

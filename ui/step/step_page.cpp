@@ -140,14 +140,14 @@ bool StepPage::otherMode() const
 QString StepPage::blockedReason() const
 {
     if (m_workbench.link().state() != session::LinkState::Open)
-        return tr("Connect first.");
+        return tr("Connect to a port first.");
     const session::ServoEntry* entry = m_workbench.registry().servo(m_selection.current());
     if (entry == nullptr)
         return tr("Select a servo in the list.");
     if (!entry->servo.profile || !entry->servo.profile->writable)
         return tr("This servo could not be identified, so ServoDesk does not move it.");
     if (m_workbench.search().isSearching())
-        return tr("A search is running; a run can start when the search has ended.");
+        return tr("A search is running; you can start the run after it ends.");
     if (m_workbench.tasks().isTesting())
         return tr("Another test is running.");
     if (entry->stopped)
@@ -156,7 +156,7 @@ QString StepPage::blockedReason() const
             "turn torque on; nothing moves until you click Measure or Try gains.");
     if (otherMode() && !m_switchMode->isChecked())
         return tr("The servo is in a mode that does not use positions. Select \"Switch to position "
-                  "mode for the run\", or change the mode yourself.");
+                  "mode for the run\" or change the mode yourself.");
     if (m_form->spec().size.isEmpty())
         return tr("Enter the step size.");
     return {};
@@ -205,7 +205,7 @@ void StepPage::showState()
     for (const device::WriteItem& item : m_test.previousValues(ref))
         earlier.push_back({item.key, item.raw});
     const bool discards = earlier.empty() || !m_gains->trial().empty();
-    m_back->setText(discards ? tr("Discard") : tr("Restore old"));
+    m_back->setText(discards ? tr("Discard") : tr("Restore old values"));
     m_back->setAccessibleName(m_back->text());
     m_back->setToolTip(discards ? tr("Resets the values under Trial to the present values")
                                 : tr("Writes the gains that were set before the last change: %1")
@@ -296,7 +296,7 @@ std::function<BannerText()> StepPage::endMessage() const
             left << tr("Trial values are still in the servo: %1.")
                         .arg(unrevertedTrialText(trial, profile.get()));
         else if (!isReverted)
-            left << tr("The settings changed for the run could not be restored.");
+            left << tr("The settings that were changed for the run could not be restored.");
         if (!isReverted)
             remedies << unrevertedSettingsRemedy();
         if (!torque.empty()) {

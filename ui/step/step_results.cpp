@@ -108,8 +108,8 @@ void StepResults::fillChoice()
     const int kept = std::max(0, m_choice->currentIndex());
     m_choice->clear();
     for (std::size_t i = 0; i < maxResponses; ++i)
-        m_choice->addItem(i % 2 == 0 ? tr("%1, out").arg(i / 2 + 1)
-                                     : tr("%1, back").arg(i / 2 + 1));
+        m_choice->addItem(i % 2 == 0 ? tr("%1, outbound").arg(i / 2 + 1)
+                                     : tr("%1, return").arg(i / 2 + 1));
     m_choice->setCurrentIndex(maxResponses == 0 ? -1 : std::min(kept, int(maxResponses) - 1));
     m_choice->setEnabled(maxResponses > 1);
 }

@@ -162,7 +162,8 @@ void StepResults::retranslate()
                                     .arg(m_test.runs().back().parameters.servo.model)
                               : QString();
     m_title->setText(name.isEmpty() ? tr("Response") : tr("Response — %1").arg(name));
-    m_title->setToolTip(tr("Counted in steps from the start toward the goal, both out and back"));
+    m_title->setToolTip(
+        tr("Movement in steps from the start toward the goal, on the way out and on the way back"));
     m_choiceLabel->setText(tr("Step"));
     m_choiceLabel->setVisible(m_choice->count() > 1);
     m_choice->setVisible(m_choice->count() > 1);

@@ -28,10 +28,9 @@ StepRunsDialog::StepRunsDialog(session::HistoryService& historyService,
 void StepRunsDialog::retranslate()
 {
     setWindowTitle(tr("Earlier step responses"));
-    setButtonText(
-        m_open, tr("Open"),
-        tr("Shows the selected runs on the Step response page. If two runs are selected, they are "
-           "compared with each other; later runs are compared with the newer one"));
+    setButtonText(m_open, tr("Open"),
+                  tr("Shows the selected run on the Step response page, or compares two selected "
+                     "runs there"));
     m_detailsOf = 0;
     RunListDialog::retranslate();
 }

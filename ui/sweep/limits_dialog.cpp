@@ -188,13 +188,13 @@ QString LimitsDialog::problem() const
         return tr("Enter a name for these limits; it appears in the report.");
     const auto tolerance = numberFromText(m_tolerance->text());
     if (!m_tolerance->text().trimmed().isEmpty() && (!tolerance || *tolerance <= 0))
-        return tr("The tolerance must be a number of steps greater than 0, or empty.");
+        return tr("Enter a tolerance greater than 0 steps, or leave the field empty.");
     if (m_lines->rowCount() == 0)
         return tr("Add at least one limit; without limits, every servo would pass.");
     for (int row = 0; row < m_lines->rowCount(); ++row) {
         const QString wrong = m_lines->problem(row);
         if (!wrong.isEmpty())
-            return tr("Line %1, %2: %3")
+            return tr("Row %1, %2: %3")
                 .arg(row + 1)
                 .arg(m_lines->index(row, int(LimitColumn::Metric)).data().toString(), wrong);
     }
@@ -305,14 +305,14 @@ void LimitsDialog::retranslate()
     m_models->setPlaceholderText(tr("any"));
     m_tolerance->setPlaceholderText(tr("family default"));
     m_table->setAccessibleName(tr("Limits"));
-    m_table->setToolTip(tr("One line per metric; type or press F2 to change a value"));
+    m_table->setToolTip(tr("One row per limit; type or press F2 to change a value"));
     const auto setTexts = [](QPushButton* one, const QString& text, const QString& tip) {
         one->setText(text);
         one->setAccessibleName(text);
         one->setToolTip(tip);
     };
     setTexts(m_add, tr("Add limit"), tr("Adds a limit for another metric"));
-    setTexts(m_remove, tr("Remove limit"), tr("Removes the limit for the selected metric"));
+    setTexts(m_remove, tr("Remove limit"), tr("Removes the selected limit"));
     setTexts(m_builtIn, tr("Load built-in limits"),
              tr("Loads the limits that come with the program"));
     setTexts(m_load, tr("Load…"), tr("Load limits"));

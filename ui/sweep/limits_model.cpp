@@ -119,7 +119,7 @@ QString LimitsModel::boundError(const Line& line) const
         return {};
     if (line.atLeast ? *warn < *fail : *warn > *fail)
         return tr(
-            "The failure limit would be reached before the warning limit: change one of them.");
+            "The failure limit would be reached before the warning limit. Change one of them.");
     return {};
 }
 
@@ -130,7 +130,7 @@ QString LimitsModel::problem(int row) const
         return other.metric == line.metric && other.atLeast == line.atLeast;
     });
     if (same > 1)
-        return tr("This metric already has a limit in this direction.");
+        return tr("This metric already has a limit of this kind (at least or at most).");
     return boundError(line);
 }
 

@@ -46,8 +46,8 @@ void SweepEndConditions::retranslate()
 {
     m_title->setText(tr("End early on"));
     m_onAlarm->setText(tr("Alarm"));
-    m_onAlarm->setToolTip(
-        tr("Any alarm that the servo reports, such as over-temperature, overload or voltage"));
+    m_onAlarm->setToolTip(tr("Any alarm that the servo reports, such as an over-temperature, "
+                             "overload or voltage alarm"));
     m_onStall->setText(tr("Stall"));
     m_onStall->setToolTip(tr("The servo stops too far from its goal"));
     m_onFailure->setText(tr("First failure"));

@@ -392,8 +392,8 @@ void SweepForm::retranslate()
     const std::array names{
         std::pair{tr("Sweep"), tr("Back and forth between start and end")},
         std::pair{tr("Staircase"), tr("From start to end in steps, and back in the same steps")},
-        std::pair{tr("Both directions"), tr("Approaches the midpoint from both directions: shows "
-                                            "hysteresis")},
+        std::pair{tr("Both directions"),
+                  tr("Approaches the middle of the range from both directions; shows hysteresis")},
         std::pair{tr("Sine"), tr("The goal follows a sine wave: shows how well the servo follows")},
         std::pair{tr("Random"), tr("Random goals; the same seed gives the same goals")},
         std::pair{tr("List"), tr("Goals from a file, one per line")}};
@@ -402,10 +402,10 @@ void SweepForm::retranslate()
     const auto set = [this](Cell cell, const QString& text, const QString& tip) {
         setFieldTexts(m_cells[cell].title, m_cells[cell].field, text, tip);
     };
-    const QString place = tr("A raw value, or an angle with its unit: 90deg");
+    const QString place = tr("A raw value, or an angle with its unit, such as 90deg");
     set(Start, tr("Start"), place);
     set(End, tr("End"), place);
-    set(Step, tr("Step"), tr("A number of steps, or an angle with its unit: 10deg"));
+    set(Step, tr("Step"), tr("A number of steps, or an angle with its unit, such as 10deg"));
     set(Period, tr("Period"), tr("Duration of one full sine period, to the end and back"));
     set(Seed, tr("Seed"), tr("The same seed gives the same goals"));
     set(List, tr("Goals"),
@@ -416,16 +416,18 @@ void SweepForm::retranslate()
         m_pace->currentIndex() == 1
             ? tr("Pause after the goal is reached")
             : tr("Time from one goal to the next, whether or not the goal is reached"));
-    set(Until, tr("End after"), tr("Condition that completes the test"));
+    set(Until, tr("End after"), tr("Condition that ends the test"));
     set(Cycles, tr("Cycles"), tr("One cycle goes to the end and back"));
     set(Minutes, tr("Duration"), tr("Counted from the first move"));
     set(Speed, tr("Speed"),
-        tr("Raw value, or a value with its unit: 30rpm. Leave empty to use the present setting"));
-    set(Acceleration, tr("Acceleration"), tr("Raw value. Leave empty to use the present setting"));
-    set(Time, tr("Time"),
-        tr("Travel time of a move in milliseconds. Leave empty to let the speed determine it"));
+        tr("Raw value, or a value with its unit, such as 30rpm; leave empty to use the present "
+           "setting"));
+    set(Acceleration, tr("Acceleration"), tr("Raw value; leave empty to use the present setting"));
+    set(Time, tr("Travel time"),
+        tr("Travel time of a move in milliseconds; leave empty to let the speed determine it"));
     set(WarmUp, tr("Warm-up"), tr("How long the servo moves before measuring starts"));
-    set(Afterwards, tr("Afterwards"), tr("State of the servos after the test ends or is stopped"));
+    set(Afterwards, tr("After the test"),
+        tr("State of the servos after the test ends or is stopped"));
     set(Operator, tr("Operator"), tr("Appears in the report"));
     set(Note, tr("Note"), tr("Appears in the report"));
     m_period->setSuffix(tr(" s"));
@@ -434,12 +436,12 @@ void SweepForm::retranslate()
     m_warmUp->setSuffix(tr(" s"));
     m_speed->setPlaceholderText(tr("unchanged"));
     m_acceleration->setPlaceholderText(tr("unchanged"));
-    m_time->setPlaceholderText(tr("by speed"));
+    m_time->setPlaceholderText(tr("set by speed"));
     m_pace->setItemText(0, tr("After a delay"));
     m_pace->setItemText(1, tr("After arrival"));
     m_until->setItemText(0, tr("A number of cycles"));
-    m_until->setItemText(1, tr("A duration"));
-    m_afterwards->setItemText(0, tr("Hold"));
+    m_until->setItemText(1, tr("A set time"));
+    m_afterwards->setItemText(0, tr("Hold position"));
     m_afterwards->setItemText(1, tr("Torque off"));
     m_list->retranslate();
     m_endConditions->retranslate();

@@ -21,7 +21,7 @@ void SweepGoalList::open()
     askForFile(this,
                {QStringLiteral("sweepListDialog"),
                 tr("Open a list of goals"),
-                {tr("Goals, one per line: goal,pause in ms (*.csv *.txt)"), tr("All files (*)")},
+                {tr("Goal lists (*.csv *.txt)"), tr("All files (*)")},
                 {},
                 &m_settings,
                 QStringLiteral("sweep/list_folder")},

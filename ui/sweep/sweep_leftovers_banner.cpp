@@ -79,7 +79,7 @@ void SweepLeftoversBanner::show(const std::optional<base::Error>& error)
             remedies << unreleasedTorqueRemedy();
         }
         if (!m_test.unrevertedSettings().empty()) {
-            what << tr("Test settings are still in the servo: %1.").arg(unrevertedSettingsText());
+            what << tr("Test settings are still in effect: %1.").arg(unrevertedSettingsText());
             remedies << unrevertedSettingsRemedy();
         }
         if (m_failure)

@@ -436,7 +436,7 @@ void SweepPage::retranslate()
     m_run->setToolTip(tr("Starts the test: the servos will move"));
     m_stop->setText(tr("Stop"));
     m_stop->setToolTip(tr("Ends the test; the servos hold their position, or torque is turned off, "
-                          "as selected under Afterwards"));
+                          "as selected under \"After the test\""));
     m_switchMode->setText(tr("Switch to position mode for the test"));
     m_switchMode->setToolTip(tr("Switches back after the test; nothing is stored permanently in "
                                 "the servo"));

@@ -70,19 +70,18 @@ PreviewText durationCheckText(const session::SweepPreview& preview, const result
                                .arg(durationText(estimate.proposedDelay)),
                            link})};
     if (estimate.tooShort)
-        return {Tone::Warn,
-                who + text::joinSentences(
-                          {SweepPage::tr("the longest move takes %1 at this speed: the servo "
-                                         "would turn back before it arrives.")
-                               .arg(durationText(*estimate.travel)),
-                           link})};
+        return {Tone::Warn, who + text::joinSentences(
+                                      {SweepPage::tr("the longest move takes %1 at this speed, so "
+                                                     "the servo would turn back before it arrives.")
+                                           .arg(durationText(*estimate.travel)),
+                                       link})};
     if (estimate.minMove > 0)
-        return {Tone::Warn,
-                who +
-                    SweepPage::tr("most moves are too short for a verdict: a goal counts as "
-                                  "reached within %1 steps, so each move needs at least %2 steps.")
-                        .arg(QLocale().toString(estimate.axis.tolerance, 'g', 4),
-                             QLocale().toString(std::ceil(estimate.minMove), 'f', 0))};
+        return {
+            Tone::Warn,
+            who + SweepPage::tr("most moves are too short for a verdict; a goal counts as reached "
+                                "within %1 steps, so each move must be at least %2 steps long.")
+                      .arg(QLocale().toString(estimate.axis.tolerance, 'g', 4),
+                           QLocale().toString(std::ceil(estimate.minMove), 'f', 0))};
     if (!estimate.travel)
         return {Tone::Quiet,
                 who + SweepPage::tr("the speed is unknown, so the delay cannot be checked.")};
@@ -90,9 +89,9 @@ PreviewText durationCheckText(const session::SweepPreview& preview, const result
         return {Tone::Quiet, who + SweepPage::tr("the longest move takes %1 at this speed.")
                                        .arg(durationText(*estimate.travel))};
     return {Tone::Good,
-            who + SweepPage::tr("the longest move takes %1 at this speed: the delay is long "
-                                "enough.")
-                      .arg(durationText(*estimate.travel))};
+            who +
+                SweepPage::tr("the longest move takes %1 at this speed; the delay is long enough.")
+                    .arg(durationText(*estimate.travel))};
 }
 } // namespace
 

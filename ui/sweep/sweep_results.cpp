@@ -342,9 +342,8 @@ void SweepResults::retranslate()
     const report::SweepTexts& words = report::sweepTexts();
     if (servo() == nullptr)
         m_title->setText(tr("Position and goal"));
-    m_emptyLabel->setText(
-        tr("No test has been run yet. Select a test on the left, check start and end, then "
-           "click Run: the servo will move."));
+    m_emptyLabel->setText(tr("No test has been run yet. Select a test on the left, check the start "
+                             "and end positions, then click Run; the servo will move."));
     m_tabs->setTabText(0, text::localized(words.verdict));
     m_tabs->setTabText(1, text::localized(words.legs));
     if (m_tabs->count() > 2)
@@ -400,7 +399,7 @@ QString SweepResults::verdictReason() const
                          (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy)
                                            : QString());
     if (!run.gaps.empty())
-        sentences << tr("The test waited for %n bus interruption(s) to end.", nullptr,
+        sentences << tr("The test was paused by %n bus interruption(s).", nullptr,
                         static_cast<int>(run.gaps.size()));
     return sentences.join(QStringLiteral(" · "));
 }

@@ -86,6 +86,7 @@ SweepServos::SweepServos(session::ServoRegistry& registry, Selection& selection,
     });
     retranslate();
     followSelection();
+    showLimits(); // of none, until the rows are there
 }
 
 session::ServoRef SweepServos::refAt(int row) const
@@ -169,9 +170,6 @@ void SweepServos::showVerdicts()
     }
     m_filling = false;
     m_table->setColumnHidden(Verdicts, m_verdicts.empty());
-    const bool narrow = !m_verdicts.empty();
-    m_table->horizontalHeaderItem(Start)->setText(narrow ? tr("Start") : tr("Own start"));
-    m_table->horizontalHeaderItem(End)->setText(narrow ? tr("End") : tr("Own end"));
 }
 
 void SweepServos::markRow(session::ServoRef ref)
@@ -305,8 +303,7 @@ void SweepServos::retranslate()
 {
     m_title->setText(tr("Servos"));
     m_table->setAccessibleName(tr("Servos to test"));
-    m_table->setHorizontalHeaderLabels(
-        {tr("Servo"), tr("Own start"), tr("Own end"), tr("Verdict")});
+    m_table->setHorizontalHeaderLabels({tr("Servo"), tr("Start"), tr("End"), tr("Verdict")});
     m_table->setToolTip(
         tr("Select the servos to test; enter individual start and end values where needed"));
     m_limits->setText(tr("Limits…"));

@@ -128,7 +128,7 @@ QString AlarmDialog::actionText() const
     case ClearMethod::NewGoal:
         return translate("ServoTasks", "Hold position…");
     case ClearMethod::FaultReset:
-        return translate("ServoTasks", "Reset the fault");
+        return translate("ServoTasks", "Reset fault");
     default:
         return translate("ServoTasks", "Clear");
     }
@@ -138,8 +138,8 @@ void AlarmDialog::retranslate()
 {
     setTexts(translate("ServoTasks", "Clear alarm"),
              translate("ServoTasks",
-                       "Each alarm is cleared in its own way. While this dialog is open, "
-                       "values are read continuously; reading does not change the servo."),
+                       "Each alarm is cleared in its own way. While this dialog is open, the "
+                       "values are read continuously; nothing is written to the servo."),
              actionText(), translate("ServoTasks", "Performs the action that clears the alarm"));
     m_table->setHorizontalHeaderLabels(
         {translate("ServoTasks", "Alarm"), translate("ServoTasks", "Value"),
@@ -153,7 +153,7 @@ void AlarmDialog::refresh()
 {
     QStringList lines;
     if (!m_plan) {
-        lines << translate("ServoTasks", "Not read.");
+        lines << translate("ServoTasks", "The alarms have not been read.");
     } else {
         for (const jobs::Alarm& alarm : m_plan->alarms) {
             lines << text::alarmCause(alarm.key);
@@ -188,18 +188,16 @@ void AlarmDialog::runAction()
     if (m_plan->next == ClearMethod::BackOff) {
         question.title = translate("ServoTasks", "Turn the shaft back?");
         question.text =
-            translate("ServoTasks", "The shaft turns away from the stalled position, from %1 to "
-                                    "%2, and holds the new position with full torque.")
+            translate("ServoTasks", "The shaft will turn from %1 to %2, away from the stalled "
+                                    "position, and hold the new position at full torque.")
                 .arg(positionText(m_plan->from), positionText(m_plan->to));
         question.acceptText = translate("ServoTasks", "Turn back");
     } else {
         question.title = translate("ServoTasks", "Turn torque on?");
-        question.text =
-            translate(
-                "ServoTasks",
-                "The present position, %1, becomes the goal position, and the servo holds it.")
-                .arg(positionText(m_plan->to));
-        question.acceptText = translate("ServoTasks", "Turn on");
+        question.text = translate("ServoTasks", "The present position, %1, will become the goal "
+                                                "position, and the servo will hold it.")
+                            .arg(positionText(m_plan->to));
+        question.acceptText = translate("ServoTasks", "Turn torque on");
     }
     question.risk = translate("ServoTasks", "Remove the obstruction and keep your fingers away "
                                             "from the mechanism.");

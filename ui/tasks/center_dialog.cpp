@@ -96,8 +96,8 @@ void CenterDialog::retranslate()
         translate("ServoTasks", "Set midpoint"),
         translate("ServoTasks",
                   "The present shaft position becomes the midpoint of the travel range. Torque is "
-                  "turned off first to prevent a jump to the old goal position, and stays off "
-                  "until you turn it on. The position correction is kept after power-off."),
+                  "turned off first to prevent a jump to the old goal position and stays off until "
+                  "you turn it on. The position correction is kept after power-off."),
         translate("ServoTasks", "Set midpoint"),
         translate("ServoTasks", "Turns torque off and sets the present position as the "
                                 "midpoint"));

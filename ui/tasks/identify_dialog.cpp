@@ -23,9 +23,10 @@ IdentifyDialog::IdentifyDialog(session::Workbench& workbench, session::ServoRef 
 void IdentifyDialog::retranslate()
 {
     setTexts(translate("ServoTasks", "Blink LED"),
-             translate("ServoTasks",
-                       "This servo's LED blinks for a few seconds, and then the LED setting is "
-                       "restored. Nothing moves. On a servo without an LED, nothing is visible."),
+             translate(
+                 "ServoTasks",
+                 "This servo's LED blinks for a few seconds, and then the LED setting is restored. "
+                 "The servo does not move. If the servo has no LED, you will not see anything."),
              translate("ServoTasks", "Repeat"), translate("ServoTasks", "Blinks the LED again"));
 }
 

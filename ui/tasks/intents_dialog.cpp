@@ -43,8 +43,8 @@ QString remainingChangesLine(const RecoveryResult& one, const catalog::Catalog& 
     return names.isEmpty()
                ? QString()
                : translate("ServoTasks",
-                           "These registers were left unchanged because their values have since "
-                           "changed or because writing them would move the servo: %1")
+                           "These registers were not written because their values have changed in "
+                           "the meantime or because writing them would move the servo: %1")
                      .arg(names.join(QStringLiteral(", ")));
 }
 
@@ -63,14 +63,14 @@ TaskText recoveredText(const RecoveryResult& one, const catalog::Catalog& catalo
     QString line;
     if (isRollbackOnly(intent))
         line = allowPreviousValues
-                   ? translate("ServoTasks", "The servo already has the settings from before "
-                                             "the test. Nothing had to be restored.")
+                   ? translate("ServoTasks", "The servo already has the settings from before the "
+                                             "test. Nothing needed to be restored.")
                    : translate("ServoTasks", "The settings from before the test have been "
                                              "restored.");
     else if (one.action == RecoveryAction::Undo)
         line = translate("ServoTasks", "The old values have been restored.");
     else
-        line = translate("ServoTasks", "The change has been finished.");
+        line = translate("ServoTasks", "The change has been completed.");
     TaskText result{Tone::Good, line, {remainingChangesLine(one, catalog)}};
     if (one.report)
         result.details << lockLine(one.report->lock);
@@ -192,7 +192,7 @@ QString IntentsDialog::explanation() const
         "ServoTasks", "These changes were started but not finished because a cable was pulled, the "
                       "power failed, or the program was terminated. ServoDesk has only checked "
                       "them; nothing was written. Choose what to do with each change. Postponed "
-                      "changes are listed again at the next connection.");
+                      "changes will be listed again the next time you connect.");
     if (underWay == 0)
         return interrupted;
     return text::joinSentences(
@@ -224,7 +224,7 @@ void IntentsDialog::retranslate()
                             "writes nothing"));
     updateElsewhereText();
     m_table->setAccessibleName(translate("ServoTasks", "Interrupted writes"));
-    m_table->setToolTip(translate("ServoTasks", "Unfinished writes"));
+    m_table->setToolTip(translate("ServoTasks", "Interrupted writes"));
     m_model->retranslate();
 }
 

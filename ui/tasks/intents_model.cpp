@@ -80,7 +80,7 @@ QString IntentsModel::line(const base::Intent& intent) const
     QString changes = intentChangesText(intent, *profile);
     if (changes.size() > enough)
         changes = changes.left(enough) + QStringLiteral("…");
-    const QString line = translate("ServoTasks", "%1, %2: %3, on %4, %5")
+    const QString line = translate("ServoTasks", "%1, %2: %3, port %4, %5")
                              .arg(intentServoText(intent, *profile), intentLabel(intent), changes,
                                   intent.servo.port, intentTimeText(intent));
     return intent.isActiveElsewhere
@@ -130,7 +130,7 @@ QString intentLabel(const base::Intent& intent)
     case IntentKind::Identify:
         return translate("ServoTasks", "blink LED");
     case IntentKind::Trial:
-        return translate("ServoTasks", "test settings");
+        return translate("ServoTasks", "change settings for a test");
     case IntentKind::Undo:
         return translate("ServoTasks", "undo");
     }
@@ -147,7 +147,7 @@ QString findingText(Finding finding)
     case Finding::Mixed:
         return translate("ServoTasks", "some old and some new values");
     case Finding::OtherServo:
-        return translate("ServoTasks", "different servo or different values: skipped");
+        return translate("ServoTasks", "different servo or values; skipped");
     case Finding::NoReply:
         return translate("ServoTasks", "no reply");
     case Finding::Unreadable:
@@ -155,7 +155,7 @@ QString findingText(Finding finding)
     case Finding::UnderWay:
         return translate("ServoTasks", "still in progress in another program");
     case Finding::Replaced:
-        return translate("ServoTasks", "value has since changed: left as it is");
+        return translate("ServoTasks", "value has changed in the meantime; left as is");
     }
     return {};
 }

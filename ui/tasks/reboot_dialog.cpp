@@ -32,9 +32,9 @@ void RebootDialog::retranslate()
     setTexts(
         translate("ServoTasks", "Reboot servo"),
         translate("ServoTasks",
-                  "Torque is turned off first, so a load hanging on the shaft will drop. "
-                  "Temporarily written values and the turn count are lost. ServoDesk keeps the "
-                  "whole bus quiet for up to two seconds until the servo replies again."),
+                  "Torque is turned off first, so a load held by the servo will drop. Temporarily "
+                  "written values and the turn count are lost. ServoDesk keeps the whole bus quiet "
+                  "for up to two seconds until the servo replies again."),
         translate("ServoTasks", "Reboot"),
         translate("ServoTasks", "Turns torque off, reboots the servo and waits for its reply"));
 }
@@ -64,7 +64,7 @@ void RebootDialog::runAction()
         showResult([elapsed] {
             return TaskText{
                 Tone::Good,
-                translate("ServoTasks", "The servo has rebooted and replies again."),
+                translate("ServoTasks", "The servo has rebooted and is replying again."),
                 {translate("ServoTasks", "The reboot took %1 ms. Torque is off.").arg(*elapsed)}};
         });
     });

@@ -65,8 +65,8 @@ void RestoreDefaultsDialog::retranslate()
         "ServoTasks",
         "Baud rate: may revert to the stored rate. ServoDesk searches for the servo at all baud "
         "rates of its family.\nID: should stay the same; some servos revert to 1. If another servo "
-        "has ID 1, connect this servo alone.\nLimits, gains and position correction: will be "
-        "reset; afterwards, the same position may correspond to a different angle."));
+        "has ID 1, connect only this servo.\nLimits, gains and position correction: will be reset; "
+        "afterwards, the same position may correspond to a different angle."));
 }
 
 void RestoreDefaultsDialog::refresh()

@@ -92,7 +92,7 @@ void SetBaudDialog::validate()
     } else {
         lines << translate(
                      "ServoTasks",
-                     "After this change, the servo replies only at %1 baud. ServoDesk switches "
+                     "After this change, the servo will reply only at %1 baud. ServoDesk switches "
                      "automatically; other programs must be set to the new baud rate.")
                      .arg(m_rates->currentText());
         if (const int others = neighbors(); others > 0)

@@ -147,8 +147,9 @@ void TaskDialog::retranslateCommon()
 {
     if (entry() != nullptr)
         m_servoLabel->setText(servoTitle(*entry()));
-    setButtonText(m_stop, translate("ServoTasks", "Stop"),
-                  translate("ServoTasks", "Stops as soon as the current step is safely completed"));
+    setButtonText(
+        m_stop, translate("ServoTasks", "Stop"),
+        translate("ServoTasks", "Stops as soon as the current step has been safely completed"));
     setButtonText(
         m_close, translate("ServoTasks", "Close"),
         translate("ServoTasks", "Closes this dialog; the operation in progress continues"));

@@ -13,6 +13,7 @@
 #include "ui/trends/trend_toolbar.h"
 #include "ui/trends/trigger_control.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/feedback.h"
 #include "ui/widgets/replay_bar.h"
 
 #include <QEvent>
@@ -188,8 +189,27 @@ void TrendPanel::setRate(int hz)
 
 void TrendPanel::samplesAdded()
 {
-    if (!isReplaying() && isVisible())
-        m_chart->advance(m_workbench.now());
+    if (isReplaying() || !isVisible())
+        return;
+    if (followTorque())
+        showCurves();
+    m_chart->advance(m_workbench.now());
+}
+
+/// From when on the goals of each servo are meant; true if that has changed.
+bool TrendPanel::followTorque()
+{
+    bool changed = false;
+    for (const session::ServoRef ref : m_workbench.registry().order()) {
+        const bool isOff = isTorqueOff(*m_workbench.registry().servo(ref));
+        const auto known = m_goalsFrom.try_emplace(ref, Duration::min()).first;
+        const bool wasOff = known->second == Duration::max();
+        if (isOff == wasOff)
+            continue;
+        known->second = isOff ? Duration::max() : m_workbench.now();
+        changed = true;
+    }
+    return changed;
 }
 
 void TrendPanel::showLiveReadings()
@@ -224,6 +244,9 @@ void TrendPanel::showCurves()
         auto channel = resolver().channel(m_curves[i], colors[i]);
         if (!channel)
             continue;
+        const auto goalsFrom = m_goalsFrom.find(resolver().servoOf(m_curves[i]));
+        if (channel->dashed && goalsFrom != m_goalsFrom.end())
+            channel->axisFrom = goalsFrom->second;
         channels.push_back(std::move(*channel));
         m_shownCurves.push_back(i);
     }

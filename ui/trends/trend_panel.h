@@ -11,6 +11,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <map>
+
 namespace ui {
 class Banner;
 class CursorTable;
@@ -56,6 +58,7 @@ private:
     void connectLiveData();
     void setRate(int hz);
     void samplesAdded();
+    bool followTorque();
     void showLiveReadings();
     void showCurves();
     void updateSubscription();
@@ -88,6 +91,7 @@ private:
     std::vector<TrendCurve> m_curves;
     std::vector<std::size_t>
         m_shownCurves; ///< m_curves[m_shownCurves[i]] is channel i of the chart
+    std::map<session::ServoRef, base::Duration> m_goalsFrom; ///< never, while torque is off
     base::Duration m_period{};
     bool m_updatingChart = false; ///< channelsChanged() of the chart comes from here
 };

@@ -163,7 +163,7 @@ void TrendToolbar::setTrigger(const QString& words, bool waiting)
 {
     m_triggerWords = words;
     setTexts(m_trigger, words.isEmpty() ? tr("Trigger") : words,
-             waiting ? tr("The chart no longer waits for the event")
+             waiting ? tr("Stops waiting for the event")
                      : tr("Pauses the chart when an event occurs"));
     m_trigger->setVisible(!words.isEmpty()); // else it is in the menu
     m_trigger->setProperty("waiting", waiting);
@@ -306,7 +306,7 @@ void TrendToolbar::retranslate()
 {
     setTexts(m_pause, tr("Pause"), tr("Pauses the chart; measuring continues (Space)"));
     setTexts(m_fit, tr("All"), tr("Shows all measured data"));
-    setTexts(m_lanes, tr("Lanes"), tr("Shows each quantity in a lane of its own"));
+    setTexts(m_lanes, tr("Lanes"), tr("Shows each quantity in its own lane"));
     setTexts(m_cursors, tr("Cursors"), tr("Measures between two cursors"));
     setTexts(m_channels, tr("Channels…"), tr("Selects the servos and registers to show"));
     setTexts(m_more, tr("More"), tr("Trigger, read rate, export, recordings and saved views"));

@@ -68,7 +68,7 @@ void TriggerControl::retranslate()
     const TriggerState state = m_liveData.trigger().state();
     QString words;
     if (state == TriggerState::Armed)
-        words = tr("Cancel waiting");
+        words = tr("Stop waiting");
     else if (state == TriggerState::Fired)
         words = tr("Triggered…");
     m_views.toolbar.setTrigger(words, state == TriggerState::Armed);

@@ -205,7 +205,7 @@ void TriggerDialog::retranslate()
                       tr("A servo stops replying")});
     m_kind->setCurrentIndex(kind);
     setFieldText(m_form, m_kind, tr("Wait until"), tr("Event that the chart waits for"));
-    setFieldText(m_form, m_curve, tr("Channel"), tr("Channel that is monitored"));
+    setFieldText(m_form, m_curve, tr("Channel"), tr("Channel to monitor"));
     setFieldText(m_form, m_level, tr("Level"), tr("In the unit of the channel"));
     setFieldText(m_form, m_hysteresis, tr("Hysteresis"),
                  tr("How far the value must first move to the other side of the level; prevents "

@@ -49,9 +49,10 @@ void AllowMovementButton::askToAllow()
 {
     Question question;
     question.title = tr("Turn torque on?");
-    question.text = tr("The emergency stop has turned torque off for %1. Torque is turned on again "
-                       "at the servos' present positions; nothing moves until you start a test.")
-                        .arg(blockedByStopText(m_registry, m_servos));
+    question.text =
+        tr("The emergency stop turned torque off for %1. Torque will be turned on again at the "
+           "servos' present positions; nothing moves until you start a test.")
+            .arg(blockedByStopText(m_registry, m_servos));
     question.risk = tr("Keep hands and objects away from the servos. Esc immediately turns torque "
                        "off on all servos.");
     question.acceptText = tr("Turn torque on");
@@ -78,11 +79,11 @@ void AllowMovementButton::allow(const std::vector<AskedServo>& asked)
     };
     if (servos.size() < asked.size() || !m_emergencyStop.allowMovement(servos, this, report)) {
         m_banner.showMessage([] {
-            return BannerText{Tone::Warn,
-                              tr("Torque was not turned on."),
-                              {},
-                              tr("Wait until the search or test has ended, then click Allow "
-                                 "movement again.")};
+            return BannerText{
+                Tone::Warn,
+                tr("Torque was not turned on."),
+                {},
+                tr("Wait until the search or test has ended, then click “Allow movement” again.")};
         });
         return;
     }

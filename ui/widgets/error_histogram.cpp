@@ -179,7 +179,7 @@ QString ErrorHistogram::summary() const
 
 void ErrorHistogram::describe()
 {
-    setAccessibleName(tr("Error at goal"));
+    setAccessibleName(tr("Steady-state error"));
     setAccessibleDescription(summary());
 }
 

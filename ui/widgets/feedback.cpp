@@ -225,9 +225,7 @@ void addGoal(DialState& view, const session::ServoEntry& entry, const catalog::M
     if (!raw)
         return;
     view.goal = double(*raw);
-    // Without torque it is what is left of an earlier move: the servo goes nowhere.
-    const catalog::Register* torque = profile.byRole(Role::TorqueSwitch);
-    if (torque == nullptr || entry.displayedRaw(*torque) != 0)
+    if (!isTorqueOff(entry))
         view.subtitle += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*raw));
     if (const auto range = device::goalRange(entry.servo); range && !mode.limitsZero) {
         view.minGoal = range->min;
@@ -235,6 +233,14 @@ void addGoal(DialState& view, const session::ServoEntry& entry, const catalog::M
     }
 }
 } // namespace
+
+bool isTorqueOff(const session::ServoEntry& entry)
+{
+    const catalog::Profile* profile = entry.servo.profile.get();
+    const catalog::Register* torque =
+        profile != nullptr ? profile->byRole(Role::TorqueSwitch) : nullptr;
+    return torque != nullptr && entry.displayedRaw(*torque) == 0;
+}
 
 DialState dialState(const session::ServoEntry& entry, bool fresh)
 {

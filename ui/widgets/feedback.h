@@ -37,6 +37,9 @@ DialState dialState(const session::ServoEntry& entry, bool fresh);
 bool isFresh(const session::ServoEntry& entry, const session::LinkController& link,
              base::Duration now);
 
+/// Goals are then what is left of an earlier move.
+bool isTorqueOff(const session::ServoEntry& entry);
+
 /// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
 QString faultText(const QString& key);
 

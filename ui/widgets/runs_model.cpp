@@ -129,7 +129,7 @@ QVariant RunsModel::headerData(int section, Qt::Orientation orientation, int rol
         return {};
     switch (static_cast<RunColumn>(section)) {
     case RunColumn::Number:
-        return translate("ui::RunListDialog", "Run");
+        return translate("ui::RunListDialog", "Test");
     case RunColumn::When:
         return translate("ui::RunListDialog", "Time");
     case RunColumn::Servo:

@@ -92,7 +92,7 @@ QString lockRemark(const session::ServoEntry& entry, bool old)
                                  : translate("ServoRow", "EPROM lock not confirmed");
     return isReadSinceWrites && !entry.silent && !old
                ? translate("ServoRow", "EPROM unlocked by ServoDesk")
-               : translate("ServoRow", "EPROM unlocked by ServoDesk, lock not confirmed");
+               : translate("ServoRow", "EPROM unlocked by ServoDesk; relocking not confirmed");
 }
 
 std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
@@ -113,7 +113,7 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
     if (newer)
         remarks.push_back(
             {Tone::Accent,
-             translate("ServoRow", "Known firmware: %1 (%2)")
+             translate("ServoRow", "Newer firmware exists: %1 (%2)")
                  .arg(newer->version(), newer->date.toString(QStringLiteral("yyyy-MM")))});
     return remarks;
 }

@@ -76,7 +76,7 @@ void Welcome::retranslate()
     m_title->setText(tr("No servos connected yet"));
     m_adapterText->setText(
         tr("Plug in the adapter, turn on the servos' power supply, and select the port above. "
-           "Connecting and searching write nothing, and nothing moves."));
+           "Connecting and searching do not write anything or move any servo."));
     m_adapter->setText(tr("Connect to selected port"));
     m_adapter->setToolTip(tr("Opens the port selected above and searches it for servos"));
     m_simulationText->setText(

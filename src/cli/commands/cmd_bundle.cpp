@@ -76,11 +76,11 @@ base::Result<Exit> runSave(Run& run, const Values& values)
                           .add("model", snapshot.servo.model)
                           .add("registers", static_cast<int>(snapshot.registers.size())));
     }
-    run.finish(
-        Json::object().add("file", file).add("servos", std::move(ids)),
-        translate("cli", "%n servo(s) saved to %1 (ID %2)", nullptr, int(bundle->servos.size()))
-                .arg(file, names.join(QStringLiteral(", "))) +
-            QLatin1Char('\n'));
+    run.finish(Json::object().add("file", file).add("servos", std::move(ids)),
+               translate("cli", "Settings of %n servo(s) saved to %1 (ID %2)", nullptr,
+                         int(bundle->servos.size()))
+                       .arg(file, names.join(QStringLiteral(", "))) +
+                   QLatin1Char('\n'));
     return Exit::Success;
 }
 
@@ -104,7 +104,7 @@ base::Result<Exit> runRestore(Run& run, const Values& values)
 Command bundleSaveCommand()
 {
     return {"bundle save",
-            QT_TRANSLATE_NOOP("cli", "save all servos on the bus to one file"),
+            QT_TRANSLATE_NOOP("cli", "save the settings of all servos on the bus to one file"),
             {{"FILE", QT_TRANSLATE_NOOP("cli", "output file, for example NAME.bundle.json; an "
                                                "existing file is replaced")},
              {"ID", QT_TRANSLATE_NOOP("cli", "only these servos: 1, 1-6 or 1,3,5"), 0, many}},
@@ -115,12 +115,14 @@ Command bundleSaveCommand()
 
 Command bundleRestoreCommand()
 {
-    return {"bundle restore",
-            QT_TRANSLATE_NOOP("cli", "restore a saved bus, matching servos by ID"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by bundle save")}},
-            restoreOptions(
-                {{"--other-model",
-                  QT_TRANSLATE_NOOP("cli", "also write to IDs that now belong to another model")}}),
-            runRestore};
+    return {
+        "bundle restore",
+        QT_TRANSLATE_NOOP("cli", "restore the servos saved in a bundle, matching them by ID"),
+        {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by \"bundle save\"")}},
+        restoreOptions(
+            {{"--other-model",
+              QT_TRANSLATE_NOOP(
+                  "cli", "also write to IDs that now belong to a servo of a different model")}}),
+        runRestore};
 }
 } // namespace cli

@@ -101,20 +101,20 @@ base::Result<Exit> runReboot(Run& run, const Values& values)
     if (!elapsed)
         return tl::unexpected(elapsed.error());
     run.finish(Json::object().add("id", servo->id).add("elapsed_ms", *elapsed),
-               translate("cli", "Servo %1 has restarted.").arg(servo->id) + QLatin1Char('\n'));
+               translate("cli", "Servo %1 has rebooted.").arg(servo->id) + QLatin1Char('\n'));
     return Exit::Success;
 }
 } // namespace
 
 Command setIdCommand()
 {
-    return {"set-id",
-            QT_TRANSLATE_NOOP("cli", "change the ID of a servo after checking that the new one "
-                                     "is free"),
-            {{"OLD", QT_TRANSLATE_NOOP("cli", "current ID")},
-             {"NEW", QT_TRANSLATE_NOOP("cli", "new ID, 0 to 253")}},
-            {},
-            runSetId};
+    return {
+        "set-id",
+        QT_TRANSLATE_NOOP("cli", "change the ID of a servo after checking that the new ID is free"),
+        {{"OLD", QT_TRANSLATE_NOOP("cli", "current ID")},
+         {"NEW", QT_TRANSLATE_NOOP("cli", "new ID, 0 to 253")}},
+        {},
+        runSetId};
 }
 
 Command setBaudCommand()

@@ -98,12 +98,11 @@ base::Result<Exit> runClearAlarm(Run& run, const Values& values)
 
 Command clearAlarmCommand()
 {
-    return {
-        "clear-alarm",
-        QT_TRANSLATE_NOOP("cli", "show the cause of an alarm and clear it"),
-        {servoIdArgument},
-        {{"--move", QT_TRANSLATE_NOOP(
-                        "cli", "allow the servo to move slightly and its torque to be turned on")}},
-        runClearAlarm};
+    return {"clear-alarm",
+            QT_TRANSLATE_NOOP("cli", "show the cause of an alarm and clear it"),
+            {servoIdArgument},
+            {{"--move", QT_TRANSLATE_NOOP(
+                            "cli", "allow torque to be turned on and the servo to move slightly")}},
+            runClearAlarm};
 }
 } // namespace cli

@@ -243,7 +243,7 @@ QString withConcerns(const QString& text, const std::vector<results::CommissionI
 
 QString confirmText(const CommissionView& view)
 {
-    QString text = translate("cli", "%1 with ID %2 at %3 baud will be set to ID %4.")
+    QString text = translate("cli", "The %1 with ID %2 at %3 baud will be changed to ID %4.")
                        .arg(view.servo.model)
                        .arg(view.servo.id)
                        .arg(view.baud)
@@ -289,15 +289,15 @@ QString viewText(const CommissionView& view)
     case CommissionStep::Blocked:
         switch (view.obstacle) {
         case jobs::CommissionObstacle::DuplicateId:
-            return translate("cli",
-                             "Several servos reply. Leave only one connected. Nothing is written.");
-        case jobs::CommissionObstacle::DuplicateIds:
             return translate(
-                       "cli",
-                       "Two servos reply with ID %1. Leave only one connected. Nothing is written.")
+                "cli",
+                "Several servos are replying, so nothing is written. Disconnect all but one.");
+        case jobs::CommissionObstacle::DuplicateIds:
+            return translate("cli", "Two servos are replying with ID %1, so nothing is written. "
+                                    "Disconnect one of them.")
                 .arg(view.detected.empty() ? -1 : view.detected.front().place.id);
         default:
-            return translate("cli", "A device replies but could not be identified.");
+            return translate("cli", "A device is replying but cannot be identified.");
         }
     case CommissionStep::Confirm:
         return confirmText(view);
@@ -459,12 +459,13 @@ Command commissionCommand()
         "commission",
         QT_TRANSLATE_NOOP("cli", "set up servos one at a time: template, ID, baud rate"),
         {},
-        {{"--batch", QT_TRANSLATE_NOOP("cli", "batch list file; an existing batch is resumed"),
+        {{"--batch", QT_TRANSLATE_NOOP("cli", "batch file; an existing batch is resumed"),
           "FILE.csv"},
          {"--first-id", QT_TRANSLATE_NOOP("cli", "first ID to assign (default: 1)"), "ID"},
          {"--id-list", QT_TRANSLATE_NOOP("cli", "IDs to assign, in this order: 4-9,12"), "IDS"},
          {"--count",
-          QT_TRANSLATE_NOOP("cli", "end when this many servos in the batch are finished"), "N"},
+          QT_TRANSLATE_NOOP("cli", "stop when this many servos in the batch have been set up"),
+          "N"},
          {"--to-baud", QT_TRANSLATE_NOOP("cli", "baud rate to write (default: unchanged)"), "RATE"},
          {"--template", QT_TRANSLATE_NOOP("cli", "snapshot or template to write"), "FILE"},
          {"--dangerous", QT_TRANSLATE_NOOP("cli", "also write the dangerous registers of the "

@@ -37,8 +37,8 @@ base::Result<Exit> runReport(Run& run, const Values& values)
 Command commissionReportCommand()
 {
     return {"commission-report",
-            QT_TRANSLATE_NOOP("cli", "create a report of a commissioning batch; needs no port"),
-            {{"BATCH", QT_TRANSLATE_NOOP("cli", "batch list file (.csv)")},
+            QT_TRANSLATE_NOOP("cli", "create a report of a commissioning batch; no port is needed"),
+            {{"BATCH", QT_TRANSLATE_NOOP("cli", "batch file (.csv)")},
              {"FILE", QT_TRANSLATE_NOOP("cli", "report file: .html or .pdf")}},
             {},
             runReport};

@@ -139,7 +139,7 @@ base::Result<Exit> runDiagnose(Run& run, const Values& values)
 Command diagnoseCommand()
 {
     return {"diagnose",
-            QT_TRANSLATE_NOOP("cli", "find out why a servo does not reply; writes nothing"),
+            QT_TRANSLATE_NOOP("cli", "find out why a servo is not replying; writes nothing"),
             {},
             {{"--bauds", QT_TRANSLATE_NOOP("cli", "other baud rates to try"), "all|N,N…"}},
             runDiagnose};

@@ -104,7 +104,7 @@ Table tableOf(const std::vector<history::HistoryAlarm>& alarms)
 Table tableOf(const std::vector<history::HistoryRecording>& recordings)
 {
     Table table({translate("cli", "Recording"), translate("cli", "Time"),
-                 translate("cli", "Duration"), translate("cli", "ID"), translate("cli", "Readings"),
+                 translate("cli", "Duration"), translate("cli", "ID"), translate("cli", "Rows"),
                  translate("cli", "File")});
     table.alignRight({0, 2, 4});
     for (const history::HistoryRecording& recording : recordings) {
@@ -175,7 +175,7 @@ base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::
                        ? translate("cli", "No matching entries in the history.") + QLatin1Char('\n')
                        : tableOf(*rows, meaning...).text();
     if (kind == HistoryKind::Servos && !rows->empty())
-        text += translate("cli", "Servos have no serial number: servos with the same model, "
+        text += translate("cli", "Servos have no serial number, so servos with the same model, "
                                  "firmware, ID and label are listed as one.") +
                 QLatin1Char('\n');
     run.finish(
@@ -190,7 +190,7 @@ base::Result<HistoryKind> kindOf(const Values& values)
     const auto kind = history::historyKindFromName(word);
     if (!kind)
         return badArgument(translate("cli", "--kind must be writes, snapshots, alarms, recordings, "
-                                            "runs or servos; on a server also benches"));
+                                            "runs, servos or (on a server only) benches"));
     return *kind;
 }
 
@@ -307,24 +307,26 @@ Command historyCommand()
     std::vector<Option> options{
         {"--kind",
          QT_TRANSLATE_NOOP("cli", "kind of entries: writes (default), snapshots, alarms, "
-                                  "recordings, runs, servos; on a server also benches"),
+                                  "recordings, runs, servos or (on a server only) benches"),
          "KIND"}};
     for (const Option& option : historyOptions())
         options.push_back(option);
     for (const Option& option : serverOptions())
         options.push_back(option);
     options.push_back({"--csv",
-                       QT_TRANSLATE_NOOP("cli", "write all matching entries to a CSV file for "
-                                                "programs (without a byte order mark) instead"),
+                       QT_TRANSLATE_NOOP("cli", "write all matching entries to a CSV file instead "
+                                                "(for other programs; without a byte order mark)"),
                        "FILE"});
     options.push_back(
         {"--export", QT_TRANSLATE_NOOP("cli", "write all matching entries to a JSON file instead"),
          "FILE"});
-    return {"history",
-            QT_TRANSLATE_NOOP("cli", "list writes, snapshots, alarms, recordings and tests of "
-                                     "servos; needs no port"),
-            {},
-            options,
-            runHistoryCommand<list>};
+    return {
+        "history",
+        QT_TRANSLATE_NOOP(
+            "cli",
+            "list writes, snapshots, alarms, recordings and tests of servos; no port is needed"),
+        {},
+        options,
+        runHistoryCommand<list>};
 }
 } // namespace cli

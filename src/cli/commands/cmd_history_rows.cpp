@@ -29,7 +29,7 @@ base::Result<std::int64_t> parseNumber(const QString& word)
     bool isNumber = false;
     const qint64 number = QString(word).remove(QLatin1Char('#')).toLongLong(&isNumber);
     if (!isNumber || number < 1)
-        return badArgument(translate("cli", "\"%1\" is not a row number").arg(word));
+        return badArgument(translate("cli", "\"%1\" is not a valid entry number").arg(word));
     return number;
 }
 
@@ -286,8 +286,8 @@ Command historyLabelCommand()
 Command historySnapshotCommand()
 {
     return {"history snapshot",
-            QT_TRANSLATE_NOOP("cli", "save a snapshot from the history as a file for snapshot "
-                                     "restore"),
+            QT_TRANSLATE_NOOP(
+                "cli", "save a snapshot from the history as a file for \"snapshot restore\""),
             {{"SNAPSHOT", QT_TRANSLATE_NOOP(
                               "cli", "snapshot number, as listed by \"history --kind snapshots\"")},
              outputFileArgument},
@@ -301,11 +301,12 @@ Command historyTableCommand()
         "history table",
         QT_TRANSLATE_NOOP("cli",
                           "save a servo's memory table as it was at a given time (last snapshot "
-                          "plus the writes up to then) to a file for snapshot restore"),
+                          "plus the writes up to then) to a file for \"snapshot restore\""),
         {{"SERVO", QT_TRANSLATE_NOOP(
                        "cli", "servo label, or number as listed by \"history --kind servos\"")},
-         {"TIME", QT_TRANSLATE_NOOP(
-                      "cli", "time: 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w")},
+         {"TIME",
+          QT_TRANSLATE_NOOP(
+              "cli", "time: 2026-11-22T10:30, 10:30, or how long ago, such as 90m, 2h, 3d, 1w")},
          outputFileArgument},
         serverOptions(),
         runHistoryCommand<takeTable>};

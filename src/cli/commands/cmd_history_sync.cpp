@@ -115,15 +115,15 @@ Command historySyncCommand()
 {
     return {
         "history sync",
-        QT_TRANSLATE_NOOP("cli", "send missing history to a history server (PostgreSQL); "
-                                 "needs no port"),
+        QT_TRANSLATE_NOOP("cli", "send history entries that a history server (PostgreSQL) does not "
+                                 "have yet; no port is needed"),
         {},
         {{"--server",
-          QT_TRANSLATE_NOOP("cli", "connection string, for example "
-                                   "postgresql://USER@HOST/DATABASE, without a password "
-                                   "(store it in ~/.pgpass); default: the remembered "
-                                   "server. A server on another computer needs a valid TLS "
-                                   "certificate, unless ?sslmode=... specifies otherwise"),
+          QT_TRANSLATE_NOOP("cli",
+                            "connection string, for example postgresql://USER@HOST/DATABASE, "
+                            "without a password (store the password in ~/.pgpass); default: the "
+                            "remembered server. By default, a server on another computer needs a "
+                            "valid TLS certificate; to change this, use ?sslmode=..."),
           "STRING"},
          {"--bench", QT_TRANSLATE_NOOP("cli", "name of this bench on the server"), "NAME"},
          {"--remember",

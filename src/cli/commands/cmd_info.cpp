@@ -137,11 +137,11 @@ base::Result<Exit> runInfo(Run& run, const Values& values)
 
 Command infoCommand()
 {
-    return {"info",
-            QT_TRANSLATE_NOOP("cli", "show model and state of a servo, and remedies for its "
-                                     "alarms"),
-            {servoIdArgument},
-            {},
-            runInfo};
+    return {
+        "info",
+        QT_TRANSLATE_NOOP("cli", "show the model and state of a servo and how to clear its alarms"),
+        {servoIdArgument},
+        {},
+        runInfo};
 }
 } // namespace cli

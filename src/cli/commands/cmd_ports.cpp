@@ -45,6 +45,6 @@ base::Result<Exit> runPorts(Run& run, const Values&)
 
 Command portsCommand()
 {
-    return {"ports", QT_TRANSLATE_NOOP("cli", "list the ports of this computer"), {}, {}, runPorts};
+    return {"ports", QT_TRANSLATE_NOOP("cli", "list the ports on this computer"), {}, {}, runPorts};
 }
 } // namespace cli

@@ -125,7 +125,8 @@ base::Result<std::vector<base::Intent>> chosenChanges(std::vector<base::Intent> 
     if (open.empty())
         return badArgument(translate("cli", "no unfinished change \"%1\"").arg(*which));
     if (open.size() > 1)
-        return badArgument(translate("cli", "several changes start with \"%1\"").arg(*which));
+        return badArgument(
+            translate("cli", "the names of several changes start with \"%1\"").arg(*which));
     return open;
 }
 
@@ -196,7 +197,7 @@ base::Result<Exit> runRecover(Run& run, const Values& values)
 Command recoverCommand()
 {
     return {"recover",
-            QT_TRANSLATE_NOOP("cli", "show interrupted changes; finish or undo them"),
+            QT_TRANSLATE_NOOP("cli", "show unfinished changes, and finish or undo them"),
             {},
             {{"--finish", QT_TRANSLATE_NOOP("cli", "complete the changes")},
              {"--undo", QT_TRANSLATE_NOOP("cli", "restore the old values")},

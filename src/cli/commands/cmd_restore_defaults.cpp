@@ -28,7 +28,7 @@ QString restoreText(const jobs::RestoreDefaultsReport& report)
     lines << translate("cli", "The servo replies as ID %1 at %2 baud.")
                  .arg(report.newId)
                  .arg(report.newBaud);
-    lines << (changed.isEmpty() ? translate("cli", "No register has changed.")
+    lines << (changed.isEmpty() ? translate("cli", "No registers have changed.")
                                 : translate("cli", "Changed registers: %1")
                                       .arg(changed.join(QStringLiteral(", "))));
     lines << translate("cli", "EPROM lock: %1").arg(text::lockLabel(device::lockName(report.lock)));
@@ -62,8 +62,8 @@ Command restoreDefaultsCommand()
 {
     return {"restore-defaults",
             QT_TRANSLATE_NOOP("cli",
-                              "restore the parameters stored in the servo (instruction 0x06); "
-                              "ID and baud rate may change, so connect only this servo"),
+                              "reset a servo to its stored default settings (instruction 0x06); "
+                              "the ID and baud rate may change, so connect only this servo"),
             {servoIdArgument},
             {},
             runRestoreDefaults};

@@ -57,7 +57,7 @@ QString remarkOf(const jobs::FoundServo& found)
     if (found.duplicateSuspected)
         return translate("cli", "possibly two servos with this ID");
     const bool unclear = found.servo.profile && found.servo.profile->conflict;
-    return unclear ? translate("cli", "family unclear: read-only") : QString();
+    return unclear ? translate("cli", "family unclear, so read-only") : QString();
 }
 
 Table foundTable(const jobs::ScanReport& report)
@@ -65,7 +65,8 @@ Table foundTable(const jobs::ScanReport& report)
     Table table({translate("cli", "ID"), translate("cli", "Model"),
                  translate("cli", "Model number"), translate("cli", "Firmware"),
                  translate("cli", "Protocol"), translate("cli", "Register map"),
-                 translate("cli", "Baud"), translate("cli", "Alarms"), translate("cli", "Note")});
+                 translate("cli", "Baud rate"), translate("cli", "Alarms"),
+                 translate("cli", "Note")});
     table.alignRight({0, 6});
     for (const jobs::FoundServo& found : report.found) {
         const catalog::Profile* profile = found.servo.profile.get();
@@ -98,12 +99,11 @@ QString remarks(const jobs::ScanReport& report)
     if (report.hasGarbledReplies)
         lines << translate(
             "cli", "Unreadable data was received, but no servo could be confirmed. Possible "
-                   "causes: another baud rate, two servos with the same ID, or noise.");
+                   "causes: a different baud rate, two servos with the same ID, or noise.");
     if (std::any_of(report.found.begin(), report.found.end(),
                     [](const jobs::FoundServo& found) { return found.duplicateSuspected; }))
-        lines << translate(
-            "cli", "New servos all have the same ID. Give each its own, connected one at a time: "
-                   "servodesk-cli commission --help");
+        lines << translate("cli", "New servos all have the same ID. Connect them one at a time and "
+                                  "give each its own ID: servodesk-cli commission --help");
     if (report.slowPassAdvised)
         lines << translate(
             "cli",
@@ -111,7 +111,7 @@ QString remarks(const jobs::ScanReport& report)
     for (const int rate : report.unsupportedRates)
         lines << translate("cli", "This adapter does not support %1 baud.").arg(rate);
     for (const int rate : report.busyRates)
-        lines << translate("cli", "At %1 baud the line is never idle: a device is sending "
+        lines << translate("cli", "At %1 baud, the bus is never idle: a device is sending "
                                   "continuously. Servos may have been missed.")
                      .arg(rate);
     if (report.stopped)
@@ -172,11 +172,12 @@ base::Result<Exit> runScan(Run& run, const Values& values)
 Command scanCommand()
 {
     return {"scan",
-            QT_TRANSLATE_NOOP("cli", "search the bus; writes nothing"),
+            QT_TRANSLATE_NOOP("cli", "search the bus without writing anything"),
             {},
             {{"--ids", QT_TRANSLATE_NOOP("cli", "only these IDs (default: 0-253)"), "A-B"},
-             {"--bauds", QT_TRANSLATE_NOOP("cli", "baud rates to search at"), "all|N,N…"},
-             {"--slow", QT_TRANSLATE_NOOP("cli", "query silent IDs again with a longer timeout")}},
+             {"--bauds", QT_TRANSLATE_NOOP("cli", "baud rates to use for the search"), "all|N,N…"},
+             {"--slow",
+              QT_TRANSLATE_NOOP("cli", "retry IDs that did not reply, using a longer timeout")}},
             runScan};
 }
 } // namespace cli

@@ -98,7 +98,7 @@ QString snapshotText(const snapshot::Snapshot& snapshot)
         about += translate("cli", "Label: %1").arg(snapshot.label.simplified()) + QLatin1Char('\n');
     if (!snapshot.note.isEmpty())
         about += translate("cli", "Note: %1").arg(snapshot.note) + QLatin1Char('\n');
-    return translate("cli", "Servo %1: %2 (%3), firmware %4, on %5 at %6")
+    return translate("cli", "Servo %1: %2 (%3), firmware %4, read on port %5 at %6")
                .arg(servo.id)
                .arg(servo.model, servo.modelId, servo.firmware, snapshot.port,
                     localTime(snapshot.at)) +
@@ -144,10 +144,10 @@ Command snapshotSaveCommand()
 Command snapshotShowCommand()
 {
     return {"snapshot show",
-            QT_TRANSLATE_NOOP("cli", "show a saved file; needs no port"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by snapshot save")}},
+            QT_TRANSLATE_NOOP("cli", "show a saved file; no port is needed"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "file created by \"snapshot save\"")}},
             {{"--csv", QT_TRANSLATE_NOOP("cli", "output as CSV, without a byte order mark")},
-             {"--report", QT_TRANSLATE_NOOP("cli", "also write the table to one page"),
+             {"--report", QT_TRANSLATE_NOOP("cli", "also save the memory table as a report"),
               "FILE.html|pdf"}},
             runShow};
 }

@@ -73,7 +73,7 @@ base::Result<std::deque<Column>> readColumns(Run& run, const QStringList& words)
         bool number = false;
         word.toInt(&number);
         if (word == factoryText) {
-            columns.push_back({translate("cli", "Factory"), factoryText, {}, nullptr});
+            columns.push_back({translate("cli", "Factory default"), factoryText, {}, nullptr});
             continue;
         }
         const auto id = number ? parseId(word) : base::Result<int>(-1);
@@ -184,7 +184,8 @@ base::Result<Exit> runDiff(Run& run, const Values& values)
 {
     const QStringList words = values.arguments("WHAT");
     if (words.size() < 2)
-        return badArgument(translate("cli", "specify at least two of: a file, an ID, default"));
+        return badArgument(
+            translate("cli", "specify at least two sources: files, IDs or \"default\""));
     const auto columns = readColumns(run, words);
     if (!columns)
         return tl::unexpected(columns.error());
@@ -202,8 +203,9 @@ Command snapshotDiffCommand()
 {
     return {
         "snapshot diff",
-        QT_TRANSLATE_NOOP("cli", "compare memory tables side by side: files, servos, "
-                                 "factory default"),
+        QT_TRANSLATE_NOOP(
+            "cli",
+            "compare memory tables from files, servos and the factory defaults side by side"),
         {{"WHAT",
           QT_TRANSLATE_NOOP(
               "cli",

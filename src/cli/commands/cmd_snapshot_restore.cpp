@@ -87,7 +87,7 @@ Command snapshotRestoreCommand()
              {"FILE", QT_TRANSLATE_NOOP("cli", "snapshot or template; may be from another servo")}},
             restoreOptions(
                 {{"--identity",
-                  QT_TRANSLATE_NOOP("cli", "also write ID and baud rate, as the last step")}}),
+                  QT_TRANSLATE_NOOP("cli", "also write the ID and baud rate, as the last step")}}),
             runRestore};
 }
 } // namespace cli

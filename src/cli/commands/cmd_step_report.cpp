@@ -78,27 +78,28 @@ base::Result<Exit> runStepCompare(Run& run, const Values& values)
 
 Command stepReportCommand()
 {
-    return {"step-report",
-            QT_TRANSLATE_NOOP("cli", "create a report of an earlier step response; needs no port"),
-            {{"RUN",
-              QT_TRANSLATE_NOOP("cli", "test run number in the history, or a .json report file")},
-             {"FILE", QT_TRANSLATE_NOOP("cli", "report file; its extension sets the format: "
-                                               ".html, .pdf, .json or .csv")}},
-            {},
-            runStepReport};
+    return {
+        "step-report",
+        QT_TRANSLATE_NOOP("cli", "create a report of an earlier step response; no port is needed"),
+        {{"RUN",
+          QT_TRANSLATE_NOOP("cli", "test run number in the history, or a .json report file")},
+         {"FILE", QT_TRANSLATE_NOOP("cli", "report file; its extension sets the format: "
+                                           ".html, .pdf, .json or .csv")}},
+        {},
+        runStepReport};
 }
 
 Command stepCompareCommand()
 {
     return {
         "step-compare",
-        QT_TRANSLATE_NOOP("cli", "compare two step responses; needs no port"),
+        QT_TRANSLATE_NOOP("cli", "compare two step responses; no port is needed"),
         {{"A",
           QT_TRANSLATE_NOOP(
               "cli",
               "step response before the change: number in the history, or a .json report file")},
          {"B", QT_TRANSLATE_NOOP("cli", "step response after the change")}},
-        {{"--report", QT_TRANSLATE_NOOP("cli", "write both runs to a file"),
+        {{"--report", QT_TRANSLATE_NOOP("cli", "write both step responses to a file"),
           "FILE.html|pdf|json|csv"}},
         runStepCompare};
 }

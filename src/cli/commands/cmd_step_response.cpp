@@ -139,7 +139,7 @@ base::Result<void> StepCommand::perform(const std::vector<results::StepGain>& tr
             return saved;
     }
     ProgressLine line(m_run.console(), trial.empty() ? translate("cli", "Step response")
-                                                     : translate("cli", "Step response, trial"));
+                                                     : translate("cli", "Step response (trial)"));
     jobs::StepCallbacks watch;
     watch.onProgress = [&line](const jobs::SweepProgress& progress) {
         line.update({progress.fraction});
@@ -194,8 +194,9 @@ void StepCommand::show(const QString& kept)
     if (!m_trial.empty() && !tried)
         text += translate("cli", "The trial was not run.") + QLatin1Char('\n');
     if (tried && m_runs.back().isReverted) // else a notice names the register
-        text += translate("cli", "The trial has ended. The servo has its old values again, unless "
-                                 "a note says otherwise. To keep good values, use \"write\".") +
+        text += translate("cli",
+                          "The trial has ended. The servo has its old values again unless a note "
+                          "says otherwise. To save values that worked well, use \"write\".") +
                 QLatin1Char('\n');
     if (!m_report.isEmpty())
         text += translate("cli", "Report: %1").arg(m_report) + QLatin1Char('\n');

@@ -88,8 +88,8 @@ QString gapsText(const results::SweepRun& run)
         gaps << QStringLiteral("%1–%2 s").arg(seconds(gap.at), seconds(gap.at + gap.span));
     if (gaps.isEmpty())
         return {};
-    return translate("cli", "Gaps without readings: %1. No times or speeds are available for moves "
-                            "with such a gap.")
+    return translate("cli", "Gaps in the readings: %1. Times and speeds are not available for "
+                            "moves that contain a gap.")
                .arg(gaps.join(QStringLiteral(", "))) +
            QLatin1Char('\n');
 }
@@ -180,7 +180,7 @@ void SweepCommand::warnAboutSpeed(const device::Context& context)
             m_run.console().printMessage(
                 translate("cli",
                           "Servo %1: most moves are too short for a verdict. A goal counts as "
-                          "reached within %2 steps, so each move needs at least %3 steps.")
+                          "reached within %2 steps, so each move must be at least %3 steps long.")
                     .arg(QString::number(m_servos[i].id), number(estimate->axis.tolerance),
                          QString::number(std::ceil(estimate->minMove))));
         if (!estimate->tooShort)

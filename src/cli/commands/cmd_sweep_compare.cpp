@@ -215,7 +215,7 @@ base::Result<Exit> runSweepCompare(Run& run, const Values& values)
 Command sweepCompareCommand()
 {
     return {"sweep-compare",
-            QT_TRANSLATE_NOOP("cli", "compare two sweep tests; needs no port"),
+            QT_TRANSLATE_NOOP("cli", "compare two sweep tests; no port is needed"),
             {{"A", QT_TRANSLATE_NOOP("cli", "test run in the history (12, or 12:3 for ID 3 of that "
                                             "run), or a .json report file")},
              {"B", QT_TRANSLATE_NOOP("cli", "test run to compare with the first one")}},

@@ -54,7 +54,7 @@ base::Result<Exit> runSweepReport(Run& run, const Values& values)
 Command sweepReportCommand()
 {
     return {"sweep-report",
-            QT_TRANSLATE_NOOP("cli", "create a report of an earlier sweep test; needs no port"),
+            QT_TRANSLATE_NOOP("cli", "create a report of an earlier sweep test; no port is needed"),
             {{"RUN",
               QT_TRANSLATE_NOOP("cli", "test run number in the history, or a .json report file")},
              {"FILE", QT_TRANSLATE_NOOP("cli", "report file; its extension sets the format: "

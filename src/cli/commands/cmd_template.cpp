@@ -48,7 +48,7 @@ tl::unexpected<base::Error> whyNot(const base::Error& error, const snapshot::Sna
     case base::Reason::ReadOnlyRegister:
         return badArgument(translate("cli", "%1 is read-only").arg(key));
     case base::Reason::NoValue:
-        return badArgument(translate("cli", "%1 has no value in the source").arg(key));
+        return badArgument(translate("cli", "the snapshot or servo has no value for %1").arg(key));
     default:
         return tl::unexpected(error);
     }
@@ -101,22 +101,23 @@ base::Result<Exit> runApply(Run& run, const Values& values)
 
 Command templateMakeCommand()
 {
-    return {"template make",
-            QT_TRANSLATE_NOOP("cli", "save selected registers for writing to other servos"),
-            {{"FROM", QT_TRANSLATE_NOOP("cli", "snapshot file, or ID (reads the servo)")},
-             outputFileArgument,
-             {"KEY", QT_TRANSLATE_NOOP("cli", "register names"), 1, many}},
-            {{"--identity", QT_TRANSLATE_NOOP("cli", "allow ID and baud rate in the template")},
-             {"--label", QT_TRANSLATE_NOOP("cli", "label saved in the file"), "TEXT"},
-             {"--note", QT_TRANSLATE_NOOP("cli", "note saved in the file"), "TEXT"}},
-            runMake};
+    return {
+        "template make",
+        QT_TRANSLATE_NOOP("cli", "save selected registers as a template to write to other servos"),
+        {{"FROM", QT_TRANSLATE_NOOP("cli", "snapshot file, or ID (reads the servo)")},
+         outputFileArgument,
+         {"KEY", QT_TRANSLATE_NOOP("cli", "register names"), 1, many}},
+        {{"--identity", QT_TRANSLATE_NOOP("cli", "allow ID and baud rate in the template")},
+         {"--label", QT_TRANSLATE_NOOP("cli", "label saved in the file"), "TEXT"},
+         {"--note", QT_TRANSLATE_NOOP("cli", "note saved in the file"), "TEXT"}},
+        runMake};
 }
 
 Command templateApplyCommand()
 {
     return {"template apply",
-            QT_TRANSLATE_NOOP("cli", "write a template or snapshot to several servos, with a "
-                                     "result for each; never writes ID or baud rate"),
+            QT_TRANSLATE_NOOP("cli", "write a template or snapshot to several servos and report "
+                                     "the result for each; never writes the ID or baud rate"),
             {{"FILE", QT_TRANSLATE_NOOP("cli", "template or snapshot")},
              {"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1, 1-6 or 1,3,5"), 1, many}},
             restoreOptions(),

@@ -49,9 +49,9 @@ Json runJson(const history::TestRun& run)
 QString referenceText(const history::TestRun& run, const history::TestServo& servo)
 {
     if (servo.reference && !history::canBeReference(run))
-        return translate("cli", "ignored: did not finish");
+        return translate("cli", "ignored: the test did not finish");
     if (servo.reference && !history::canBeReference(run, servo))
-        return translate("cli", "ignored: failed");
+        return translate("cli", "ignored: the servo failed");
     return servo.reference ? QStringLiteral("★") : QString();
 }
 
@@ -156,7 +156,7 @@ base::Result<Exit> runReference(Run& run, const Values& values)
                    .add("model", identity.model)
                    .add("reference", mark),
                (mark ? translate("cli", "Test run %1, ID %2, is now the reference for %3")
-                     : translate("cli", "Test run %1, ID %2, is not a reference for %3"))
+                     : translate("cli", "Test run %1, ID %2, is no longer a reference for %3"))
                        .arg(qint64(word->number))
                        .arg(identity.id)
                        .arg(identity.model) +
@@ -167,7 +167,7 @@ base::Result<Exit> runReference(Run& run, const Values& values)
 std::vector<Option> filterOptions()
 {
     return {{"--model", QT_TRANSLATE_NOOP("cli", "only servos of this model"), "MODEL"},
-            {"--servo", QT_TRANSLATE_NOOP("cli", "only with this ID"), "ID"},
+            {"--servo", QT_TRANSLATE_NOOP("cli", "only servos with this ID"), "ID"},
             {"--text",
              QT_TRANSLATE_NOOP("cli",
                                "only runs whose label, note, operator or port contains this text"),
@@ -178,7 +178,7 @@ std::vector<Option> filterOptions()
 Command sweepRunsCommand()
 {
     return {"sweep-runs",
-            QT_TRANSLATE_NOOP("cli", "list the sweep tests in the history; needs no port"),
+            QT_TRANSLATE_NOOP("cli", "list the sweep tests in the history; no port is needed"),
             {},
             filterOptions(),
             runSweepList};
@@ -187,7 +187,7 @@ Command sweepRunsCommand()
 Command stepRunsCommand()
 {
     return {"step-runs",
-            QT_TRANSLATE_NOOP("cli", "list the step responses in the history; needs no port"),
+            QT_TRANSLATE_NOOP("cli", "list the step responses in the history; no port is needed"),
             {},
             filterOptions(),
             runStepList};
@@ -197,7 +197,7 @@ Command sweepReferenceCommand()
 {
     return {
         "sweep-reference",
-        QT_TRANSLATE_NOOP("cli", "set a servo of a test run as the reference for its model"),
+        QT_TRANSLATE_NOOP("cli", "mark a servo in a test run as the reference for its model"),
         {{"RUN", QT_TRANSLATE_NOOP(
                      "cli", "test run number in the history: 12, or 12:3 for ID 3 of that run")}},
         {{"--clear", QT_TRANSLATE_NOOP("cli", "remove the reference mark")}},

@@ -138,8 +138,8 @@ private:
     QString endedText(int id, const base::Error& error) const
     {
         if (m_task.sent || device::isMarkedUnverified(error))
-            return translate("cli", "Canceled before confirmation (ID %1): torque off was sent, "
-                                    "but may not have taken effect.");
+            return translate("cli", "Canceled before confirmation (ID %1): the torque-off command "
+                                    "was sent but may not have taken effect.");
         if (m_task.releases)
             return translate("cli", "Canceled before confirmation (ID %1): torque may still be on, "
                                     "and these servos may still be moving.");
@@ -211,7 +211,7 @@ base::Result<bool> disableTorqueAtOnce(Run& run, const std::vector<int>& ids)
     if (bus.lost())
         return false;
     run.console().printNote(
-        translate("cli", "Torque off was sent (ID %1). Confirming …").arg(formatIds(ids)));
+        translate("cli", "Torque-off command sent (ID %1). Confirming…").arg(formatIds(ids)));
     return true;
 }
 
@@ -301,7 +301,7 @@ base::Result<Exit> runStop(Run& run, const Values& values)
                     startHalt,
                     true,
                     false,
-                    translate("cli", "Confirming the stop (ID %1) …")};
+                    translate("cli", "Confirming the stop (ID %1)…")};
     return answeringServosFirst(run, *ids, task);
 }
 
@@ -336,8 +336,8 @@ base::Result<Exit> runMode(Run& run, const Values& values)
 Command torqueCommand()
 {
     return {"torque",
-            QT_TRANSLATE_NOOP("cli", "switch torque: on holds the present position; off is sent "
-                                     "even when other writes are refused"),
+            QT_TRANSLATE_NOOP("cli", "set the torque state: on holds the present position; off is "
+                                     "sent even when other writes are refused"),
             {{"ID… on|off|damp",
               QT_TRANSLATE_NOOP("cli", "servo IDs (1 2 3, 1-6 or 1,3), then the action"), 2, many}},
             {},
@@ -347,8 +347,9 @@ Command torqueCommand()
 Command stopCommand()
 {
     return {"stop",
-            QT_TRANSLATE_NOOP("cli", "stop the motion; torque stays as it is, but is turned off "
-                                     "if holding cannot be confirmed"),
+            QT_TRANSLATE_NOOP(
+                "cli", "stop the motion without changing the torque state; if it cannot be "
+                       "confirmed that the servo is holding its position, torque is turned off"),
             {{"ID", QT_TRANSLATE_NOOP("cli", "servo IDs: 1 2 3, 1-6 or 1,3"), 1, many}},
             {},
             runStop};

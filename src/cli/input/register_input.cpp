@@ -10,9 +10,9 @@ QString expectation(const catalog::Register& reg, const catalog::ValueFormat& me
 {
     QStringList kinds;
     if (meaning.min && meaning.max)
-        kinds << translate("cli", "a raw number from %1 to %2").arg(*meaning.min).arg(*meaning.max);
+        kinds << translate("cli", "a raw value from %1 to %2").arg(*meaning.min).arg(*meaning.max);
     else
-        kinds << translate("cli", "a raw number");
+        kinds << translate("cli", "a raw value");
     if (!meaning.unit.isEmpty())
         kinds << translate("cli", "a value with its unit (%1)").arg(meaning.unit);
     QStringList names;

@@ -190,7 +190,8 @@ std::vector<Option> sweepOptions()
          QT_TRANSLATE_NOOP("cli",
                            "start position: raw value (1024), or value with its unit (90deg)"),
          "POS"},
-        {"--to", QT_TRANSLATE_NOOP("cli", "end position: raw or with its unit"), "POS"},
+        {"--to", QT_TRANSLATE_NOOP("cli", "end position: raw value, or value with its unit"),
+         "POS"},
         {"--delay",
          QT_TRANSLATE_NOOP("cli",
                            "time from one goal to the next, whether or not the goal is reached"),
@@ -217,7 +218,7 @@ std::vector<Option> sweepOptions()
          QT_TRANSLATE_NOOP(
              "cli", "switch servos in other modes to position mode for the test, then back")},
         {"--torque-off", QT_TRANSLATE_NOOP("cli", "turn torque off at the end (default: hold)")},
-        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "stop at the first limit that is not met")},
+        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "stop as soon as a limit is violated")},
         {"--limits", QT_TRANSLATE_NOOP("cli", "limits for the verdict (default: built-in limits)"),
          "FILE"},
         {"--report",

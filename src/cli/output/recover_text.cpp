@@ -40,7 +40,7 @@ FindingText findingText(jobs::Finding finding)
     case jobs::Finding::Mixed:
         return {"mixed", QT_TRANSLATE_NOOP("cli", "some old and some new values")};
     case jobs::Finding::OtherServo:
-        return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo replies: not changed")};
+        return {"other-servo", QT_TRANSLATE_NOOP("cli", "different servo; not changed")};
     case jobs::Finding::NoReply:
         return {"no-answer", QT_TRANSLATE_NOOP("cli", "no reply")};
     case jobs::Finding::Unreadable:
@@ -48,7 +48,8 @@ FindingText findingText(jobs::Finding finding)
     case jobs::Finding::UnderWay:
         return {"under-way", QT_TRANSLATE_NOOP("cli", "still in progress in another program")};
     case jobs::Finding::Replaced:
-        return {"replaced", QT_TRANSLATE_NOOP("cli", "value has since changed: left as it is")};
+        return {"replaced",
+                QT_TRANSLATE_NOOP("cli", "value has changed in the meantime; left as is")};
     }
     return {"", ""};
 }
@@ -149,10 +150,12 @@ QString discardedText(const base::Intent& intent)
     lines += QLatin1Char('\n');
     for (const QString& change : changes.isEmpty() ? QStringList{changesCell(intent)} : changes)
         lines += QStringLiteral("  %1\n").arg(change);
-    lines += QStringLiteral("  ") +
-             translate("cli",
-                       "The servo was not read: each register may hold its old or its new value.") +
-             QLatin1Char('\n');
+    lines +=
+        QStringLiteral("  ") +
+        translate(
+            "cli",
+            "The servo was not read, so each register may hold either its old or its new value.") +
+        QLatin1Char('\n');
     if (intent.lockOpened)
         lines += QStringLiteral("  ") +
                  translate("cli", "The EPROM may be unlocked. To check, use \"info %1\". To lock "
@@ -193,8 +196,8 @@ QString notWrittenLine(const jobs::RecoveryResult& one)
     if (one.skippedKeys.isEmpty())
         return {};
     return translate("cli",
-                     "In change %1, these registers were left as they are because their values "
-                     "have since changed or because writing them would move the servo: %2")
+                     "In change %1, these registers were not written because their values have "
+                     "changed in the meantime or because writing them would move the servo: %2")
                .arg(one.before.intent.uuid.left(uuidDigits),
                     one.skippedKeys.join(QStringLiteral(", "))) +
            QLatin1Char('\n');

@@ -141,7 +141,7 @@ Json jsonRegister(const device::Servo& servo, const catalog::Register& reg)
 Table registerTable(const device::Servo& servo,
                     const std::vector<const catalog::Register*>& registers)
 {
-    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Area"),
+    Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Register"),
                  translate("cli", "Value"), translate("cli", "Raw"), translate("cli", "Area"),
                  translate("cli", "Access")});
     table.alignRight({0, 4});

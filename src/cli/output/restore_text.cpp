@@ -117,7 +117,7 @@ QString originText(const jobs::RestorePlan& plan)
 {
     if (plan.otherModel) {
         QString text =
-            translate("cli", "The file is from another model: registers are matched by name.") +
+            translate("cli", "The file is from a different model: registers are matched by name.") +
             QLatin1Char('\n');
         if (plan.count(jobs::RestoreReason::OtherModelLimit) > 0)
             text +=
@@ -127,7 +127,7 @@ QString originText(const jobs::RestorePlan& plan)
         return text;
     }
     if (plan.otherFirmware)
-        return translate("cli", "The file is from another firmware version: registers are "
+        return translate("cli", "The file is from a different firmware version: registers are "
                                 "matched by name.") +
                QLatin1Char('\n');
     return {};
@@ -152,7 +152,7 @@ Json jsonRow(const jobs::RestoreRowResult& row)
 QString rowState(const jobs::RestoreRowResult& row)
 {
     const QString word = text::outcomeLabel(device::outcomeName(row.write.outcome));
-    return row.rolledBack ? translate("cli", "%1, restored to the old value").arg(word) : word;
+    return row.rolledBack ? translate("cli", "%1, old value restored").arg(word) : word;
 }
 
 /// Writes and lock as one report, for its exit code.
@@ -189,8 +189,9 @@ std::vector<Option> restoreOptions(std::vector<Option> more)
          {"--dangerous",
           QT_TRANSLATE_NOOP(
               "cli", "allow writing registers that can move the servo or make it unreachable")},
-         {"--roll-back", QT_TRANSLATE_NOOP("cli", "at the first failure, undo all "
-                                                  "writes (default: stop there)")},
+         {"--roll-back",
+          QT_TRANSLATE_NOOP(
+              "cli", "undo all writes at the first failure (default: stop without undoing)")},
          {"--dry-run", QT_TRANSLATE_NOOP("cli", "show what would be written, without "
                                                 "writing")},
          {"--result", QT_TRANSLATE_NOOP("cli", "save the result of each row (.csv or .json)"),
@@ -351,7 +352,7 @@ QString notPutBackText(const jobs::RestoreOutcome& outcome)
 QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& servo)
 {
     if (outcome.verdict == jobs::RestoreVerdict::AlreadySet)
-        return translate("cli", "Nothing had to be written.") + QLatin1Char('\n');
+        return translate("cli", "No changes were necessary.") + QLatin1Char('\n');
     Table table({translate("cli", "Address"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
                  translate("cli", "Result")});

@@ -422,8 +422,7 @@ private Q_SLOTS:
         QVERIFY(fixture.connectTo(QStringLiteral("sim:line")));
         QTRY_VERIFY(fixture.find<QPushButton>("commissionStart")->isEnabled());
         QTest::mouseClick(fixture.find<QPushButton>("commissionStart"), Qt::LeftButton);
-        QTRY_VERIFY(
-            fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning());
+        QTRY_VERIFY(fixture.workbench().commissioning().isRunning());
         QTest::mouseClick(fixture.find<QPushButton>("commissionPlug"), Qt::LeftButton);
         QTRY_VERIFY(fixture.find<QPushButton>("commissionContinue")->isVisible());
         const QStringList names{QStringLiteral("commissionStart"), QStringLiteral("commissionStop"),
@@ -451,8 +450,7 @@ private Q_SLOTS:
         fixture.find<QWidget>("commissionDangerous")->show();
         VERIFY_UNMOVED(watch, "a template with dangerous rows");
         QTest::mouseClick(fixture.find<QPushButton>("commissionStop"), Qt::LeftButton);
-        QTRY_VERIFY(
-            !fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning());
+        QTRY_VERIFY(!fixture.workbench().commissioning().isRunning());
     }
 
     void clicksRightAfterALayoutShiftWriteNothing_data()
@@ -483,7 +481,7 @@ private Q_SLOTS:
         const auto acted = [&] {
             return fixture.workbench().tasks().isBusy() ||
                    fixture.find<QWidget>("question") != nullptr ||
-                   fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning();
+                   fixture.workbench().commissioning().isRunning();
         };
         gui::ManualPressClock clock;
         clock.pass(1h);

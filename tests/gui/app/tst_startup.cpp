@@ -101,7 +101,7 @@ private Q_SLOTS:
             bus.servo(2)->poke(QStringLiteral("id"), 1);
         });
         const auto* log = fixture.find<ui::MessageLog>("messageLog");
-        const QString words = QStringLiteral("Another servo replies with ID 1: SCS15");
+        const QString words = QStringLiteral("A different servo now replies with ID 1: SCS15");
         QTRY_VERIFY2(log->toPlainText().contains(words), qPrintable(log->toPlainText()));
     }
 

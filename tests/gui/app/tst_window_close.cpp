@@ -70,10 +70,7 @@ struct Fixture : gui::MainWindowFixture {
             return commission(cutAt);
         return what == QLatin1String("restore") ? restore(cutAt) : record();
     }
-    session::Commissioning& line()
-    {
-        return find<ui::CommissionPage>("commissionPage")->commissioning();
-    }
+    session::Commissioning& line() { return workbench().commissioning(); }
     QString bannerText()
     {
         QString all;

@@ -40,6 +40,7 @@ private Q_SLOTS:
     void anotherButtonDoesNotEndADrag();
     void shiftDragPansValues();
     void offScaleIsSaidAndFitted();
+    void valuesBeforeAxisFromDoNotWidenTheAxis();
     void keysMatchTheMouse();
     void cursorsAreDraggedAndNudged();
     void arrowsStepACursorBySamples();
@@ -330,6 +331,27 @@ void TestTrendChart::offScaleIsSaidAndFitted()
     QVERIFY(!chip());
     QVERIFY(!fixture.plot->picture().axes().axisOf({}).range.isFixed());
     QCOMPARE(fixture.chart.shown(), (recording::TimeSpan{0s, 10s}));
+}
+
+void TestTrendChart::valuesBeforeAxisFromDoNotWidenTheAxis()
+{
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return 1000 + t; });
+    fixture.fill(1, 10s, [](double t) { return t < 5 ? 0 : 1500; });
+    const auto shown = [&](Duration axisFrom, const recording::TimeSpan& view) {
+        fixture.channels[1].axisFrom = axisFrom;
+        fixture.chart.setChannels(fixture.channels);
+        fixture.chart.show(view);
+        fixture.waitForFrames();
+        return fixture.plot->picture().axes().axisOf({}).shown;
+    };
+    QVERIFY(shown(Duration::min(), {0s, 10s}).low <= 0);
+    const ui::AxisRange later = shown(5s, {0s, 9s});
+    QVERIFY(later.low > 900 && later.high >= 1500);
+    const ui::AxisRange never = shown(Duration::max(), {0s, 10s});
+    QVERIFY(never.low > 900 && never.high < 1200);
+    fixture.channels[0].visible = false; // alone on its axis, it is shown as it is
+    QVERIFY(shown(Duration::max(), {0s, 9s}).low <= 0);
 }
 
 void TestTrendChart::keysMatchTheMouse()

@@ -264,7 +264,7 @@ void TestConnectBar::statisticsAreShown()
         QStringLiteral("test"),
         {{{fixture.ref(1), {QStringLiteral("present_position")}}}, std::chrono::milliseconds(10)});
     static const QRegularExpression busy(
-        QStringLiteral("^[1-9][0-9]* reads/s · 0 errors · bus [0-9]+ %$"));
+        QStringLiteral("^[1-9][0-9]* reads/s · 0 errors · bus load [0-9]+ %$"));
     QTRY_VERIFY2(busy.match(status->text()).hasMatch(), qPrintable(status->text()));
     QVERIFY(status->toolTip().contains(QStringLiteral("Round trip")));
 }
@@ -281,7 +281,7 @@ void TestConnectBar::anAwaitedAdapterIsReportedMissing()
     const auto wire = connection.simulation();
     wire->with([](sim::VirtualBus& bus) { bus.cutLink(); });
     QTRY_COMPARE(status->text(), QStringLiteral("adapter disconnected, waiting up to 5 s"));
-    QVERIFY(status->toolTip().contains(QStringLiteral("not turned on")));
+    QVERIFY(status->toolTip().contains(QStringLiteral("not be turned back on")));
     QCOMPARE(fixture.workbench.link().state(), LinkState::Open);
     wire->with([](sim::VirtualBus& bus) { bus.restoreLink(); });
     QTRY_VERIFY2(status->text().contains(QStringLiteral("reads/s")), qPrintable(status->text()));

@@ -333,7 +333,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.cell(0, 4), QStringLiteral("50"));
         QTRY_VERIFY(fixture.find<QPushButton>("historyOpen")->isEnabled());
         QTest::mouseClick(fixture.find<QPushButton>("historyOpen"), Qt::LeftButton);
-        QTRY_VERIFY(fixture.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
+        QTRY_VERIFY(fixture.isShown("snapshotsPage"));
         auto* write = fixture.find<QPushButton>("restoreWrite");
         QTRY_COMPARE(write->text(), QStringLiteral("Write 1 selected row"));
         QTRY_VERIFY(write->isEnabled());
@@ -457,7 +457,7 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.rows(), 1);
         fixture.table()->selectRow(0);
         QTest::mouseClick(fixture.find<QPushButton>("historyOpen"), Qt::LeftButton);
-        QTRY_VERIFY(fixture.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
+        QTRY_VERIFY(fixture.isShown("snapshotsPage"));
         QTRY_COMPARE(fixture.find<QTreeWidget>("shelfTree")->selectedItems().size(), 1);
         QTRY_COMPARE(fixture.find<QPushButton>("restoreWrite")->text(),
                      QStringLiteral("Write 1 selected row"));

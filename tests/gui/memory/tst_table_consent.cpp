@@ -215,7 +215,7 @@ void TestTableConsent::limitsAskInSpeedModeToo()
     QDialog* question = fixture.question();
     QVERIFY(question != nullptr);
     const auto* risk = question->findChild<QLabel*>(QStringLiteral("questionRisk"));
-    QVERIFY(risk != nullptr && risk->text().contains(QStringLiteral("past any position")));
+    QVERIFY(risk != nullptr && risk->text().contains(QStringLiteral("can turn without limit")));
     QTest::mouseClick(question->findChild<QPushButton*>(QStringLiteral("questionYes")),
                       Qt::LeftButton);
     QVERIFY(written("max_angle_limit", 0));
@@ -232,12 +232,12 @@ void TestTableConsent::theQuestionNamesTheMode()
     QCOMPARE(questions.size(), std::size_t(1));
     QVERIFY2(questions.front().text.contains(QStringLiteral("Writing 1 to Operating mode")),
              qPrintable(questions.front().text));
-    QVERIFY(!questions.front().risk.contains(QStringLiteral("past any position")));
+    QVERIFY(!questions.front().risk.contains(QStringLiteral("can turn without limit")));
     const auto alsoLimits = ui::writeQuestions(
         fixture.entry(),
         {{QStringLiteral("operating_mode"), 1}, {QStringLiteral("max_angle_limit"), 0}}, false);
     QCOMPARE(alsoLimits.size(), std::size_t(1));
-    QVERIFY2(alsoLimits.front().risk.contains(QStringLiteral("past any position")),
+    QVERIFY2(alsoLimits.front().risk.contains(QStringLiteral("can turn without limit")),
              qPrintable(alsoLimits.front().risk));
 }
 

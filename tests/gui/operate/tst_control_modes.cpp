@@ -76,7 +76,7 @@ void TestControlModes::multiTurnMakesTwoTurns()
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(text("sim:sts3215@1"), {1}));
     QVERIFY(fixture.switchModeByTile("multiturn"));
-    QVERIFY2(fixture.confirmationText.contains(text("saved and will be restored")),
+    QVERIFY2(fixture.confirmationText.contains(text("will be saved and then restored")),
              qPrintable(fixture.confirmationText));
     const double before = fixture.degrees(1);
     const std::int64_t from = fixture.entry().servo.raw(catalog::Role::PresentPosition).value();

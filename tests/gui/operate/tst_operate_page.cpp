@@ -8,9 +8,11 @@
 #include "sim/host/sim_link.h"
 #include "support/test_main.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/charts/trend_plot.h"
 #include "ui/operate/servo_card.h"
 #include "ui/trends/trend_panel.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/feedback.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/pill.h"
 #include "ui/widgets/position_dial.h"
@@ -483,6 +485,28 @@ private Q_SLOTS:
                         .contains(QLatin1String("unknown")));
         for (const ui::ServoCard* card : fixture.window->findChildren<ui::ServoCard*>())
             QTRY_VERIFY(card->view().isStale);
+    }
+
+    /// After power-on the goal of this family is 0, far from where the servo stands.
+    void aGoalWithoutTorqueDoesNotWidenTheScale()
+    {
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:modbus")));
+        auto* plot = fixture.find<ui::TrendPlot>("trendPlot");
+        const auto degrees = [&] {
+            return plot->picture().axes().axisOf(QStringLiteral("°")).shown;
+        };
+        QTRY_VERIFY(fixture.entry().servo.raw(catalog::Role::GoalPosition) == 0);
+        QVERIFY(ui::isTorqueOff(fixture.entry()));
+        QTRY_VERIFY(degrees().low > 90 && degrees().high < 270);
+        fixture.settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
+        fixture.click("torqueSwitch");
+        QTRY_VERIFY(!ui::isTorqueOff(fixture.entry()));
+        auto* chart = fixture.find<ui::TrendChart>("trendChart");
+        QVERIFY(chart->width() > std::chrono::seconds(5)); // the old goal is still in view
+        const base::Duration before = chart->shown().to;
+        QTRY_VERIFY(chart->shown().to > before + std::chrono::milliseconds(300));
+        QVERIFY(degrees().low > 90 && degrees().high < 270);
     }
 
     /// The port follows a servo to another baud rate: the others are not read any more, and their

@@ -72,17 +72,18 @@ void TestDiagnosisDialog::explainsItselfWhileItRuns()
     Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
     QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("Looking for the cause…"));
     QVERIFY(!fixture.actionButton()->isVisible());
-    QTRY_VERIFY(fixture.evidence().contains(QStringLiteral("opens at 1000000 baud")));
+    QTRY_VERIFY(fixture.evidence().contains(QStringLiteral("can be opened at 1000000 baud")));
     QVERIFY(!fixture.isDone());
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 60'000);
-    QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("The servos found reply reliably."));
+    QCOMPARE(fixture.text("diagnosisCause"),
+             QStringLiteral("The servos that were found reply reliably."));
     QVERIFY(!fixture.actionButton()->isVisible());
     QCOMPARE(fixture.workbench.registry().order().size(), std::size_t(2)); // as after a search
     fixture.find<QPushButton>("diagnosisCopy")->click();
     const QString report = QGuiApplication::clipboard()->text();
     QVERIFY2(report.contains(QStringLiteral("\n- 2 servos found at 1000000 baud")),
              qPrintable(report));
-    QVERIFY2(report.contains(QStringLiteral("\nThe servos found reply reliably.\n")),
+    QVERIFY2(report.contains(QStringLiteral("\nThe servos that were found reply reliably.\n")),
              qPrintable(report));
 }
 
@@ -90,7 +91,8 @@ void TestDiagnosisDialog::connectsAtTheRateThatWasFound()
 {
     Fixture fixture(QStringLiteral("sim:sts3215@1:500000"), 1'000'000);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 60'000);
-    QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("Servos use another baud rate."));
+    QCOMPARE(fixture.text("diagnosisCause"),
+             QStringLiteral("Some servos use a different baud rate."));
     QVERIFY(!fixture.text("diagnosisRemedy").isEmpty());
     QCOMPARE(fixture.workbench.link().baud(), 1'000'000);
     QVERIFY2(fixture.actionButton()->isVisible() && fixture.actionButton()->text().contains(u"500"),

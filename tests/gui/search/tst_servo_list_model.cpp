@@ -163,7 +163,7 @@ void TestServoListModel::newerFirmwareShowsItsDate()
     const auto profile = loaded.catalog.resolve({3, 9, 0, 9, 3});
     const ServoRow row =
         ui::servoRow(entryForProfile(profile), loaded.catalog.newerFirmware(*profile), {});
-    QCOMPARE(remarks(row), QStringLiteral("Known firmware: 3.10 (2025-03)"));
+    QCOMPARE(remarks(row), QStringLiteral("Newer firmware exists: 3.10 (2025-03)"));
     QVERIFY(row.toolTipText().contains(QStringLiteral("3.10 (2025-03)")));
 }
 

@@ -176,7 +176,7 @@ private Q_SLOTS:
         fixture.workbench().link().connection()->simulation()->with([](sim::VirtualBus& bus) {
             bus.servo(1)->poke(QStringLiteral("max_temperature"), 60);
         });
-        QTRY_COMPARE(different->text(), QStringLiteral("≠ 1 differ"));
+        QTRY_COMPARE(different->text(), QStringLiteral("≠ 1 different"));
         QVERIFY(fixture.rowOf("max_temperature") >= 0);
     }
 
@@ -442,9 +442,9 @@ private Q_SLOTS:
         QVERIFY(fixture.write("position_p", 40));
         auto* different = fixture.find<ui::Pill>("compareDifferent");
         auto* never = fixture.find<ui::Pill>("compareNever");
-        QTRY_COMPARE(different->text(), QStringLiteral("≠ 1 differ"));
+        QTRY_COMPARE(different->text(), QStringLiteral("≠ 1 different"));
         QVERIFY(never->isVisible());
-        QCOMPARE(never->text(), QStringLiteral("≠ 1 not restored"));
+        QCOMPARE(never->text(), QStringLiteral("≠ 1 never restored"));
         QVERIFY2(never->toolTip().contains(QStringLiteral("never restored")),
                  qPrintable(never->toolTip()));
         fixture.click("restoreWrite");

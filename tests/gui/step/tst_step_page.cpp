@@ -92,7 +92,8 @@ private Q_SLOTS:
     {
         StepPageFixture fixture;
         QVERIFY(!fixture.own<QPushButton>("stepRun")->isEnabled());
-        QCOMPARE(fixture.own<QLabel>("stepWhy")->text(), QStringLiteral("Connect first."));
+        QCOMPARE(fixture.own<QLabel>("stepWhy")->text(),
+                 QStringLiteral("Connect to a port first."));
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         QTRY_VERIFY(fixture.own<QPushButton>("stepRun")->isEnabled());
         QCOMPARE(fixture.now("torque_switch"), 0);
@@ -173,7 +174,8 @@ private Q_SLOTS:
         fixture.click("stepBack");
         QCOMPARE(fixture.tried("position_p")->value(), 36);
         QCOMPARE(fixture.now("position_p"), 36);
-        QCOMPARE(fixture.own<QPushButton>("stepBack")->text(), QStringLiteral("Restore old"));
+        QCOMPARE(fixture.own<QPushButton>("stepBack")->text(),
+                 QStringLiteral("Restore old values"));
         fixture.click("stepBack");
         QTRY_COMPARE(*fixture.raw("position_p"), 32);
         QTRY_VERIFY(fixture.test().previousValues(fixture.selection().current()).empty());

@@ -233,7 +233,7 @@ private Q_SLOTS:
         fixture.setLanguage(text("zh_CN"));
         QCOMPARE(dialog->windowTitle(), text("以往阶跃响应"));
         QVERIFY(fixture.find<QLabel>("stepStored")->text().contains(text("测试 2")));
-        QCOMPARE(fixture.find<QPushButton>("stepEarlier")->text(), text("以往运行…"));
+        QCOMPARE(fixture.find<QPushButton>("stepEarlier")->text(), text("以往的运行…"));
         QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();
         buttons << fixture.find<QPushButton>("stepEarlier");
         for (const QPushButton* button : std::as_const(buttons)) {

@@ -137,7 +137,7 @@ void TestLimitsDialog::errorsAreReported_data()
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("said");
     QTest::newRow("no number") << 0 << int(LimitColumn::Warn) << q("abc")
-                               << q("Line 1, Overshoot: \"abc\" is not a number");
+                               << q("Row 1, Overshoot: \"abc\" is not a number");
     QTest::newRow("infinite") << 0 << int(LimitColumn::Fail) << q("inf") << q("not a number");
     QTest::newRow("negative") << 1 << int(LimitColumn::Fail) << q("-3") << q("cannot be negative");
     QTest::newRow("neither") << 1 << int(LimitColumn::Fail) << q("") << q("Enter a warning limit");
@@ -145,9 +145,9 @@ void TestLimitsDialog::errorsAreReported_data()
                              << q("would be reached before the warning limit");
     QTest::newRow("crossed below")
         << 2 << int(LimitColumn::Warn) << q("6")
-        << q("Line 3, Lowest voltage: The failure limit would be reached");
+        << q("Row 3, Lowest voltage: The failure limit would be reached");
     QTest::newRow("twice") << 1 << int(LimitColumn::Metric) << q("overshoot")
-                           << q("already has a limit in this direction");
+                           << q("already has a limit of this kind");
 }
 
 void TestLimitsDialog::errorsAreReported()

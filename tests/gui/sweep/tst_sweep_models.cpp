@@ -287,7 +287,7 @@ void TestSweepModels::remarksNameTheProblem()
     model.append(bad);
     const QModelIndex remarks = model.index(0, int(LegColumn::Remarks));
     const QString words = remarks.data().toString();
-    for (const char* part : {"missed", "moving flag wrong", "overload", "2 readings lost"})
+    for (const char* part : {"goal missed", "moving flag error", "overload", "2 readings lost"})
         QVERIFY2(words.contains(q(part)), qPrintable(words));
     QCOMPARE(remarks.data(ui::toneRole).toInt(), int(Tone::Bad));
     QCOMPARE(cell(model, 0, LegColumn::Time), q("–"));
@@ -355,7 +355,7 @@ void TestSweepModels::legsFollowTheLanguage()
     model.retranslate();
     QVERIFY(cell(model, 0, LegColumn::Remarks).contains(q("未到位")));
     QCOMPARE(model.headerData(int(LegColumn::Voltage), Qt::Horizontal).toString(),
-             q("最低电压，V"));
+             q("最低电压（V）"));
 }
 
 SERVODESK_TEST(TestSweepModels)

@@ -413,7 +413,7 @@ private Q_SLOTS:
         });
         search(); // it enters the list anew
         QTRY_VERIFY(!says("Torque could not be turned off"));
-        QVERIFY(banner->isVisible() && says("Test settings are still in the servo"));
+        QVERIFY(banner->isVisible() && says("Test settings are still in effect"));
         fixture.workbench().recovery().findOpenIntents();
         QTRY_VERIFY(!uuid.isEmpty());
         fixture.workbench().recovery().recoverIntent(uuid, jobs::RecoveryAction::Undo);
@@ -443,7 +443,7 @@ private Q_SLOTS:
         QString questionText;
         for (const QLabel* label : fixture.find<QWidget>("sweepBanner")->findChildren<QLabel*>())
             questionText += label->text();
-        for (const char* part : {"Test settings are still in the servo: ID 1: ", "(old value 1)",
+        for (const char* part : {"Test settings are still in effect: ID 1: ", "(old value 1)",
                                  "Interrupted writes", "Torque could not be turned off: ID 1"})
             QVERIFY2(questionText.contains(QLatin1String(part)), qPrintable(questionText));
         verifyRestoredModeIsNotReported(fixture);

@@ -578,7 +578,7 @@ void TestIntentsDialog::otherValuesAreKeptAndReported()
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found),
-             text("value has since changed: left as it is"));
+             text("value has changed in the meantime; left as is"));
     gui::click(dialog, "intentUndo");
     QTRY_VERIFY(gui::resultOf(dialog).contains(text("Nothing was written")));
     QVERIFY2(gui::resultOf(dialog).contains(text("Torque limit")),

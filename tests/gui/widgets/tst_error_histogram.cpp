@@ -146,7 +146,7 @@ void TestErrorHistogram::accessibleTextHasTheNumbers()
     ErrorHistogram chart;
     chart.setLimits(8, 16);
     chart.addErrors(std::vector<double>{-9, 0, 1, 20});
-    QCOMPARE(chart.accessibleName(), q("Error at goal"));
+    QCOMPARE(chart.accessibleName(), q("Steady-state error"));
     const QString words = chart.accessibleDescription();
     for (const char* part : {"Moves: 4.", "Error: −9 to +20 step", "mean +3 step",
                              "warning limit of 8 step: 2.", "the limit of 16 step: 1."})

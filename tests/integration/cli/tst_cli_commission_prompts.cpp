@@ -124,10 +124,10 @@ void TestCliCommissionPrompts::enterConfiguresIt()
 {
     InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 2");
-    QVERIFY(keys.asks("be set to ID 5."));
+    QVERIFY(keys.asks("be changed to ID 5."));
     QVERIFY(keys.rows().empty()); // not before it is confirmed
     keys.press("\n");
-    QVERIFY(keys.asks("be set to ID 6."));
+    QVERIFY(keys.asks("be changed to ID 6."));
     QCOMPARE(keys.rows().size(), std::size_t(1));
     keys.press("\n");
     const ProgramResult result = keys.finish();
@@ -154,8 +154,8 @@ void TestCliCommissionPrompts::aRejectsIt()
     QCOMPARE(rejected[0].newId, -1);
     QVERIFY2(rejected[0].snapshot.isEmpty(), "nothing is written, so nothing is saved");
     // The ID is left for the next servo.
-    QVERIFY(keys.asks(
-        "\nUnplug the servo.\nConnect the next servo (it will get ID 5).\nSTS3215 with ID 1 at"));
+    QVERIFY(keys.asks("\nUnplug the servo.\nConnect the next servo (it will get ID 5).\nThe "
+                      "STS3215 with ID 1 at"));
     keys.press("\n");
     const ProgramResult result = keys.finish();
     QCOMPARE(result.exit, 1); // one was not set up
@@ -188,7 +188,7 @@ void TestCliCommissionPrompts::sConfirmsTheInterruptedServo()
     // The first servo, as identified by this program.
     InteractiveCommission first;
     first.start("commission --first-id 5 --count 1");
-    QVERIFY(first.asks("be set to ID 5."));
+    QVERIFY(first.asks("be changed to ID 5."));
     first.press("\n");
     QCOMPARE(first.finish().exit, 0);
     const results::CommissionRow met = first.rows().front();
@@ -226,7 +226,7 @@ void TestCliCommissionPrompts::anythingElseIsNo()
 {
     InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 1");
-    QVERIFY(keys.asks("be set to ID 5."));
+    QVERIFY(keys.asks("be changed to ID 5."));
     keys.press("no\n");
     QVERIFY(keys.asks("Nothing was done."));
     QVERIFY(keys.rows().empty());
@@ -241,9 +241,9 @@ void TestCliCommissionPrompts::earlierInputIsNoAnswer()
     InteractiveCommission keys;
     keys.attachTerminal();
     keys.start("commission --first-id 5 --count 2");
-    QVERIFY(keys.asks("be set to ID 5."));
+    QVERIFY(keys.asks("be changed to ID 5."));
     keys.press("\n\n\n");
-    QVERIFY(keys.asks("be set to ID 6. Press Enter"));
+    QVERIFY(keys.asks("be changed to ID 6. Press Enter"));
     QCOMPARE(keys.rows().size(), std::size_t(1));
     keys.press("a\n"); // the answer to the present question
     QVERIFY(keys.asks("\nUnplug the servo.\n"));
@@ -258,7 +258,7 @@ void TestCliCommissionPrompts::closedStdinEndsTheBatch()
 {
     InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 1");
-    QVERIFY(keys.asks("be set to ID 5."));
+    QVERIFY(keys.asks("be changed to ID 5."));
     const ProgramResult result = keys.finish(); // the end of its standard input
     QCOMPARE(result.exit, 0);
     QVERIFY(keys.rows().empty());

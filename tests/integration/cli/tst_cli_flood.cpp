@@ -34,7 +34,7 @@ QByteArray frames()
 /// WRITE of the goal position.
 const QByteArray goalWriteBytes = QByteArray::fromHex("032A");
 
-const QString neverSilentText = QStringLiteral("line is never");
+const QString neverSilentText = QStringLiteral("bus is never idle");
 
 /// Peak memory of the program, in KiB.
 int peakMemory(qint64 pid)

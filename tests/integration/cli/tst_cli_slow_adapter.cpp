@@ -102,7 +102,7 @@ void TestCliSlowAdapter::restartIsVerifiedOrNotReported_data()
             << text("the servo acknowledged the reboot command but did not reboot");
         QTest::addRow("too quick to see, %d ms", latency)
             << bytes::RestartBehavior::TooFastToDetect << latency << 0
-            << text("Servo 1 has restarted.");
+            << text("Servo 1 has rebooted.");
     }
 }
 
@@ -120,7 +120,7 @@ void TestCliSlowAdapter::restartIsVerifiedOrNotReported()
     QCOMPARE(result.exit, exit);
     const QString all = result.out + result.err;
     QVERIFY2(all.contains(says), qPrintable(all));
-    QCOMPARE(all.contains(text("has restarted")), exit == 0);
+    QCOMPARE(all.contains(text("has rebooted")), exit == 0);
     QCOMPARE(bus.byteAt(1, 48) + 256 * bus.byteAt(1, 49), 1000); // the mark is gone
 }
 

@@ -166,7 +166,7 @@ void TestCliStepResponse::recoverFindsAKilledTrial()
     cli.setPort(sim.port());
     cli.start(support::words("step-response 1 --size 300 --repeats 1 --hold 3000 "
                              "--try position_p=20"));
-    QVERIFY(cli.waitForError("trial: 50"));
+    QVERIFY(cli.waitForError("(trial): 50"));
     cli.signal(SIGKILL);
     (void)cli.finish();
     QVERIFY(cli.run("read 1 position_p").out.contains(text("20")));

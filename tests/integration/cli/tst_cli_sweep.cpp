@@ -186,7 +186,7 @@ void TestCliSweep::aSuspendedRunIsReported()
     QTest::qWait(2000); // suspended for this time
     cli.signal(SIGCONT);
     const ProgramResult result = cli.finish();
-    QVERIFY2(result.out.contains(text("Gaps without readings: ")), qPrintable(result.out));
+    QVERIFY2(result.out.contains(text("Gaps in the readings: ")), qPrintable(result.out));
     QVERIFY2(!result.out.contains(text("stalled before reaching its goal")),
              qPrintable(result.out));
 }

@@ -211,7 +211,7 @@ void TestHandoverReports::aBatchIsHandedOver()
         const QString text = paperText(path("batch.pdf"));
         for (const char* fact : {"arm.csv", "关节 1", "11 · 500 k", "22 · 500 k", "7.4 V", "26 °C"})
             QVERIFY2(text.contains(q(fact)), qPrintable(q(fact) + text));
-        QCOMPARE(text.contains(q("max_temperature was refused")), !chinese);
+        QCOMPARE(text.contains(q("write to max_temperature was refused")), !chinese);
         QCOMPARE(text.contains(q("may have one of these IDs: 1, 99")), !chinese);
     }
     QVERIFY(report::saveCommissionReport(batchOf(300), q("arm.csv"), false, path("batch.pdf")));

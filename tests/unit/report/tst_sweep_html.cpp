@@ -163,11 +163,11 @@ private Q_SLOTS:
                                  "ID 6",
                                  "1000 … 268.1deg",
                                  "100 … 900",
-                                 "midpoint from both directions",
+                                 "middle of the range from both directions",
                                  "30rpm",
                                  "60 s",
                                  "torque off",
-                                 "the first limit not met",
+                                 "the first failure",
                                  "above 8 step",
                                  "9.75 step",
                                  "> 16",
@@ -183,9 +183,9 @@ private Q_SLOTS:
                                  "43",
                                  "54",
                                  "2.5",
-                                 "moving flag wrong",
+                                 "moving flag error",
                                  "temperature, overload",
-                                 "missed"})
+                                 "goal missed"})
             QVERIFY(has(QString::fromUtf8(fact)));
     }
 
@@ -199,8 +199,9 @@ private Q_SLOTS:
         const QString body = english.mid(english.indexOf(QStringLiteral("Sweep test report"), 20));
         QVERIFY(!containsChinese(QString(body).remove(QStringLiteral("中文"))));
         const QString chinese = read(page, QStringLiteral("en")).text;
-        for (const char* fact : {"扫描测试报告", "✘ 不合格", "模拟", "编码器之后的齿轮间隙未测量",
-                                 "高于 8 步", "未测量", "过温、过载", "双向接近中点", "卸力"})
+        for (const char* fact :
+             {"扫描测试报告", "✘ 不合格", "模拟", "不包含编码器之后的齿轮间隙", "高于 8 步",
+              "未测量", "过温、过载", "双向到达行程范围中间", "卸力"})
             QVERIFY2(chinese.contains(QString::fromUtf8(fact)), fact);
         // Every span of one language has its neighbor in the other.
         static const QRegularExpression spans(
@@ -313,10 +314,10 @@ private Q_SLOTS:
         run.servos[0].metrics.clear();
         for (const std::optional<bool> flag : {std::optional<bool>(), std::optional<bool>(false)}) {
             run.servos[0].legs[0].flagWrong = flag;
-            QVERIFY(!report::sweepHtml(run, {}, false).contains("moving flag wrong"));
+            QVERIFY(!report::sweepHtml(run, {}, false).contains("moving flag error"));
         }
         run.servos[0].legs[0].flagWrong = true;
-        QVERIFY(report::sweepHtml(run, {}, false).contains("moving flag wrong"));
+        QVERIFY(report::sweepHtml(run, {}, false).contains("moving flag error"));
     }
 
     void everyEndHasText()

@@ -284,7 +284,7 @@ void TestText::recoveryUsesTheProgramsTerm()
     }
     text::installTranslator(QStringLiteral("zh_CN"));
     for (const QString& sentence : words())
-        QVERIFY2(sentence.contains(QStringLiteral("“端口 → 中断的写入”")), qPrintable(sentence));
+        QVERIFY2(sentence.contains(QStringLiteral("“端口 → 未写完的更改”")), qPrintable(sentence));
 }
 
 void TestText::progressIsRounded()
