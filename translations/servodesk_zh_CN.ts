@@ -557,7 +557,7 @@
         <translation>不支持：%1</translation>
     </message>
     <message>
-        <source>the servo whose setup was not finished has ID %1</source>
+        <source>the servo that is still unfinished has ID %1</source>
         <translation>尚未设置完的舵机 ID 为 %1</translation>
     </message>
     <message>
@@ -4770,8 +4770,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>有一个同型号的舵机尚未设置完，已分配 ID %1。如果现在接上的就是该舵机，请输入“s”再按回车；否则会把现在接上的舵机作为新舵机设置。</translation>
     </message>
     <message>
-        <source>Setup of a servo of this model was not finished in this batch. Continue only if the connected servo is that one.</source>
-        <translation>此批次中有一个同型号的舵机尚未设置完。请确认接上的就是该舵机，再继续。</translation>
+        <source>This batch contains an unfinished servo of the same model. Continue only if it is the one that is connected now.</source>
+        <translation>此批次中有一个同型号的舵机尚未设置完。确认接上的就是该舵机后再继续。</translation>
     </message>
     <message>
         <source>Press Enter to continue, or type &quot;a&quot; and press Enter to set the servo aside.</source>
@@ -4850,8 +4850,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>也写入模板中的危险参数</translation>
     </message>
     <message>
-        <source>set up each servo without asking; servos with an alarm or a mismatch are set aside</source>
-        <translation>自动设置，不逐个确认；有报警或核对不符的舵机会被剔除</translation>
+        <source>set up each servo without asking; servos with an alarm or another problem are set aside</source>
+        <translation>设置每个舵机时不再询问；有报警或其他问题的舵机会剔除</translation>
     </message>
     <message>
         <source>label text, with placeholders: {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
@@ -8270,7 +8270,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>还没有工位使用该数据库，或连接字符串指向了其他数据库。</translation>
     </message>
     <message>
-        <source>Set the connection string on the benches, then try again.</source>
+        <source>Set the connection string on each bench computer, then try again.</source>
         <translation>请在各工位设置连接字符串，然后再试。</translation>
     </message>
     <message>
@@ -8370,7 +8370,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>多个舵机的 ID 相同。</translation>
     </message>
     <message>
-        <source>Disconnect all but one of these servos, give it an unused ID, then connect the next one. Commissioning guides you through the steps.</source>
+        <source>Disconnect all but one of these servos, give the remaining servo an unused ID, then connect the next one. Commissioning guides you through the steps.</source>
         <translation>只保留其中一个，为它设置一个未使用的 ID，再接下一个。“批量设置”页会引导您完成。</translation>
     </message>
     <message>
@@ -9479,7 +9479,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>检查</translation>
     </message>
     <message>
-        <source>Disconnect</source>
+        <source>Unplug</source>
         <translation>拔下</translation>
     </message>
 </context>
@@ -10122,12 +10122,12 @@ Retries: %9</source>
         <translation>检查结果；不会向舵机写入任何内容</translation>
     </message>
     <message>
-        <source>Search progress</source>
-        <translation>搜索进度</translation>
+        <source>Progress</source>
+        <translation>进度</translation>
     </message>
     <message>
-        <source>How much of the search is complete</source>
-        <translation>搜索的完成比例</translation>
+        <source>Progress of the diagnosis</source>
+        <translation>诊断的进度</translation>
     </message>
     <message>
         <source>Copy report</source>
@@ -10403,15 +10403,15 @@ Retries: %9</source>
         <translation>从</translation>
     </message>
     <message>
-        <source>First day</source>
-        <translation>起始日期</translation>
+        <source>Start date</source>
+        <translation>开始日期</translation>
     </message>
     <message>
         <source>Until</source>
         <translation>到</translation>
     </message>
     <message>
-        <source>Last day</source>
+        <source>End date</source>
         <translation>结束日期</translation>
     </message>
     <message>

@@ -67,9 +67,8 @@ constexpr std::array issueTexts{
               QT_TRANSLATE_NOOP("CommissionText", "a different servo is replying now: %1")},
     NamedText{"out-of-range", QT_TRANSLATE_NOOP("CommissionText", "the value is out of range: %1")},
     NamedText{"not-supported", QT_TRANSLATE_NOOP("CommissionText", "not supported: %1")},
-    NamedText{
-        "unfinished-id",
-        QT_TRANSLATE_NOOP("CommissionText", "the servo whose setup was not finished has ID %1")},
+    NamedText{"unfinished-id",
+              QT_TRANSLATE_NOOP("CommissionText", "the servo that is still unfinished has ID %1")},
     NamedText{
         "unfinished-ids",
         QT_TRANSLATE_NOOP("CommissionText",

@@ -63,8 +63,9 @@ constexpr std::array causes{
             "text", "Select the protocol with which they were found, or use automatic selection.")},
     CauseEntry{Cause::TwoServosOneId, QT_TRANSLATE_NOOP("text", "Several servos have the same ID."),
                QT_TRANSLATE_NOOP(
-                   "text", "Disconnect all but one of these servos, give it an unused ID, then "
-                           "connect the next one. Commissioning guides you through the steps.")},
+                   "text",
+                   "Disconnect all but one of these servos, give the remaining servo an unused "
+                   "ID, then connect the next one. Commissioning guides you through the steps.")},
     CauseEntry{
         Cause::LateAdapter, QT_TRANSLATE_NOOP("text", "The adapter delays the replies."),
         QT_TRANSLATE_NOOP(

@@ -112,8 +112,8 @@ constexpr std::array serverKinds{
         QT_TRANSLATE_NOOP(
             "text",
             "No bench uses this database yet, or the connection string names the wrong one."),
-        QT_TRANSLATE_NOOP("text", "Set the connection string on the benches, then try "
-                                  "again.")},
+        QT_TRANSLATE_NOOP("text",
+                          "Set the connection string on each bench computer, then try again.")},
     RefusalText{
         "encoding",
         QT_TRANSLATE_NOOP("text", "this database cannot store text in all "

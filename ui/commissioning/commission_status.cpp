@@ -279,7 +279,7 @@ void CommissionStatus::showHeadlineTone()
 
 void CommissionStatus::retranslate()
 {
-    m_steps->setSteps({tr("Connect"), tr("Identify"), tr("Write"), tr("Check"), tr("Disconnect")});
+    m_steps->setSteps({tr("Connect"), tr("Identify"), tr("Write"), tr("Check"), tr("Unplug")});
     setButtonText(m_same, tr("Resume setup"),
                   tr("Confirms that this is the unfinished servo, and sets its assigned ID"));
     setButtonText(m_aside, tr("Set aside"),

@@ -253,8 +253,8 @@ void HistoryFilterBar::retranslate()
     for (int i = 0; i < m_period->count(); ++i)
         m_period->setItemText(i, periods[i]);
     setAccessText(m_period, tr("Time"), tr("Shows only entries from this period"));
-    setAccessText(m_from, tr("From"), tr("First day"));
-    setAccessText(m_until, tr("Until"), tr("Last day"));
+    setAccessText(m_from, tr("From"), tr("Start date"));
+    setAccessText(m_until, tr("Until"), tr("End date"));
     setButtonText(m_onlyErrors, tr("Problems only"),
                   tr("Shows only failed writes and alarms that are still active"));
     showSources();

@@ -330,7 +330,7 @@ void DiagnosisDialog::retranslate()
     setAccessibleName(windowTitle());
     m_evidenceTitle->setText(tr("Checks"));
     setAccessText(m_evidence, tr("Checks"), tr("What was found; nothing is written to a servo"));
-    setAccessText(m_progress, tr("Search progress"), tr("How much of the search is complete"));
+    setAccessText(m_progress, tr("Progress"), tr("Progress of the diagnosis"));
     setButtonText(m_copy, tr("Copy report"), tr("Copies the checks and the cause as text"));
     setButtonText(m_close, tr("Close"), tr("Closes this window"));
     update();

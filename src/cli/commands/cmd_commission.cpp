@@ -263,8 +263,8 @@ QString confirmText(const CommissionView& view)
                     .arg(view.candidateId);
     else if (view.isResumed)
         text += QLatin1Char(' ') +
-                translate("cli", "Setup of a servo of this model was not finished in this batch. "
-                                 "Continue only if the connected servo is that one.");
+                translate("cli", "This batch contains an unfinished servo of the same model. "
+                                 "Continue only if it is the one that is connected now.");
     return text + QLatin1Char(' ') +
            translate(
                "cli",
@@ -472,7 +472,7 @@ Command commissionCommand()
                                                   "template")},
          {"--center", QT_TRANSLATE_NOOP("cli", "set the present position as the midpoint")},
          {"--auto", QT_TRANSLATE_NOOP("cli", "set up each servo without asking; servos with an "
-                                             "alarm or a mismatch are set aside")},
+                                             "alarm or another problem are set aside")},
          {"--label-format",
           QT_TRANSLATE_NOOP("cli", "label text, with placeholders: {model} {id} {rate} {baud} "
                                    "{firmware} {date} {was_id}"),

@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTableWidget>
 
 namespace {
 void writeFile(const QString& path, const QByteArray& content)
@@ -120,6 +121,25 @@ private Q_SLOTS:
         QEvent change(QEvent::LanguageChange);
         QCoreApplication::sendEvent(log, &change);
         QVERIFY2(has("2 servos found") && has("0 servos found"), qPrintable(log->toPlainText()));
+    }
+
+    /// One that is opened later shows what was found and selected before.
+    void pagesAreMadeWhenTheyAreFirstShown()
+    {
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.find<QWidget>("positionDial") == nullptr);
+        QVERIFY(fixture.ready(2));
+        // Reads the servos, whatever page is shown.
+        QVERIFY(fixture.find<QWidget>("positionDial") != nullptr);
+        QVERIFY(fixture.find<QWidget>("sweepPage") == nullptr);
+        fixture.action(ui::Command::PageSweep)->trigger();
+        QVERIFY(fixture.isShown("sweepPage"));
+        const auto* servos = fixture.find<QTableWidget>("sweepServos");
+        QTRY_COMPARE(servos->rowCount(), 6);
+        for (int row = 0; row < servos->rowCount(); ++row) {
+            const bool isSelected = servos->item(row, 0)->text().startsWith(QLatin1String("2 "));
+            QCOMPARE(servos->item(row, 0)->checkState() == Qt::Checked, isSelected);
+        }
     }
 
     void theFirstStartOffersTheSimulatedBusInOneClick()

@@ -184,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(context.idOf(0), 7);
         QTRY_VERIFY(context.headline().contains(QStringLiteral("Disconnect the servo: ID 7")));
         QCOMPARE(steps->current(), 4);
-        QCOMPARE(steps->accessibleName(), QStringLiteral("Step 5 of 5: Disconnect"));
+        QCOMPARE(steps->accessibleName(), QStringLiteral("Step 5 of 5: Unplug"));
         QVERIFY(!context.own<QLabel>("commissionNothing")->isVisible());
         QTRY_VERIFY2(summary->text().contains(QStringLiteral("Next IDs: 8, 9, 10 … 253 (246)")),
                      qPrintable(summary->text()));

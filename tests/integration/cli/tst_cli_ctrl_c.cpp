@@ -371,7 +371,7 @@ void TestCliCtrlC::commission()
     fixture.cable.resetConnection();
     fixture.cli.start(line + timeout);
     // Its lock is closed, so nothing proves that it is the same servo.
-    QVERIFY(fixture.cli.waitForError("Continue only if the connected servo is that one"));
+    QVERIFY(fixture.cli.waitForError("Continue only if it is the one that is connected now"));
     fixture.cli.process().write("\n");
     QVERIFY(fixture.cli.waitForError("Unplug"));
     fixture.sim.sendLine("unplug");
