@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs all benches and prints their measurements. `--smoke`: eight seconds of each, which show that they
+# Builds and runs all benches and prints their measurements. `--smoke`: eight seconds of each, which show that they
 # run and do not crash; their figures mean little on a shared machine, so missed ones do not count.
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
 . "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh"
 
-ran=0
 smoke=false
 [ "${1:-}" != --smoke ] || smoke=true
+[ -f "$BUILD_DIR/CMakeCache.txt" ] || die "nothing is built." "To build it with the tests:  packaging/test.sh"
+cmake --build "$BUILD_DIR" --target benches
 
 for bench in "$BUILD_DIR"/tests/bench_*; do
     [ -x "$bench" ] || continue
@@ -35,6 +36,4 @@ for bench in "$BUILD_DIR"/tests/bench_*; do
     else
         "$bench" "${arguments[@]}" 2>&1 | sed 's/^/      /'
     fi
-    ran=$((ran + 1))
 done
-[ "$ran" -gt 0 ] || die "no benches are built." "To build them:  packaging/test.sh"

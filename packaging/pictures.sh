@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Creates the pictures of README and help with the program itself, without a screen: the window at its
 # first start, a search, the pages in use, the memory table; both languages, both themes. Needs a build
-# with the benches and a Chinese font (fonts-noto-cjk).
+# with the tests and a Chinese font (fonts-noto-cjk).
 set -euo pipefail
 
 # shellcheck source=packaging/common.sh
@@ -11,6 +11,7 @@ set -euo pipefail
 program=${1:-$BUILD_DIR/bin/servodesk}
 images=$SOURCE_DIR/resources/help/images
 [ -x "$program" ] || die "$program is not built." "To build it:  packaging/run.sh"
+cmake --build "$BUILD_DIR" --target bench_scenes
 place=$(mktemp -d)
 trap 'rm -rf -- "$place"' EXIT
 mkdir -p -- "$images"
