@@ -621,8 +621,8 @@
         <translation>当前</translation>
     </message>
     <message>
-        <source>Settings</source>
-        <translation>设置项</translation>
+        <source>Settings written</source>
+        <translation>写入项数</translation>
     </message>
     <message>
         <source>Unfinished servos</source>
@@ -3129,8 +3129,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>预热（不计入测量）</translation>
     </message>
     <message>
-        <source>Afterwards</source>
-        <translation>结束后</translation>
+        <source>After the test</source>
+        <translation>测试结束后</translation>
     </message>
     <message>
         <source>hold position</source>
@@ -3382,8 +3382,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>校验错误</translation>
     </message>
     <message>
-        <source>Unexpected frames</source>
-        <translation>非预期帧</translation>
+        <source>Unexpected packets</source>
+        <translation>非预期数据包</translation>
     </message>
     <message>
         <source>Late replies</source>
@@ -5056,7 +5056,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>write：逐个写入；sync：同步写，全部放在一个数据包中；async：异步写，先存储再一起执行。一起启动多个飞特舵机时，其他程序存储在总线上各舵机中的动作也会执行</translation>
     </message>
     <message>
-        <source>not a valid frame</source>
+        <source>not a valid packet</source>
         <translation>不是有效的数据包</translation>
     </message>
     <message>
@@ -5072,7 +5072,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>原样发送字节并显示应答</translation>
     </message>
     <message>
-        <source>complete frame with checksum</source>
+        <source>complete packet with checksum</source>
         <translation>完整的数据包，含校验和</translation>
     </message>
     <message>
@@ -5136,8 +5136,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>也处理在其他端口上开始的更改：端口已不存在的直接处理，端口仍然存在的须加 --change。只要其他端口上开始的更改还有未写完的，退出码就为 1</translation>
     </message>
     <message>
-        <source>reset a servo to its stored default settings (instruction 0x06); the ID and baud rate may change, so connect only this servo</source>
-        <translation>将舵机恢复为其内部存储的默认参数（指令 0x06）；ID 和波特率可能改变，请只接这一个舵机</translation>
+        <source>restore the parameters stored in the servo (instruction 0x06); the ID and baud rate may change, so connect only this servo</source>
+        <translation>恢复舵机内备份的参数（指令 0x06）；ID 和波特率可能改变，请只接这一个舵机</translation>
     </message>
     <message>
         <source>possibly two servos with this ID</source>
@@ -5682,8 +5682,8 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
         <translation>按此步长逐步往返</translation>
     </message>
     <message>
-        <source>approach the midpoint from both sides as well</source>
-        <translation>另外从两侧接近中点</translation>
+        <source>also approach the middle of the range from both directions</source>
+        <translation>另外从两个方向到达行程范围的中间</translation>
     </message>
     <message>
         <source>move to random goals; the same seed gives the same goals</source>
@@ -6202,6 +6202,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>also save the memory table as a report</source>
         <translation>同时将内存表保存为报告</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
     </message>
 </context>
 <context>
@@ -8693,10 +8697,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>保存结果</translation>
     </message>
     <message>
-        <source>Table (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
-    </message>
-    <message>
         <source>Data (*.json)</source>
         <translation>数据 (*.json)</translation>
     </message>
@@ -8791,6 +8791,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>All %1 servos match the snapshot.</source>
         <translation>全部 %1 个舵机已与快照一致。</translation>
+    </message>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -10274,10 +10278,6 @@ Retries: %9</source>
         <translation>矢量图 (*.svg)</translation>
     </message>
     <message>
-        <source>Table (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
-    </message>
-    <message>
         <source>Trend %1</source>
         <translation>曲线图 %1</translation>
     </message>
@@ -10292,6 +10292,10 @@ Retries: %9</source>
     <message>
         <source>Check the folder and the free disk space.</source>
         <translation>请检查文件夹和磁盘剩余空间。</translation>
+    </message>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -11056,7 +11060,7 @@ Retries: %9</source>
         <translation>没有符合筛选条件的参数。</translation>
     </message>
     <message>
-        <source>No published memory table matches this firmware, so a write could cause damage.</source>
+        <source>No published register map matches this firmware, so a write could cause damage.</source>
         <translation>没有与此固件相符的公开内存表，写入可能造成损坏。</translation>
     </message>
     <message>
@@ -11881,10 +11885,6 @@ Retries: %9</source>
         <translation>保存结果</translation>
     </message>
     <message>
-        <source>Table (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
-    </message>
-    <message>
         <source>Data (*.json)</source>
         <translation>数据 (*.json)</translation>
     </message>
@@ -11935,6 +11935,10 @@ Retries: %9</source>
     <message>
         <source>%1: with both angle limits at 0, the shaft can turn without limit.</source>
         <translation>%1：两个角度限制均为 0 时，输出轴的转动不受限制。</translation>
+    </message>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -13326,8 +13330,8 @@ Retries: %9</source>
         <translation>一个完整正弦周期的时间，到结束位置再返回</translation>
     </message>
     <message>
-        <source>Seed</source>
-        <translation>种子</translation>
+        <source>Random seed</source>
+        <translation>随机种子</translation>
     </message>
     <message>
         <source>The same seed gives the same goals</source>

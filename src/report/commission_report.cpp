@@ -66,7 +66,7 @@ QString servosTable(const HtmlWriter& htmlWriter, const CommissionBatch& batch)
                   htmlWriter.htmlText(words.firmware),
                   htmlWriter.htmlText(translate("CommissionText", "Before")),
                   htmlWriter.htmlText(translate("CommissionText", "Now")),
-                  htmlWriter.htmlText(translate("CommissionText", "Settings")),
+                  htmlWriter.htmlText(translate("CommissionText", "Settings written")),
                   htmlWriter.htmlText(translate("CommissionText", "Voltage")),
                   htmlWriter.htmlText(translate("CommissionText", "Temperature")),
                   htmlWriter.htmlText(words.remarks)},

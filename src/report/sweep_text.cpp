@@ -52,7 +52,7 @@ void fillTest(SweepTexts& words)
     words.moveTime = translate("SweepText", "Travel time, ms");
     words.asTheServoHasIt = translate("SweepText", "the servo's present setting");
     words.warmUp = translate("SweepText", "Warm-up (not measured)");
-    words.afterwards = translate("SweepText", "Afterwards");
+    words.afterwards = translate("SweepText", "After the test");
     words.holds = translate("SweepText", "hold position");
     words.releases = translate("SweepText", "torque off");
     words.stopsOn = translate("SweepText", "End early after");
@@ -148,7 +148,7 @@ void fillBus(SweepTexts& words)
     words.asked = translate("SweepText", "Reads and writes");
     words.timeouts = translate("SweepText", "No reply");
     words.badChecksums = translate("SweepText", "Wrong checksum");
-    words.foreign = translate("SweepText", "Unexpected frames");
+    words.foreign = translate("SweepText", "Unexpected packets");
     words.late = translate("SweepText", "Late replies");
     words.gaps = translate("SweepText", "Interruptions");
     words.gapAt = translate("SweepText", "Time, s");

@@ -4,7 +4,7 @@
 #include "results/axis_json.h"
 #include "results/step_json.h"
 #include "results/sweep_fields.h"
-#include "snapshot/snapshot_json.h"
+#include "snapshot/snapshot_json_reader.h"
 
 #include <QJsonArray>
 

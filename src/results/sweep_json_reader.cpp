@@ -6,7 +6,7 @@
 #include "results/sweep_json.h"
 #include "results/sweep_limits_json.h"
 #include "results/sweep_verdict.h"
-#include "snapshot/snapshot_json.h"
+#include "snapshot/snapshot_json_reader.h"
 
 #include <cmath>
 #include <limits>

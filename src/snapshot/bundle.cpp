@@ -5,7 +5,7 @@
 #include "files/json_format.h"
 #include "files/json_text.h"
 #include "files/text_file.h"
-#include "snapshot/snapshot_json.h"
+#include "snapshot/snapshot_json_reader.h"
 
 #include <QSet>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saves and loads snapshots; snapshot_json.cpp encodes and decodes the text.
+// Saves and loads snapshots; snapshot_json_reader.cpp encodes and decodes the text.
 #include "files/text_file.h"
 #include "snapshot/snapshot.h"
 

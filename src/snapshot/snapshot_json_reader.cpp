@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "snapshot/snapshot_json.h"
+#include "snapshot/snapshot_json_reader.h"
 
 #include "files/json_duplicates.h"
 #include "files/json_format.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ui/charts/trend_chart.h"
-#include "ui/charts/trend_plot.h"
+#include "ui/charts/trend_view.h"
 #include "ui/common/palette.h"
 
 #include <QApplication>
@@ -32,7 +32,7 @@ public:
         chart.setStore(&store);
         chart.setChannels(channels);
         chart.show();
-        plot = chart.findChild<ui::TrendPlot*>(QStringLiteral("trendPlot"));
+        plot = chart.findChild<ui::TrendView*>(QStringLiteral("trendPlot"));
         if (plot == nullptr || !QTest::qWaitForWindowExposed(&chart))
             qFatal("no chart");
     }
@@ -139,6 +139,6 @@ public:
     std::vector<recording::SamplePoint> sent[2];
     std::vector<ui::TrendChannel> channels;
     ui::TrendChart chart;
-    ui::TrendPlot* plot = nullptr;
+    ui::TrendView* plot = nullptr;
 };
 } // namespace gui

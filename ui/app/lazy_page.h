@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tab whose page is made when it is first shown or used, so that the start of the program does
-// not wait for pages nobody looks at. Owned by the tabs, owns its page; main thread.
+// not wait for pages that are not shown. Owned by the tabs, owns its page; main thread.
 #pragma once
 
 #include "ui/common/widget_style.h"

@@ -20,6 +20,7 @@
 #include "ui/app/undo_button.h"
 #include "ui/app/undo_redo.h"
 #include "ui/common/dialog_sizes.h"
+#include "ui/common/follow_language.h"
 #include "ui/connect/connect_bar.h"
 #include "ui/connect/link_error_banner.h"
 #include "ui/search/diagnosis_dialog.h"
@@ -87,7 +88,11 @@ MainWindow::MainWindow(AppContext& appContext, session::Settings& settings, Them
     new LinkErrorBanner(m_workbench.link(), m_context.ports, *m_connectBar, *m_banner, this);
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
-    retranslate();
+    followLanguage(this, [this] {
+        m_commands.retranslate();
+        m_menus->retranslate();
+        retranslate();
+    });
     updateCenter();
     reportStartupErrors();
 }
@@ -318,16 +323,6 @@ void MainWindow::closeEvent(QCloseEvent* event)
 bool MainWindow::event(QEvent* event)
 {
     return event->type() == QEvent::StatusTip || QMainWindow::event(event);
-}
-
-void MainWindow::changeEvent(QEvent* event)
-{
-    QMainWindow::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange || m_menus == nullptr)
-        return;
-    m_commands.retranslate();
-    m_menus->retranslate();
-    retranslate();
 }
 
 void MainWindow::retranslate()

@@ -2,6 +2,7 @@
 #include "ui/app/message_log.h"
 
 #include "ui/app/event_text.h"
+#include "ui/common/follow_language.h"
 
 #include <QEvent>
 
@@ -17,7 +18,7 @@ MessageLog::MessageLog(const session::ServoRegistry& registry, QWidget* parent)
     setObjectName(QStringLiteral("messageLog"));
     setReadOnly(true);
     setMaximumBlockCount(static_cast<int>(maxEvents) * 4);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 /// A few lines: the chart above needs the room.
@@ -56,12 +57,5 @@ void MessageLog::retranslate()
     clear();
     for (const session::Event& event : m_events)
         write(event);
-}
-
-void MessageLog::changeEvent(QEvent* event)
-{
-    QPlainTextEdit::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

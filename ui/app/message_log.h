@@ -20,9 +20,6 @@ public:
     void add(const session::Event& event);
     QSize sizeHint() const override;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void write(const session::Event& event);
     void retranslate();

@@ -17,7 +17,7 @@ constexpr int readingsMs = 400; ///< while the span between the cursors still fi
 TrendChart::Private::Private(TrendChart* chart)
     : q(chart)
     , control(nullptr)
-    , plot(new TrendPlot(control.state(), chart))
+    , plot(new TrendView(control.state(), chart))
     , overview(new TrendOverview(control.state(), chart))
 {
     control.setAxes(&plot->picture().axes());
@@ -52,61 +52,61 @@ void TrendChart::Private::connectAll()
 void TrendChart::Private::connectPlot()
 {
     TrendControl* const c = &control;
-    QObject::connect(plot, &TrendPlot::resized, q, [this] {
+    QObject::connect(plot, &TrendView::resized, q, [this] {
         plot->picture().layOut();
         m_rangeImmediately = true;
         frame();
     });
-    QObject::connect(plot, &TrendPlot::boxDrawn, c, &TrendControl::zoomToBox);
-    QObject::connect(plot, &TrendPlot::panned, c, [this](double x, double y) {
+    QObject::connect(plot, &TrendView::boxDrawn, c, &TrendControl::zoomToBox);
+    QObject::connect(plot, &TrendView::panned, c, [this](double x, double y) {
         m_isPanning = true;
         control.pan(x, y);
         m_isPanning = false;
     });
-    QObject::connect(plot, &TrendPlot::valuesPanned, c, &TrendControl::panValues);
-    QObject::connect(plot, &TrendPlot::panStarted, c, &TrendControl::pushView);
-    QObject::connect(plot, &TrendPlot::panEnded, q, [this] {
+    QObject::connect(plot, &TrendView::valuesPanned, c, &TrendControl::panValues);
+    QObject::connect(plot, &TrendView::panStarted, c, &TrendControl::pushView);
+    QObject::connect(plot, &TrendView::panEnded, q, [this] {
         m_rangeImmediately = true;
         scheduleFrame();
     });
-    QObject::connect(plot, &TrendPlot::zoomed, c, &TrendControl::zoom);
-    QObject::connect(plot, &TrendPlot::valuesZoomed, c, &TrendControl::zoomValues);
-    QObject::connect(plot, &TrendPlot::backRequested, c, &TrendControl::goBack);
-    QObject::connect(plot, &TrendPlot::fitRequested, c, &TrendControl::zoomToFit);
-    QObject::connect(plot, &TrendPlot::valuesFitRequested, c, &TrendControl::fitValues);
-    QObject::connect(plot, &TrendPlot::cursorStepped, c, &TrendControl::stepCursor);
-    QObject::connect(plot, &TrendPlot::laneEdgeMoved, q, [this](const QString& unit, double y) {
+    QObject::connect(plot, &TrendView::zoomed, c, &TrendControl::zoom);
+    QObject::connect(plot, &TrendView::valuesZoomed, c, &TrendControl::zoomValues);
+    QObject::connect(plot, &TrendView::backRequested, c, &TrendControl::goBack);
+    QObject::connect(plot, &TrendView::fitRequested, c, &TrendControl::zoomToFit);
+    QObject::connect(plot, &TrendView::valuesFitRequested, c, &TrendControl::fitValues);
+    QObject::connect(plot, &TrendView::cursorStepped, c, &TrendControl::stepCursor);
+    QObject::connect(plot, &TrendView::laneEdgeMoved, q, [this](const QString& unit, double y) {
         TrendAxes& axes = plot->picture().axes();
         axes.moveLaneEdge(axes.axisOf(unit), y);
         scheduleFrame();
     });
-    QObject::connect(plot, &TrendPlot::laneMoved, q, [this](const QString& unit, double y) {
+    QObject::connect(plot, &TrendView::laneMoved, q, [this](const QString& unit, double y) {
         plot->picture().axes().moveLane(unit, y);
         scheduleFrame();
     });
-    QObject::connect(plot, &TrendPlot::laneReleased, q, &TrendChart::laneLayoutChanged);
-    QObject::connect(plot, &TrendPlot::endRequested, c, &TrendControl::showEnd);
-    QObject::connect(plot, &TrendPlot::pauseRequested, c, [this] {
+    QObject::connect(plot, &TrendView::laneReleased, q, &TrendChart::laneLayoutChanged);
+    QObject::connect(plot, &TrendView::endRequested, c, &TrendControl::showEnd);
+    QObject::connect(plot, &TrendView::pauseRequested, c, [this] {
         if (state().live)
             control.follow(!state().view.isFollowing());
         else
             Q_EMIT q->playRequested();
     });
-    QObject::connect(plot, &TrendPlot::cursorsRequested, c,
+    QObject::connect(plot, &TrendView::cursorsRequested, c,
                      [this] { control.showCursors(!state().cursors); });
-    QObject::connect(plot, &TrendPlot::cursorMoved, c, [this](Cursor which, double place) {
+    QObject::connect(plot, &TrendView::cursorMoved, c, [this](Cursor which, double place) {
         control.moveCursor(which, state().view.timeAt(place));
     });
-    QObject::connect(plot, &TrendPlot::cursorNudged, c,
+    QObject::connect(plot, &TrendView::cursorNudged, c,
                      [this](Cursor which, double pixels) { nudge(which, pixels); });
     const auto toggle = [this](int index) {
         const auto& channels = state().channels;
         if (std::size_t(index) < channels.size())
             q->setChannelVisible(index, !channels[std::size_t(index)].visible);
     };
-    QObject::connect(plot, &TrendPlot::channelToggleRequested, q, toggle);
+    QObject::connect(plot, &TrendView::channelToggleRequested, q, toggle);
     QObject::connect(&plot->picture(), &TrendScene::legendClicked, q, toggle);
-    QObject::connect(plot, &TrendPlot::toolTipRequested, q,
+    QObject::connect(plot, &TrendView::toolTipRequested, q,
                      [this](const QPointF& scene, const QPoint& at) { showTip(scene, at); });
 }
 

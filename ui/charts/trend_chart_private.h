@@ -6,7 +6,7 @@
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_control.h"
 #include "ui/charts/trend_overview.h"
-#include "ui/charts/trend_plot.h"
+#include "ui/charts/trend_view.h"
 
 #include <QTimer>
 
@@ -35,7 +35,7 @@ public:
 
     TrendChart* const q;
     TrendControl control;
-    TrendPlot* const plot;
+    TrendView* const plot;
     TrendOverview* const overview;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/trend_plot.h"
+#include "ui/charts/trend_view.h"
 
 #include <QChart>
 #include <QGestureEvent>
@@ -23,7 +23,7 @@ constexpr double farNudge = 10; ///< pixels
 constexpr int manySamples = 10;
 } // namespace
 
-TrendPlot::TrendPlot(const TrendState& state, QWidget* parent)
+TrendView::TrendView(const TrendState& state, QWidget* parent)
     : QChartView(parent)
     , m_scene(new TrendScene(chart(), state, this))
 {
@@ -42,7 +42,7 @@ TrendPlot::TrendPlot(const TrendState& state, QWidget* parent)
     viewport()->grabGesture(Qt::PinchGesture);
 }
 
-QPointF TrendPlot::fraction(const QPointF& scene) const
+QPointF TrendView::fraction(const QPointF& scene) const
 {
     const QRectF& plot = m_scene->plot();
     if (plot.isEmpty())
@@ -50,7 +50,7 @@ QPointF TrendPlot::fraction(const QPointF& scene) const
     return {(scene.x() - plot.left()) / plot.width(), (plot.bottom() - scene.y()) / plot.height()};
 }
 
-void TrendPlot::resizeEvent(QResizeEvent* event)
+void TrendView::resizeEvent(QResizeEvent* event)
 {
     QChartView::resizeEvent(event);
     Q_EMIT resized();
@@ -58,7 +58,7 @@ void TrendPlot::resizeEvent(QResizeEvent* event)
 
 /// What is begun here: cursors and the edges of lanes are moved, else the view; with Shift its
 /// values, with Ctrl a box.
-TrendPlot::DragMode TrendPlot::dragModeFor(const QMouseEvent& event, const QPointF& position)
+TrendView::DragMode TrendView::dragModeFor(const QMouseEvent& event, const QPointF& position)
 {
     if (event.button() == Qt::MiddleButton)
         return DragMode::Pan;
@@ -79,7 +79,7 @@ TrendPlot::DragMode TrendPlot::dragModeFor(const QMouseEvent& event, const QPoin
     return event.modifiers().testFlag(Qt::ShiftModifier) ? DragMode::PanValues : DragMode::Pan;
 }
 
-void TrendPlot::mousePressEvent(QMouseEvent* event)
+void TrendView::mousePressEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
     const double flags = m_scene->overlay().flagSize();
@@ -105,7 +105,7 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
         viewport()->setCursor(Qt::ClosedHandCursor);
 }
 
-void TrendPlot::mouseMoveEvent(QMouseEvent* event)
+void TrendView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
     const QRectF& plot = m_scene->plot();
@@ -150,7 +150,7 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
     event->accept();
 }
 
-void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
+void TrendView::mouseReleaseEvent(QMouseEvent* event)
 {
     if (m_dragMode != DragMode::Nothing && event->button() != m_dragButton) {
         event->accept();
@@ -177,7 +177,7 @@ void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
         Q_EMIT boxDrawn(QRectF(low, high));
 }
 
-void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
+void TrendView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     const QPointF position = mapToScene(event->position().toPoint());
     const bool onControl = m_scene->offScaleChips().unitAt(position) ||
@@ -193,7 +193,7 @@ void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
 }
 
 /// From where the button went down; a flat one as high as the plot. Empty: nothing was drawn.
-QRectF TrendPlot::boxTo(const QPointF& scene) const
+QRectF TrendView::boxTo(const QPointF& scene) const
 {
     const QRectF& plot = m_scene->plot();
     const auto inside = [&](const QPointF& p) {
@@ -210,7 +210,7 @@ QRectF TrendPlot::boxTo(const QPointF& scene) const
     return box;
 }
 
-void TrendPlot::hover(const QPointF& scene)
+void TrendView::hover(const QPointF& scene)
 {
     const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(scene);
     m_scene->overlay().setActive(cursor);
@@ -228,7 +228,7 @@ void TrendPlot::hover(const QPointF& scene)
         viewport()->unsetCursor();
 }
 
-void TrendPlot::wheelEvent(QWheelEvent* event)
+void TrendView::wheelEvent(QWheelEvent* event)
 {
     event->accept();
     const QPointF scene = mapToScene(event->position().toPoint());
@@ -258,7 +258,7 @@ void TrendPlot::wheelEvent(QWheelEvent* event)
     }
 }
 
-bool TrendPlot::viewportEvent(QEvent* event)
+bool TrendView::viewportEvent(QEvent* event)
 {
     switch (event->type()) {
     case QEvent::Gesture:
@@ -285,7 +285,7 @@ bool TrendPlot::viewportEvent(QEvent* event)
     return QChartView::viewportEvent(event);
 }
 
-bool TrendPlot::pinched(QGestureEvent* event)
+bool TrendView::pinched(QGestureEvent* event)
 {
     auto* const pinch = static_cast<QPinchGesture*>(event->gesture(Qt::PinchGesture));
     if (pinch == nullptr)
@@ -310,7 +310,7 @@ bool TrendPlot::pinched(QGestureEvent* event)
     return true;
 }
 
-void TrendPlot::focusInEvent(QFocusEvent* event)
+void TrendView::focusInEvent(QFocusEvent* event)
 {
     // Only after keyboard focus; keyPressEvent() shows it too.
     const Qt::FocusReason why = event->reason();
@@ -319,13 +319,13 @@ void TrendPlot::focusInEvent(QFocusEvent* event)
     QChartView::focusInEvent(event);
 }
 
-void TrendPlot::focusOutEvent(QFocusEvent* event)
+void TrendView::focusOutEvent(QFocusEvent* event)
 {
     m_scene->overlay().setFocused(false);
     QChartView::focusOutEvent(event);
 }
 /// The keys do all that the mouse does.
-void TrendPlot::keyPressEvent(QKeyEvent* event)
+void TrendView::keyPressEvent(QKeyEvent* event)
 {
     const Qt::KeyboardModifiers with = event->modifiers() & ~Qt::KeypadModifier;
     m_scene->overlay().setFocused(true);
@@ -338,7 +338,7 @@ void TrendPlot::keyPressEvent(QKeyEvent* event)
 }
 
 /// [ and ] move A, with Shift B; Alt and the arrows do the same on keyboards without brackets.
-bool TrendPlot::cursorKey(int key, const QString& text, Qt::KeyboardModifiers with)
+bool TrendView::cursorKey(int key, const QString& text, Qt::KeyboardModifiers with)
 {
     const bool shift = with.testFlag(Qt::ShiftModifier);
     const bool far = with.testFlag(Qt::ControlModifier);
@@ -358,7 +358,7 @@ bool TrendPlot::cursorKey(int key, const QString& text, Qt::KeyboardModifiers wi
     return true;
 }
 
-bool TrendPlot::moveKey(int key, Qt::KeyboardModifiers with)
+bool TrendView::moveKey(int key, Qt::KeyboardModifiers with)
 {
     if (with.testFlag(Qt::AltModifier) || with.testFlag(Qt::ControlModifier))
         return false;
@@ -395,7 +395,7 @@ bool TrendPlot::moveKey(int key, Qt::KeyboardModifiers with)
 }
 
 /// With Shift the values; + and = share a key on many keyboards, so both count.
-bool TrendPlot::zoomKey(int key, Qt::KeyboardModifiers with)
+bool TrendView::zoomKey(int key, Qt::KeyboardModifiers with)
 {
     if (with.testFlag(Qt::AltModifier) || with.testFlag(Qt::ControlModifier))
         return false;
@@ -416,7 +416,7 @@ bool TrendPlot::zoomKey(int key, Qt::KeyboardModifiers with)
     }
 }
 
-bool TrendPlot::plainKey(int key)
+bool TrendView::plainKey(int key)
 {
     switch (key) {
     case Qt::Key_Home:

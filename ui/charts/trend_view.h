@@ -11,11 +11,11 @@
 class QGestureEvent;
 
 namespace ui {
-class TrendPlot final : public QChartView {
+class TrendView final : public QChartView {
     Q_OBJECT
 
 public:
-    TrendPlot(const TrendState& state, QWidget* parent);
+    TrendView(const TrendState& state, QWidget* parent);
 
     TrendScene& picture() { return *m_scene; }
 

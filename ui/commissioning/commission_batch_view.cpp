@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/commissioning/commission_batch_view.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/fit_columns.h"
@@ -25,7 +26,7 @@ CommissionBatchView::CommissionBatchView(QWidget* parent)
     build();
     connect(m_copy, &QPushButton::clicked, this, &CommissionBatchView::copyLabels);
     connect(m_report, &QPushButton::clicked, this, &CommissionBatchView::reportRequested);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void CommissionBatchView::build()
@@ -149,12 +150,5 @@ void CommissionBatchView::retranslate()
                   tr("Saves the batch as a report to hand over with the servos"));
     m_model.retranslate();
     showSummary();
-}
-
-void CommissionBatchView::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_report != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -27,9 +27,6 @@ public:
 Q_SIGNALS:
     void reportRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void retranslate();

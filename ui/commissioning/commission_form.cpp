@@ -3,6 +3,7 @@
 
 #include "session/commission/commissioning.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 
 #include <QCheckBox>
@@ -52,7 +53,7 @@ CommissionForm::CommissionForm(session::Settings& settings, QWidget* parent)
     build();
     load();
     connectAll();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 QWidget* CommissionForm::pathField(QLineEdit*& edit, QToolButton*& browse, const char* name)
@@ -265,12 +266,5 @@ void CommissionForm::retranslate()
     m_dangerous->setText(tr("Include the template's dangerous rows"));
     m_dangerous->setAccessibleName(m_dangerous->text());
     showDangerousKeys();
-}
-
-void CommissionForm::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_dangerous != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -44,9 +44,6 @@ Q_SIGNALS:
     void filesChanged(); ///< path of batch or template
     void changed();      ///< anything that decides whether the line can start
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     QWidget* pathField(QLineEdit*& edit, QToolButton*& browse, const char* name);

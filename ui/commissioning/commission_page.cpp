@@ -6,6 +6,7 @@
 #include "ui/commissioning/commission_form.h"
 #include "ui/commissioning/commission_status.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/banner.h"
@@ -39,8 +40,10 @@ CommissionPage::CommissionPage(AppContext& appContext, session::Settings& settin
     build();
     connectForm();
     connectAll();
-    retranslate();
-    showState();
+    followLanguage(this, [this] {
+        retranslate();
+        showState();
+    });
     m_fileCheckTimer.start();
 }
 
@@ -271,15 +274,6 @@ void CommissionPage::retranslate()
                   tr("Ends commissioning; the batch can be resumed at any time"));
     setButtonText(m_plug, tr("Connect the next servo"), tr("Connects the next simulated servo"));
     setButtonText(m_unplug, tr("Disconnect"), tr("Disconnects the current simulated servo"));
-}
-
-void CommissionPage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_batch != nullptr) {
-        retranslate();
-        showState();
-    }
 }
 
 void CommissionPage::showEvent(QShowEvent* event)

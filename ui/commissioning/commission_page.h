@@ -31,7 +31,6 @@ public:
     session::Commissioning& commissioning() { return m_commissioning; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:

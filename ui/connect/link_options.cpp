@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect/link_options.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 
 #include <QComboBox>
@@ -45,7 +46,7 @@ LinkOptions::LinkOptions(QWidget* parent)
     connect(m_parity, &QComboBox::currentIndexChanged, this, &LinkOptions::changed);
     for (QSpinBox* box : {m_replyTimeout, m_silence, m_retries})
         connect(box, &QSpinBox::valueChanged, this, &LinkOptions::changed);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void LinkOptions::apply(session::PortRequest& request) const
@@ -100,12 +101,5 @@ void LinkOptions::retranslate()
          tr("Pause between Modbus frames (auto: the standard pause for the baud rate)"));
     name(m_retries, tr("Retries"),
          tr("Number of times a lost request is sent again, if it is safe to repeat"));
-}
-
-void LinkOptions::changeEvent(QEvent* event)
-{
-    PopupFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

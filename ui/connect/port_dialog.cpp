@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/connect/port_dialog.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
@@ -42,7 +43,7 @@ PortDialog::PortDialog(QWidget* parent)
     connect(this, &QDialog::accepted, this,
             [this] { Q_EMIT portEntered(portFrom(m_edit->text())); });
     check();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 QString PortDialog::portFrom(const QString& portEntered)
@@ -68,12 +69,5 @@ void PortDialog::retranslate()
     setButtonText(ok, tr("Choose"), tr("Selects this port; click Connect to open it"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
     setButtonText(cancel, tr("Cancel"), tr("Keeps the previously selected port"));
-}
-
-void PortDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

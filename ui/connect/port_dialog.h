@@ -22,9 +22,6 @@ public:
 Q_SIGNALS:
     void portEntered(const QString& port);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
 

@@ -3,6 +3,7 @@
 
 #include "session/session.h"
 #include "text/bus_text.h"
+#include "ui/common/follow_language.h"
 
 #include <QAbstractItemView>
 #include <QEvent>
@@ -46,7 +47,7 @@ PortPicker::PortPicker(session::PortWatcher& ports, QWidget* parent)
         refresh();
     });
     connect(this, &QComboBox::activated, this, &PortPicker::activatedAt);
-    refresh();
+    followLanguage(this, [this] { refresh(); });
 }
 
 void PortPicker::setPort(const QString& port)
@@ -259,12 +260,5 @@ void PortPicker::keyPressEvent(QKeyEvent* event)
 void PortPicker::wheelEvent(QWheelEvent* event)
 {
     event->ignore();
-}
-
-void PortPicker::changeEvent(QEvent* event)
-{
-    QComboBox::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        refresh();
 }
 } // namespace ui

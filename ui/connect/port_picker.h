@@ -36,7 +36,6 @@ Q_SIGNALS:
     void otherPortRequested();              ///< the entry for typing a name
 
 protected:
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

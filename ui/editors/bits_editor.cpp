@@ -3,6 +3,7 @@
 
 #include "report/fonts.h"
 #include "text/language.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 
 #include <QCheckBox>
@@ -36,7 +37,7 @@ BitsEditor::BitsEditor(const EditContext& context, QWidget* parent)
     setFocusProxy(m_sum);
     setAutoFillBackground(context.inCell);
     setBackgroundRole(QPalette::Base);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     showBitValues(0, true);
 }
 
@@ -192,13 +193,6 @@ void BitsEditor::retranslate()
                                              .arg(one.bit)
                                              .arg(weight));
     }
-}
-
-void BitsEditor::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    RegisterEditor::changeEvent(event);
 }
 
 /// A frame around the boxes where they lie over the table.

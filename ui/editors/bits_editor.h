@@ -39,7 +39,6 @@ private:
     void showSum(std::int64_t raw);
     void arrange();
     void retranslate();
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
     QGridLayout* m_grid;

@@ -2,6 +2,7 @@
 #include "ui/editors/enum_editor.h"
 
 #include "text/language.h"
+#include "ui/common/follow_language.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -50,7 +51,7 @@ EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
             Q_EMIT valueChosen();
     });
     fill(std::nullopt);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void EnumEditor::fill(std::optional<std::int64_t> raw)
@@ -90,12 +91,5 @@ void EnumEditor::retranslate()
     fill(chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt);
     m_box->setAccessibleName(accessibleName());
     m_box->setToolTip(tr("Select a value. %1").arg(keyHint()));
-}
-
-void EnumEditor::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    RegisterEditor::changeEvent(event);
 }
 } // namespace ui

@@ -21,7 +21,6 @@ public:
 private:
     void fill(std::optional<std::int64_t> raw);
     void retranslate();
-    void changeEvent(QEvent* event) override;
 
     ValueComboBox* m_box;
 };

@@ -2,6 +2,7 @@
 #include "ui/editors/number_editor.h"
 
 #include "catalog/raw_range.h"
+#include "ui/common/follow_language.h"
 #include "ui/editors/register_text.h"
 
 #include <QEvent>
@@ -75,7 +76,7 @@ NumberEditor::NumberEditor(const EditContext& context, QWidget* parent)
     setFocusProxy(m_spin);
     setAutoFillBackground(context.inCell);
     connect(m_spin, &NumberSpin::textEdited, this, &NumberEditor::markModified);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void NumberEditor::show(std::int64_t raw)
@@ -147,12 +148,5 @@ void NumberEditor::retranslate()
     const QString what =
         inUnit(context()) ? tr("%1, in %2").arg(range, context().meaning.unit) : range;
     m_spin->setToolTip(tr("%1. %2").arg(what, keyHint()));
-}
-
-void NumberEditor::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    RegisterEditor::changeEvent(event);
 }
 } // namespace ui

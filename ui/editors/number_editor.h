@@ -36,7 +36,6 @@ private:
     friend class NumberSpin;
     void show(std::int64_t raw);
     void retranslate();
-    void changeEvent(QEvent* event) override;
 
     NumberSpin* m_spin;
     std::optional<std::int64_t> m_start;

@@ -2,6 +2,7 @@
 #include "ui/history/history_filter_bar.h"
 
 #include "session/history/history_server_choice.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 #include "ui/history/history_formatter.h"
 #include "ui/widgets/flow_layout.h"
@@ -67,7 +68,7 @@ HistoryFilterBar::HistoryFilterBar(const session::Settings& settings, QWidget* p
 {
     build();
     connectAll();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void HistoryFilterBar::build()
@@ -258,12 +259,5 @@ void HistoryFilterBar::retranslate()
     setButtonText(m_onlyErrors, tr("Problems only"),
                   tr("Shows only failed writes and alarms that are still active"));
     showSources();
-}
-
-void HistoryFilterBar::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_onlyErrors != nullptr)
-        retranslate();
 }
 } // namespace ui

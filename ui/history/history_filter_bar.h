@@ -43,9 +43,6 @@ Q_SIGNALS:
     void sourceChanged();
     void filterChanged();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void connectAll();

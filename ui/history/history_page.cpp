@@ -4,6 +4,7 @@
 #include "session/history/history_server_choice.h"
 #include "session/history/history_server_source.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/history/history_details.h"
@@ -48,7 +49,7 @@ HistoryPage::HistoryPage(AppContext& appContext, session::Settings& settings, QW
     setObjectName(QStringLiteral("historyPage"));
     build();
     connectAll();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 HistoryPage::~HistoryPage() = default;
@@ -444,13 +445,6 @@ void HistoryPage::retranslate()
     m_filters->loadChoices(historyService(), isRemote());
     m_table.retranslate();
     showState();
-}
-
-void HistoryPage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_count != nullptr)
-        retranslate();
 }
 
 void HistoryPage::showEvent(QShowEvent* event)

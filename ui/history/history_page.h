@@ -38,7 +38,6 @@ Q_SIGNALS:
     void stepResponseRequested(std::int64_t number); ///< of the history of this computer
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 

@@ -2,6 +2,7 @@
 #include "ui/history/history_send_label.h"
 
 #include "text/error_text.h"
+#include "ui/common/follow_language.h"
 
 #include <QEvent>
 
@@ -15,7 +16,7 @@ HistorySendLabel::HistorySendLabel(session::HistorySender& sender, QWidget* pare
     setWordWrap(true);
     setTextInteractionFlags(Qt::TextSelectableByMouse);
     connect(&m_sender, &session::HistorySender::stateChanged, this, &HistorySendLabel::showState);
-    showState();
+    followLanguage(this, [this] { showState(); });
 }
 
 /// What is wrong with the server, why, and what to do.
@@ -54,12 +55,5 @@ void HistorySendLabel::showState()
     }
     setText(words);
     setVisible(!words.isEmpty());
-}
-
-void HistorySendLabel::changeEvent(QEvent* event)
-{
-    QLabel::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        showState();
 }
 } // namespace ui

@@ -14,9 +14,6 @@ class HistorySendLabel final : public QLabel {
 public:
     HistorySendLabel(session::HistorySender& sender, QWidget* parent);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showState();
     static QString errorText(const session::SendState& state);

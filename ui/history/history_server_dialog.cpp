@@ -4,6 +4,7 @@
 #include "history/server/server_address.h"
 #include "session/history/history_server_choice.h"
 #include "text/error_text.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
@@ -60,7 +61,7 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     connect(m_buttons, &QDialogButtonBox::accepted, this, &HistoryServerDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     resize(initialWidth, height());
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     resize(initialWidth, layout()->totalHeightForWidth(initialWidth));
 }
 
@@ -128,12 +129,5 @@ void HistoryServerDialog::retranslate()
     cancel->setText(tr("Cancel"));
     cancel->setAccessibleName(cancel->text());
     cancel->setToolTip(tr("Discards the changes"));
-}
-
-void HistoryServerDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_buttons != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -23,9 +23,6 @@ public:
 
     void accept() override;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void setError(std::optional<base::Error> error);

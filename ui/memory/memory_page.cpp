@@ -136,7 +136,7 @@ void MemoryPage::showServoState()
     m_banner->showMessage([] {
         return BannerText{
             Tone::Warn, tr("The firmware of this servo is not known."),
-            tr("No published memory table matches this firmware, so a write could cause damage."),
+            tr("No published register map matches this firmware, so a write could cause damage."),
             tr("Only the servo's identity and its measurements are shown. Add a model file to "
                "allow writing.")};
     });
@@ -252,13 +252,6 @@ void MemoryPage::retranslate()
     m_model.retranslate();
     m_view->resizeColumns();
     refresh();
-}
-
-void MemoryPage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void MemoryPage::resizeEvent(QResizeEvent* event)

@@ -39,7 +39,6 @@ public:
     void requestWrite(const QString& key, std::int64_t raw, bool temporary);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -48,7 +47,7 @@ private:
     void build(session::Settings& settings);
     void connectTable();
     void connectToolbar();
-    void connectDesk();
+    void connectWorkbench();
     void connectCommands();
     void retranslate();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the memory page and their connections.
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/memory/memory_output.h"
 #include "ui/memory/memory_page.h"
@@ -39,9 +40,9 @@ MemoryPage::MemoryPage(session::Workbench& workbench, Commands& commands, Select
     build(settings);
     connectTable();
     connectToolbar();
-    connectDesk();
+    connectWorkbench();
     connectCommands();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     select();
 }
 
@@ -146,7 +147,7 @@ void MemoryPage::connectToolbar()
             [this] { m_panel->setFocus(Qt::OtherFocusReason); });
 }
 
-void MemoryPage::connectDesk()
+void MemoryPage::connectWorkbench()
 {
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(refreshDelay);

@@ -2,6 +2,7 @@
 #include "ui/memory/memory_toolbar.h"
 
 #include "text/notice_text.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 #include "ui/memory/lock_badge.h"
 #include "ui/widgets/flow_layout.h"
@@ -49,7 +50,7 @@ MemoryToolbar::MemoryToolbar(Commands& commands, session::Settings& settings, QW
     m_layout->addWidget(m_lock);
     addReadAll();
     addMenu();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void MemoryToolbar::addFind()
@@ -220,12 +221,5 @@ void MemoryToolbar::retranslate()
         m_more, tr("More"),
         tr("Copy, export or print the table, choose its columns, and set the live reading rate"));
     m_readAll->setAccessibleName(m_readAll->defaultAction()->iconText());
-}
-
-void MemoryToolbar::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

@@ -43,9 +43,6 @@ Q_SIGNALS:
     void livePeriodChanged();
     void helpRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void addFind();
     void addChoices();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/memory/servo_history_panel.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 
 #include <QEvent>
@@ -29,7 +30,7 @@ ServoHistoryPanel::ServoHistoryPanel(QWidget* parent)
     layout->addWidget(m_title);
     layout->addWidget(m_emptyLabel, 1, Qt::AlignTop);
     layout->addWidget(m_list, 1);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void ServoHistoryPanel::setEntry(const session::ServoEntry* entry)
@@ -58,12 +59,5 @@ void ServoHistoryPanel::retranslate()
         tr("Writes to this servo, newest first, including those made under its earlier IDs"));
     m_model.retranslate();
     updateVisibility();
-}
-
-void ServoHistoryPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

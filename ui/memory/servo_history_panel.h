@@ -17,9 +17,6 @@ public:
     explicit ServoHistoryPanel(QWidget* parent);
     void setEntry(const session::ServoEntry* entry);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void updateVisibility();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/control_panel.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/operate/control_fields.h"
 #include "ui/operate/control_goal.h"
@@ -76,7 +77,7 @@ ControlPanel::ControlPanel(session::Workbench& workbench, Commands& commands, Se
     connectControls();
     connectWorkbench();
     connectMotion();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     onSelectionChanged();
 }
 
@@ -409,12 +410,5 @@ void ControlPanel::fitDial()
     const int side = std::clamp(m_scroll->viewport()->height() - others,
                                 m_dial->minimumSizeHint().height(), m_dial->sizeHint().height());
     m_dial->setFixedSize(side + dialMargin, side);
-}
-
-void ControlPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

@@ -58,7 +58,6 @@ Q_SIGNALS:
     void goalStateChanged(); ///< positionGoal() or isGoalMovable() may have changed
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/operate_page.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/operate/control_panel.h"
 #include "ui/operate/operate_status.h"
@@ -55,7 +56,12 @@ OperatePage::OperatePage(AppContext& appContext, session::Settings& settings, QW
 {
     build(settings);
     connectAll();
-    select();
+    updateSubscription();
+    followLanguage(this, [this] {
+        setAccessibleName(tr("Operate"));
+        m_dial->setAccessibleName(tr("Position and goal"));
+        refresh();
+    });
 }
 
 OperatePage::~OperatePage() = default;
@@ -71,8 +77,6 @@ void OperatePage::build(session::Settings& settings)
     row->addWidget(m_control);
     row->addWidget(buildWatch(settings), 1);
     new FloatingOverlay(m_control->messages(), m_trend->chart(), FloatingOverlay::Corner::TopLeft);
-    setAccessibleName(tr("Operate"));
-    m_dial->setAccessibleName(tr("Position and goal"));
 }
 
 QWidget* OperatePage::buildWatch(session::Settings& settings)
@@ -110,7 +114,7 @@ void OperatePage::connectAll()
     connect(&m_selection, &Selection::selectedServosChanged, this, &OperatePage::select);
     connect(m_status, &OperateStatus::acknowledgeRequested, this, [this] {
         m_workbench.registry().acknowledgeAlarms(m_selection.current());
-        show();
+        refresh();
     });
     connect(m_dial, &PositionDial::goalRequested, m_control, &ControlPanel::setGoalFromDial);
     connect(m_control, &ControlPanel::goalStateChanged, this, [this] { showDial(entry()); });
@@ -123,12 +127,12 @@ void OperatePage::connectAll()
             &OperatePage::updateSubscription);
     connect(&m_workbench.search(), &session::SearchService::searchChanged, this,
             &OperatePage::updateSubscription);
-    connect(&m_refreshTimer, &QTimer::timeout, this, &OperatePage::show);
+    connect(&m_refreshTimer, &QTimer::timeout, this, &OperatePage::refresh);
     const auto adaptTimer = [this] {
         const bool open = m_workbench.link().state() == session::LinkState::Open;
         m_refreshTimer.setInterval(open ? refreshInterval : idleInterval);
         if (isVisible())
-            show();
+            refresh();
     };
     connect(&m_workbench.link(), &session::LinkController::linkChanged, this, adaptTimer);
     adaptTimer();
@@ -142,7 +146,7 @@ const session::ServoEntry* OperatePage::entry() const
 void OperatePage::select()
 {
     updateSubscription();
-    show();
+    refresh();
 }
 
 /// All servos, for the strip; the chart has a subscription of its own.
@@ -165,7 +169,7 @@ void OperatePage::updateSubscription()
     m_workbench.polling().subscribe(subscriptionName, subscription);
 }
 
-void OperatePage::show()
+void OperatePage::refresh()
 {
     const session::ServoEntry* known = entry();
     m_status->show(known, m_workbench);
@@ -203,16 +207,6 @@ void OperatePage::showGauges(const session::ServoEntry* known)
         m_gauges[i]->setScale(view.scale);
         m_gauges[i]->setValue(view.value, view.caption, old);
     }
-}
-
-void OperatePage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange)
-        return;
-    setAccessibleName(tr("Operate"));
-    m_dial->setAccessibleName(tr("Position and goal"));
-    show();
 }
 
 void OperatePage::resizeEvent(QResizeEvent* event)

@@ -33,7 +33,6 @@ public:
     TrendPanel* trend() const { return m_trend; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -44,7 +43,7 @@ private:
     void connectAll();
     void select();
     void updateSubscription();
-    void show();
+    void refresh();
     void showDial(const session::ServoEntry* entry);
     void showGauges(const session::ServoEntry* entry);
     const session::ServoEntry* entry() const;

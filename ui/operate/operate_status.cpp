@@ -2,6 +2,7 @@
 #include "ui/operate/operate_status.h"
 
 #include "text/translate.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/feedback.h"
 #include "ui/widgets/flow_layout.h"
@@ -85,7 +86,7 @@ OperateStatus::OperateStatus(QWidget* parent)
         Q_EMIT gaugesToggled(shown);
     });
     connect(m_acknowledge, &QPushButton::clicked, this, &OperateStatus::acknowledgeRequested);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void OperateStatus::setGauges(bool shown, bool hasRoom)
@@ -228,12 +229,5 @@ void OperateStatus::retranslate()
     m_age->setToolTip(tr("Age of the latest value and number of readings in the last second"));
     m_age->setAccessibleName(tr("Data age and reading rate"));
     setAccessText(m_gauges, tr("Gauges"), tr("Shows or hides the gauges"));
-}
-
-void OperateStatus::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

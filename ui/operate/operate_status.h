@@ -30,9 +30,6 @@ Q_SIGNALS:
     void acknowledgeRequested();
     void gaugesToggled(bool shown);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void showLink(const session::ServoEntry& entry, const session::Workbench& workbench);
     void showMoving(const session::ServoEntry& entry, const session::Workbench& workbench);

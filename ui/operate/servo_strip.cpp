@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/operate/servo_strip.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/operate/servo_card.h"
 #include "ui/widgets/feedback.h"
 
@@ -24,7 +25,6 @@ ServoStrip::ServoStrip(const session::ServoRegistry& registry, const session::Li
     , m_row(new QHBoxLayout(m_body))
 {
     setObjectName(QStringLiteral("servoStrip"));
-    setAccessibleName(tr("All servos"));
     setFrameShape(NoFrame);
     setWidgetResizable(true);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -39,6 +39,10 @@ ServoStrip::ServoStrip(const session::ServoRegistry& registry, const session::Li
     connect(&registry, &session::ServoRegistry::orderChanged, this, &ServoStrip::rebuild);
     connect(&selection, &Selection::selectedServosChanged, this, &ServoStrip::refresh);
     rebuild();
+    followLanguage(this, [this] {
+        setAccessibleName(tr("All servos"));
+        refresh();
+    });
 }
 
 void ServoStrip::rebuild()
@@ -89,15 +93,6 @@ void ServoStrip::refresh()
             card->show(
                 cardState(*entry, isFresh(*entry, m_link, m_registry.now()), m_registry.now()),
                 std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
-    }
-}
-
-void ServoStrip::changeEvent(QEvent* event)
-{
-    QScrollArea::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        setAccessibleName(tr("All servos"));
-        refresh();
     }
 }
 } // namespace ui

@@ -23,9 +23,6 @@ public:
 
     void refresh(); ///< new numbers
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void rebuild();
     void selectServo(session::ServoRef ref);

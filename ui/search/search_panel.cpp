@@ -35,7 +35,7 @@ QSize SearchPanel::sizeHint() const
 
 void SearchPanel::search()
 {
-    m_workbench.search().start(m_liveData->spec());
+    m_workbench.search().start(m_scope->spec());
 }
 
 void SearchPanel::searchChanged()
@@ -117,7 +117,7 @@ void SearchPanel::showStatus()
 
 void SearchPanel::showScope()
 {
-    const jobs::ScanSpec spec = m_liveData->spec();
+    const jobs::ScanSpec spec = m_scope->spec();
     const base::Duration span = m_workbench.search().estimate(spec);
     const int ids = spec.lastId - spec.firstId + 1;
     QString words = tr("%n ID(s) to search", nullptr, ids);
@@ -199,7 +199,7 @@ void SearchPanel::followSelection()
 void SearchPanel::linkChanged()
 {
     const bool open = m_workbench.link().state() == LinkState::Open;
-    m_liveData->setHasBaud(!open || m_workbench.link().canSetBaud());
+    m_scope->setHasBaud(!open || m_workbench.link().canSetBaud());
     m_delegate->setDimmed(!open);
     m_list->viewport()->update();
     showScope();
@@ -238,16 +238,5 @@ QString SearchPanel::emptyText() const
     if (m_searching || !report || report->stopped || m_error)
         return tr("No servos in the list yet. Search the bus.");
     return tr("No servo replied.");
-}
-
-void SearchPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange)
-        return;
-    m_model->retranslate();
-    showScope();
-    showStatus();
-    retranslate();
 }
 } // namespace ui

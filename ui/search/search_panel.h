@@ -31,13 +31,10 @@ public:
 
     QSize sizeHint() const override;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     QWidget* buildList();
-    void connectDesk();
+    void connectWorkbench();
     void connectList();
     void search();
     void searchChanged();
@@ -60,7 +57,7 @@ private:
     Commands& m_commands;
     Selection& m_selection;
 
-    SearchScope* m_liveData;
+    SearchScope* m_scope;
     QLabel* m_estimate;
     QPushButton* m_search;
     QPushButton* m_stop;

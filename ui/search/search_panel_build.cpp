@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the search panel and their connections.
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/search/search_panel.h"
 #include "ui/search/search_scope.h"
@@ -35,7 +36,7 @@ SearchPanel::SearchPanel(session::Workbench& workbench, Commands& commands, Sele
     , m_workbench(workbench)
     , m_commands(commands)
     , m_selection(selection)
-    , m_liveData(new SearchScope(settings, this))
+    , m_scope(new SearchScope(settings, this))
     , m_estimate(secondaryLabel(this, "searchEstimate"))
     , m_search(new QPushButton(this))
     , m_stop(new QPushButton(this))
@@ -50,9 +51,15 @@ SearchPanel::SearchPanel(session::Workbench& workbench, Commands& commands, Sele
     , m_why(new QPushButton(this))
 {
     build();
-    connectDesk();
+    connectWorkbench();
     connectList();
     linkChanged();
+    followLanguage(this, [this] {
+        m_model->retranslate();
+        showScope();
+        showStatus();
+        retranslate();
+    });
     followSelection();
 }
 
@@ -75,7 +82,7 @@ void SearchPanel::build()
     buttons->addWidget(m_stop);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
-    column->addWidget(m_liveData);
+    column->addWidget(m_scope);
     column->addLayout(buttons);
     column->addWidget(m_estimate);
     column->addWidget(m_progress);
@@ -105,7 +112,7 @@ QWidget* SearchPanel::buildList()
     return m_stack;
 }
 
-void SearchPanel::connectDesk()
+void SearchPanel::connectWorkbench()
 {
     const auto trigger = [this](QPushButton* button, Command command) {
         QAction* action = m_commands.action(command);
@@ -117,7 +124,7 @@ void SearchPanel::connectDesk()
     trigger(m_search, Command::Search);
     trigger(m_stop, Command::StopSearch);
     connect(m_commands.action(Command::Search), &QAction::triggered, this, &SearchPanel::search);
-    connect(m_liveData, &SearchScope::changed, this, &SearchPanel::showScope);
+    connect(m_scope, &SearchScope::changed, this, &SearchPanel::showScope);
     trigger(m_findOut, Command::Diagnose);
     trigger(m_why, Command::Diagnose);
     connect(&m_workbench.search(), &session::SearchService::searchChanged, this,

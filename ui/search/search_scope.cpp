@@ -3,6 +3,7 @@
 
 #include "session/session.h"
 #include "text/bus_text.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/rate_chooser.h"
 
@@ -62,7 +63,7 @@ SearchScope::SearchScope(session::Settings& settings, QWidget* parent)
         if (index == ChosenRates)
             m_chooser->popUpBelow(*m_choose);
     });
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void SearchScope::build()
@@ -186,12 +187,5 @@ void SearchScope::retranslate()
     setAccessText(
         m_slow, tr("Wait longer"),
         tr("Queries silent IDs again with a longer timeout, for adapters that reply late"));
-}
-
-void SearchScope::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

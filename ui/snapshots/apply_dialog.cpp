@@ -7,6 +7,7 @@
 #include "text/restore_text.h"
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/snapshots/restore_text.h"
 #include "ui/widgets/question_dialog.h"
@@ -119,7 +120,7 @@ ApplyDialog::ApplyDialog(session::Workbench& workbench, session::Snapshots& snap
     setAttribute(Qt::WA_DeleteOnClose);
     fillServos();
     build();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     connect(&m_workbench.tasks(), &session::TaskQueue::taskChanged, this,
             &ApplyDialog::updateControls);
     connect(&m_workbench.link(), &session::LinkController::linkChanged, this,
@@ -425,15 +426,8 @@ void ApplyDialog::askForSavePath()
     ui::askForSavePath(this,
                        {QStringLiteral("applyFileDialog"),
                         tr("Save the result"),
-                        {tr("Table (*.csv)"), tr("Data (*.json)")},
+                        {tr("Table for spreadsheets (*.csv)"), tr("Data (*.json)")},
                         QStringLiteral("restore-result.csv")},
                        [this, results](const QString& path) { m_snapshots.save(results, path); });
-}
-
-void ApplyDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_close != nullptr)
-        retranslate();
 }
 } // namespace ui

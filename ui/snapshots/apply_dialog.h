@@ -36,9 +36,6 @@ public:
     ApplyDialog(session::Workbench& workbench, session::Snapshots& snapshots, ApplySource source,
                 QWidget* parent);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     enum Column : int { Servo, Model, Rows, Verdict, Count };
     struct Row {

@@ -4,6 +4,7 @@
 #include "text/language.h"
 #include "text/restore_text.h"
 #include "ui/common/dialog_sizes.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
 
@@ -46,7 +47,7 @@ DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& p
     if (plan.otherModel)
         m_otherModel = plan.sourceModel;
     build();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void DryRunDialog::build()
@@ -150,12 +151,5 @@ QString DryRunDialog::text() const
         lines << cells.join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
-}
-
-void DryRunDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_close != nullptr)
-        retranslate();
 }
 } // namespace ui

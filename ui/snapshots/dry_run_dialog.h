@@ -19,9 +19,6 @@ public:
     /// The model gives names and units.
     DryRunDialog(const CompareModel& model, const jobs::RestorePlan& plan, QWidget* parent);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct Line {
         jobs::RestoreStep step;

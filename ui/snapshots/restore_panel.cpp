@@ -6,6 +6,7 @@
 #include "session/snapshot/snapshots.h"
 #include "snapshot/factory_snapshot.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/apply_dialog.h"
@@ -96,7 +97,7 @@ RestorePanel::RestorePanel(AppContext& appContext, session::Settings& settings,
 {
     build();
     connectAll();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void RestorePanel::build()
@@ -348,7 +349,7 @@ void RestorePanel::saveResult()
     askForSavePath(this,
                    {QStringLiteral("snapshotFileDialog"),
                     tr("Save the result"),
-                    {tr("Table (*.csv)"), tr("Data (*.json)")},
+                    {tr("Table for spreadsheets (*.csv)"), tr("Data (*.json)")},
                     QStringLiteral("restore-result.csv"),
                     &m_settings,
                     SnapshotActions::folderKey()},
@@ -374,12 +375,5 @@ void RestorePanel::retranslate()
                   tr("Saves selected rows of this snapshot to a file for setting up other servos"));
     m_saveResult->setText(tr("Save result…"));
     updateControls();
-}
-
-void RestorePanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_saveResult != nullptr)
-        retranslate();
 }
 } // namespace ui

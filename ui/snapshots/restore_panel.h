@@ -41,9 +41,6 @@ Q_SIGNALS:
     void failed(const base::Error& error); ///< the dry run
     void templateRequested();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void connectAll();

@@ -4,6 +4,7 @@
 #include "report/report_file.h"
 #include "snapshot/factory_snapshot.h"
 #include "text/language.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/snapshots/snapshot_browser.h"
@@ -57,7 +58,7 @@ SnapshotActions::SnapshotActions(AppContext& appContext, session::Settings& sett
 {
     build();
     connectAll();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void SnapshotActions::build()
@@ -246,12 +247,5 @@ void SnapshotActions::retranslate()
     m_note->setText(tr("Label and note…"));
     m_bundle->setText(tr("Save all servos as a bundle…"));
     m_remove->setText(tr("Delete from the history…"));
-}
-
-void SnapshotActions::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_remove != nullptr)
-        retranslate();
 }
 } // namespace ui

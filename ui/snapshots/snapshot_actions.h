@@ -37,9 +37,6 @@ Q_SIGNALS:
     void started(); ///< something whose result will be shown
     void failed(const base::Error& error);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void connectAll();

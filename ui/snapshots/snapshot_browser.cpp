@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshot_browser.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/snapshots/snapshot_query.h"
 #include "ui/snapshots/snapshot_row.h"
@@ -50,7 +51,7 @@ SnapshotBrowser::SnapshotBrowser(session::Workbench& workbench,
     connect(m_search, &QLineEdit::textChanged, this, scheduleQuery);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &SnapshotBrowser::selectionChanged);
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &SnapshotBrowser::selectionChanged);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     ask();
 }
 
@@ -402,12 +403,5 @@ void SnapshotBrowser::hideEvent(QHideEvent* event)
     QWidget::hideEvent(event);
     if (m_historyGuard)
         m_historyService.setWatched(this, false);
-}
-
-void SnapshotBrowser::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_tree != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -60,7 +60,6 @@ Q_SIGNALS:
     void failed(const base::Error& error);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshot_pane.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/widgets/fit_columns.h"
 #include "ui/widgets/flow_layout.h"
@@ -33,7 +34,7 @@ SnapshotPane::SnapshotPane(QWidget* parent)
         showCounts();
         m_fit->fit();
     });
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void SnapshotPane::build()
@@ -171,12 +172,5 @@ void SnapshotPane::retranslate()
     m_table->setToolTip(tr("The space bar selects a row for writing"));
     m_model.retranslate();
     showCounts();
-}
-
-void SnapshotPane::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_table != nullptr)
-        retranslate();
 }
 } // namespace ui

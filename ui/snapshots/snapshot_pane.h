@@ -30,7 +30,6 @@ public:
               const QStringList& ages);
 
 protected:
-    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/snapshots/snapshots_page.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/snapshots/compare_tables.h"
 #include "ui/snapshots/restore_panel.h"
@@ -41,12 +42,15 @@ SnapshotsPage::SnapshotsPage(AppContext& appContext, session::Settings& settings
     , m_tables(new CompareTables(appContext, this))
 {
     setObjectName(QStringLiteral("snapshotsPage"));
-    setAccessibleName(tr("Snapshots"));
     setAcceptDrops(true);
     build();
     connectParts();
     connectSession();
     onServoSelected();
+    followLanguage(this, [this] {
+        setAccessibleName(tr("Snapshots"));
+        refresh();
+    });
 }
 
 void SnapshotsPage::build()
@@ -269,15 +273,6 @@ void SnapshotsPage::showError(const base::Error& error)
     if (error.code != base::ErrorCode::Stopped)
         m_banner->showMessage(error);
     updateControls();
-}
-
-void SnapshotsPage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_columns != nullptr) {
-        setAccessibleName(tr("Snapshots"));
-        refresh();
-    }
 }
 
 void SnapshotsPage::dragEnterEvent(QDragEnterEvent* event)

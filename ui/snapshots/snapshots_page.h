@@ -41,7 +41,6 @@ public:
     void showTable(session::SharedSnapshot table, const QString& title);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void showEvent(QShowEvent* event) override;

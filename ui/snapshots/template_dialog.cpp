@@ -6,6 +6,7 @@
 #include "jobs/restore/restore_rows.h"
 #include "text/language.h"
 #include "ui/common/dialog_sizes.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
@@ -60,7 +61,7 @@ TemplateDialog::TemplateDialog(const snapshot::Snapshot& from, catalog::ProfileP
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     fill(from);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     resize(templateWidth, templateHeight);
 }
 
@@ -134,12 +135,5 @@ void TemplateDialog::retranslate()
     cancel->setAccessibleName(cancel->text());
     cancel->setToolTip(tr("Closes without saving"));
     updateCount();
-}
-
-void TemplateDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_buttons != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -23,9 +23,6 @@ public:
 
     QStringList keys() const; ///< ticked, in the order of the table
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void fill(const snapshot::Snapshot& from);
     void retranslate();

@@ -2,6 +2,7 @@
 #include "ui/step/step_form.h"
 
 #include "device/motion/move_limits.h"
+#include "ui/common/follow_language.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -76,7 +77,7 @@ StepForm::StepForm(session::Settings& settings, QWidget* parent)
             [this](const QString& text) { m_sizeEdited = !text.isEmpty(); });
     connect(m_repeats, &QSpinBox::valueChanged, this, &StepForm::changed);
     connect(m_hold, &QSpinBox::valueChanged, this, &StepForm::changed);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 QLineEdit* StepForm::line(const char* name)
@@ -155,12 +156,5 @@ void StepForm::retranslate()
     m_acceleration->setPlaceholderText(tr("maximum"));
     m_hold->setSuffix(QStringLiteral(" ms"));
     m_hold->setSpecialValueText(tr("automatic"));
-}
-
-void StepForm::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

@@ -29,9 +29,6 @@ public:
 Q_SIGNALS:
     void changed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     QLineEdit* line(const char* name);
     void retranslate();

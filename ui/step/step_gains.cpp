@@ -3,6 +3,7 @@
 
 #include "jobs/step/step_response.h"
 #include "text/language.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/theme.h"
 
 #include <QEvent>
@@ -45,7 +46,7 @@ StepGains::StepGains(QWidget* parent)
     m_grid->addWidget(m_none, 0, nameColumn, 1, 3);
     m_grid->addWidget(m_nowTitle, 1, nowColumn);
     m_grid->addWidget(m_trialTitle, 1, trialColumn);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void StepGains::clear()
@@ -168,12 +169,5 @@ void StepGains::retranslate()
                                   .arg(row.trial->minimum())
                                   .arg(row.trial->maximum()));
     }
-}
-
-void StepGains::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

@@ -31,9 +31,6 @@ public:
 Q_SIGNALS:
     void changed();
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct Row {
         const catalog::Register* reg = nullptr;

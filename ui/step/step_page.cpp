@@ -4,6 +4,7 @@
 #include "device/motion/move_limits.h"
 #include "report/sweep_text.h"
 #include "text/language.h"
+#include "ui/common/follow_language.h"
 #include "ui/step/step_form.h"
 #include "ui/step/step_gains.h"
 #include "ui/step/step_results.h"
@@ -41,7 +42,10 @@ StepPage::StepPage(AppContext& appContext, session::Settings& settings, QWidget*
     setObjectName(QStringLiteral("stepPage"));
     build(settings);
     connectAll();
-    retranslate();
+    followLanguage(this, [this] {
+        retranslate();
+        showState();
+    });
     onServoSelected();
 }
 
@@ -317,15 +321,6 @@ void StepPage::onTestFailed(const base::Error& error)
     else if (error.code != base::ErrorCode::Stopped)
         m_banner->showMessage(error);
     onServoSelected();
-}
-
-void StepPage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showState();
-    }
 }
 
 void StepPage::resizeEvent(QResizeEvent* event)

@@ -39,7 +39,6 @@ public:
     openStored(const std::vector<std::int64_t>& numbers); ///< runs of the history, oldest first
 
 protected:
-    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 

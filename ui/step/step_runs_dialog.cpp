@@ -3,6 +3,7 @@
 
 #include "session/step/step_test.h"
 #include "ui/common/dialog_sizes.h"
+#include "ui/common/follow_language.h"
 #include "ui/step/step_text.h"
 
 #include <QLabel>
@@ -21,7 +22,7 @@ StepRunsDialog::StepRunsDialog(session::HistoryService& historyService,
     hideColumns({RunColumn::Verdict, RunColumn::Reference});
     connect(m_open, &QPushButton::clicked, this, &StepRunsDialog::openSelected);
     connect(m_table, &QTableView::activated, this, &StepRunsDialog::openSelected);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     query();
 }
 

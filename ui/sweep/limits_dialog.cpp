@@ -5,6 +5,7 @@
 #include "text/language.h"
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
 #include "ui/sweep/limits_delegate.h"
@@ -61,7 +62,7 @@ LimitsDialog::LimitsDialog(session::Settings& settings, const SweepLimits& limit
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     connectAll();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     setLimits(limits);
     resize(fontMetrics().averageCharWidth() * 96, fontMetrics().height() * 34);
 }
@@ -321,12 +322,5 @@ void LimitsDialog::retranslate()
     setTexts(m_use, tr("Use these limits"), QString());
     m_lines->retranslate();
     refresh();
-}
-
-void LimitsDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

@@ -40,9 +40,6 @@ Q_SIGNALS:
     void loaded(const QString& path);
     void saved(const QString& path);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     session::Settings& m_settings;
     void build();

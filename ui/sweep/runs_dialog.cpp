@@ -7,6 +7,7 @@
 #include "text/language.h"
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/sweep/compare_dialog.h"
 
 #include <QDir>
@@ -29,7 +30,7 @@ RunsDialog::RunsDialog(session::HistoryService& historyService, session::Setting
     connect(m_report, &QPushButton::clicked, this, &RunsDialog::openReport);
     connect(m_compare, &QPushButton::clicked, this, &RunsDialog::compare);
     connect(m_reference, &QPushButton::clicked, this, &RunsDialog::markReference);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     query();
 }
 

@@ -2,6 +2,7 @@
 #include "ui/sweep/sweep_form.h"
 
 #include "device/motion/move_limits.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 #include "ui/sweep/sweep_end_conditions.h"
 #include "ui/sweep/sweep_goal_list.h"
@@ -60,7 +61,7 @@ SweepForm::SweepForm(session::Settings& settings, QWidget* parent)
     setObjectName(QStringLiteral("sweepForm"));
     build();
     loadSettings(settings);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     arrange();
 }
 
@@ -407,7 +408,7 @@ void SweepForm::retranslate()
     set(End, tr("End"), place);
     set(Step, tr("Step"), tr("A number of steps, or an angle with its unit, such as 10deg"));
     set(Period, tr("Period"), tr("Duration of one full sine period, to the end and back"));
-    set(Seed, tr("Seed"), tr("The same seed gives the same goals"));
+    set(Seed, tr("Random seed"), tr("The same seed gives the same goals"));
     set(List, tr("Goals"),
         tr("A text file: one goal per line, optionally followed by a comma and a pause in "
            "milliseconds"));
@@ -445,12 +446,5 @@ void SweepForm::retranslate()
     m_afterwards->setItemText(1, tr("Torque off"));
     m_list->retranslate();
     m_endConditions->retranslate();
-}
-
-void SweepForm::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

@@ -62,9 +62,6 @@ public:
 Q_SIGNALS:
     void changed(); ///< typed, chosen, ticked; not by propose()
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     enum Cell : std::uint8_t {
         Start,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sweep/sweep_servos.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/widgets/test_text.h"
 #include "ui/widgets/tone_delegate.h"
@@ -84,7 +85,7 @@ SweepServos::SweepServos(session::ServoRegistry& registry, Selection& selection,
         if (const auto ref = refAt(std::max(0, m_table->currentRow())))
             Q_EMIT limitsRequested(ref);
     });
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     followSelection();
     showLimits(); // of none, until the rows are there
 }
@@ -311,12 +312,5 @@ void SweepServos::retranslate()
     m_limits->setToolTip(
         tr("Shows, edits, loads and saves the limits for the servo in the selected row"));
     m_rebuild.start();
-}
-
-void SweepServos::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

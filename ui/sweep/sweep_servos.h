@@ -54,9 +54,6 @@ Q_SIGNALS:
     void changed();
     void limitsRequested(session::ServoRef ref); ///< to be looked at and edited
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void rebuild();
     void fillRow(int row, const session::ServoEntry& entry);

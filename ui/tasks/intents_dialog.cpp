@@ -3,6 +3,7 @@
 
 #include "text/language.h"
 #include "text/translate.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 #include "ui/widgets/fit_columns.h"
@@ -120,6 +121,7 @@ IntentsDialog::IntentsDialog(Workbench& workbench, const std::vector<RecoveryRes
         m_workbench.recovery().findOpenIntents(true);
     });
     setIntents(intents, elsewhere);
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void IntentsDialog::build()
@@ -380,12 +382,5 @@ void IntentsDialog::onRecoveryFailed(const Event& event)
         return result;
     });
     reload();
-}
-
-void IntentsDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_later != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -25,9 +25,6 @@ public:
     IntentsDialog(session::Workbench& workbench, const std::vector<jobs::RecoveryResult>& found,
                   const std::vector<base::Intent>& elsewhere, QWidget* parent);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     QHBoxLayout* buildButtons();

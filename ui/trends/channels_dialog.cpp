@@ -4,6 +4,7 @@
 #include "catalog/units.h"
 #include "text/language.h"
 #include "ui/common/dialog_sizes.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
 
 #include <QColorDialog>
@@ -39,7 +40,7 @@ ChannelsDialog::ChannelsDialog(const session::ServoRegistry& registry,
     rememberSize(*this);
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     resize(460, 560);
     connect(&registry, &session::ServoRegistry::servoAdded, this, &ChannelsDialog::fill);
     connect(&registry, &session::ServoRegistry::servoRemoved, this, &ChannelsDialog::fill);
@@ -280,12 +281,5 @@ void ChannelsDialog::retranslate()
     m_close->setText(tr("Close"));
     m_close->setToolTip(tr("Closes this list and keeps the channels"));
     fill();
-}
-
-void ChannelsDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

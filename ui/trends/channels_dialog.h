@@ -28,9 +28,6 @@ public:
 Q_SIGNALS:
     void curvesChanged(const std::vector<ui::TrendCurve>& curves);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     QFormLayout* buildStyle();

@@ -31,14 +31,15 @@ ExportControl::~ExportControl()
 void ExportControl::choose()
 {
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmmss"));
-    askForSavePath(m_parent,
-                   {QStringLiteral("exportViewDialog"),
-                    tr("Export view"),
-                    {tr("Image (*.png)"), tr("Vector graphic (*.svg)"), tr("Table (*.csv)")},
-                    tr("Trend %1").arg(now),
-                    &m_settings,
-                    recordingFolderKey()},
-                   [this](const QString& path) { save(path); });
+    askForSavePath(
+        m_parent,
+        {QStringLiteral("exportViewDialog"),
+         tr("Export view"),
+         {tr("Image (*.png)"), tr("Vector graphic (*.svg)"), tr("Table for spreadsheets (*.csv)")},
+         tr("Trend %1").arg(now),
+         &m_settings,
+         recordingFolderKey()},
+        [this](const QString& path) { save(path); });
 }
 
 void ExportControl::save(const QString& path)

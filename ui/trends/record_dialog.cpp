@@ -2,6 +2,7 @@
 #include "ui/trends/record_dialog.h"
 
 #include "ui/common/file_dialog.h"
+#include "ui/common/follow_language.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
@@ -53,7 +54,7 @@ RecordDialog::RecordDialog(session::Settings& settings, QWidget* parent)
     m_limited->setChecked(seconds > 0);
     m_seconds->setValue(seconds > 0 ? seconds : defaultSeconds);
     m_seconds->setEnabled(seconds > 0);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void RecordDialog::build()
@@ -168,12 +169,5 @@ void RecordDialog::retranslate()
     setAccessText(m_seconds, tr("Duration"), tr("Duration in seconds from the first row"));
     setButtonText(m_start, tr("Record"), tr("Starts recording now"));
     setButtonText(m_cancel, tr("Cancel"), tr("Closes without recording"));
-}
-
-void RecordDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

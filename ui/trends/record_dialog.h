@@ -35,9 +35,6 @@ public:
 Q_SIGNALS:
     void recordingRequested(const ui::RecordRequest& request);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void build();
     void buildForm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trends/trigger_dialog.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
@@ -44,7 +45,7 @@ TriggerDialog::TriggerDialog(std::vector<TrendChannel> curves, recording::Channe
     setObjectName(QStringLiteral("triggerDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     setSpec(before);
     refresh();
 }
@@ -218,12 +219,5 @@ void TriggerDialog::retranslate()
     m_cancel->setText(tr("Cancel"));
     m_cancel->setToolTip(tr("Closes without setting a trigger"));
     refresh();
-}
-
-void TriggerDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

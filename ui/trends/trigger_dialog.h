@@ -27,9 +27,6 @@ public:
 Q_SIGNALS:
     void triggerArmed(const recording::TriggerSpec& spec);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     enum class TriggerKind : std::uint8_t {
         Rising,

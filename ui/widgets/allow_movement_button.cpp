@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/allow_movement_button.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/press_guard.h"
 #include "ui/widgets/question_dialog.h"
@@ -23,7 +24,7 @@ AllowMovementButton::AllowMovementButton(session::EmergencyStop& emergencyStop,
 {
     new PressGuard(this);
     connect(this, &QPushButton::clicked, this, &AllowMovementButton::askToAllow);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     hide();
 }
 
@@ -95,13 +96,6 @@ void AllowMovementButton::retranslate()
     setText(tr("Allow movement"));
     setAccessibleName(text());
     setToolTip(tr("Turns torque on after the emergency stop; nothing moves yet"));
-}
-
-void AllowMovementButton::changeEvent(QEvent* event)
-{
-    QPushButton::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 QString blockedByStopText(const session::ServoRegistry& registry,

@@ -28,9 +28,6 @@ public:
 Q_SIGNALS:
     void allowed(); ///< the user has agreed: the page asks again before the next run
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     struct AskedServo {
         session::ServoRef servo;

@@ -2,6 +2,7 @@
 #include "ui/widgets/banner.h"
 
 #include "text/error_text.h"
+#include "ui/common/follow_language.h"
 
 #include <QAction>
 #include <QEvent>
@@ -73,7 +74,7 @@ Banner::Banner(QWidget* parent)
         hideMessage();
         Q_EMIT dismissed();
     });
-    fill();
+    followLanguage(this, [this] { fill(); });
     hide();
 }
 
@@ -140,13 +141,6 @@ void Banner::fill()
     setAccessibleName(bannerText.message);
     setAccessibleDescription(more.join(QLatin1Char(' ')));
     update();
-}
-
-void Banner::changeEvent(QEvent* event)
-{
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        fill();
 }
 
 void Banner::paintEvent(QPaintEvent*)

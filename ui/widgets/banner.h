@@ -43,7 +43,6 @@ Q_SIGNALS:
     void dismissed();       ///< closed by the user
 
 protected:
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

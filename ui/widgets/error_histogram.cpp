@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/error_histogram.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/widgets/test_text.h"
 
 #include <QEvent>
@@ -57,7 +58,10 @@ ErrorHistogram::ErrorHistogram(QWidget* parent)
     : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    describe();
+    followLanguage(this, [this] {
+        describe();
+        update();
+    });
 }
 
 void ErrorHistogram::addErrors(std::span<const double> errors)
@@ -206,15 +210,6 @@ bool ErrorHistogram::event(QEvent* event)
     const QString bar = barText(help->pos());
     QToolTip::showText(help->globalPos(), bar.isEmpty() ? summary() : bar, this);
     return true;
-}
-
-void ErrorHistogram::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        describe();
-        update();
-    }
 }
 
 QSize ErrorHistogram::sizeHint() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/note_dialog.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
 
@@ -44,7 +45,7 @@ NoteDialog::NoteDialog(const QString& label, const QString& note, QWidget* paren
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     resize(initialWidth, sizeHint().height());
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 void NoteDialog::setNoteVisible(bool visible)
@@ -78,12 +79,5 @@ void NoteDialog::retranslate()
     setButtonText(save, tr("Save"), tr("Saves the label and the note"));
     QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
     setButtonText(cancel, tr("Cancel"), tr("Discards the changes"));
-}
-
-void NoteDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange && m_buttons != nullptr)
-        retranslate();
 }
 } // namespace ui

@@ -20,9 +20,6 @@ public:
     QString label() const;
     QString note() const;
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
 

@@ -2,6 +2,7 @@
 #include "ui/widgets/rate_chooser.h"
 
 #include "session/session.h"
+#include "ui/common/follow_language.h"
 #include "ui/widgets/rate_text.h"
 
 #include <QEvent>
@@ -30,7 +31,7 @@ RateChooser::RateChooser(QWidget* parent)
     column->setContentsMargins(2, 2, 2, 2);
     column->addWidget(m_list);
     connect(m_list, &QListWidget::itemChanged, this, &RateChooser::changed);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
 }
 
 std::vector<int> RateChooser::rates() const
@@ -58,12 +59,5 @@ void RateChooser::retranslate()
 {
     m_list->setAccessibleName(tr("Baud rates to search"));
     m_list->setToolTip(tr("Select the baud rates to search; you can also use the space bar"));
-}
-
-void RateChooser::changeEvent(QEvent* event)
-{
-    PopupFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

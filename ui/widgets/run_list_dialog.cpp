@@ -221,11 +221,4 @@ void RunListDialog::removeRuns()
     question.guard = this;
     ui::ask(this, question, [this, numbers] { m_historyService.remove(numbers); });
 }
-
-void RunListDialog::changeEvent(QEvent* event)
-{
-    QDialog::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-}
 } // namespace ui

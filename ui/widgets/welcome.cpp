@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/welcome.h"
 
+#include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 
 #include <QEvent>
@@ -61,7 +62,7 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
             &QAction::trigger);
     for (const Command command : {Command::Connect, Command::UseSimulation})
         connect(m_commands.action(command), &QAction::changed, this, &Welcome::updateEnabled);
-    retranslate();
+    followLanguage(this, [this] { retranslate(); });
     updateEnabled();
 }
 
@@ -86,12 +87,5 @@ void Welcome::retranslate()
     m_simulation->setToolTip(tr("Simulated servos; nothing needs to be connected"));
     for (QPushButton* button : {m_adapter, m_simulation})
         button->setAccessibleName(button->text());
-}
-
-void Welcome::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 } // namespace ui

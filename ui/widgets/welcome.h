@@ -17,9 +17,6 @@ class Welcome final : public QWidget {
 public:
     explicit Welcome(Commands& commands, QWidget* parent = nullptr);
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
     void retranslate();
     void updateEnabled();

@@ -35,7 +35,7 @@ QString formatOutcome(const history::HistoryWrite& write)
 Table tableOf(const std::vector<history::HistoryServo>& servos)
 {
     Table table({translate("cli", "Servo"), translate("cli", "Model"), translate("cli", "Firmware"),
-                 translate("cli", "ID"), translate("cli", "Label"), translate("cli", "Present"),
+                 translate("cli", "ID"), translate("cli", "Label"), translate("cli", "In use"),
                  translate("cli", "Last write"), translate("cli", "Port")});
     table.alignRight({0, 3});
     for (const history::HistoryServo& servo : servos) {

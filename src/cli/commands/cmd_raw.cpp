@@ -25,7 +25,7 @@ std::vector<Piece> pieces(const protocol::Codec& codec, base::ByteView received)
             result.kind == protocol::ScanKind::Reply || result.kind == protocol::ScanKind::Foreign;
         found.push_back(
             {base::Bytes(piece.begin(), piece.end()),
-             frame ? codec.explain(piece, false) : translate("cli", "not a valid frame")});
+             frame ? codec.explain(piece, false) : translate("cli", "not a valid packet")});
         received = received.subspan(size);
     }
     return found;
@@ -92,7 +92,7 @@ Command rawCommand()
 {
     return {"raw",
             QT_TRANSLATE_NOOP("cli", "send raw bytes and show the reply"),
-            {{"HEX", QT_TRANSLATE_NOOP("cli", "complete frame with checksum"), 1, many}},
+            {{"HEX", QT_TRANSLATE_NOOP("cli", "complete packet with checksum"), 1, many}},
             {},
             runRaw};
 }

@@ -116,7 +116,8 @@ void LinkController::portOpened(base::Result<std::unique_ptr<Connection>> result
     }
     m_connection = std::move(*result);
     m_portName = m_connection->bus().portName();
-    for (auto& [ref, known] : m_bench.registry().entries()) {
+    for (const ServoRef ref : m_bench.registry().order()) {
+        ServoEntry& known = *m_bench.registry().entry(ref);
         known.servo.port = m_portName; // after a reconnect it may be a new one
         m_connection->addStopTarget(known.servo);
         known.turns.reset();
@@ -134,8 +135,8 @@ void LinkController::powerCycle()
 {
     if (!m_connection || !m_connection->powerCycle())
         return;
-    for (auto& [ref, known] : m_bench.registry().entries())
-        known.turns.reset();
+    for (const ServoRef ref : m_bench.registry().order())
+        m_bench.registry().entry(ref)->turns.reset();
 }
 
 void LinkController::checkLink()

@@ -206,7 +206,8 @@ void SearchService::servoFound(const jobs::FoundServo& one)
 {
     if (m_bench.link().connection() && one.servo.profile)
         m_bench.link().connection()->addStopTarget(one.servo);
-    for (auto& [ref, known] : m_bench.registry().entries()) {
+    for (const ServoRef ref : m_bench.registry().order()) {
+        ServoEntry& known = *m_bench.registry().entry(ref);
         if (!sameServo(known.servo, one.servo))
             continue;
         if (!isSameKind(known.servo, one.servo)) {

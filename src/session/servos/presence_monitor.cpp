@@ -46,31 +46,29 @@ void PresenceMonitor::update()
         const bool missed = counters.timeouts - before.missed >= maxMissedReplies;
         if (!heard && !missed)
             continue;
-        const auto answers = [this, id = id](const auto& item) {
-            const device::Servo& servo = item.second.servo;
+        const auto answers = [this, id = id](ServoRef ref) {
+            const device::Servo& servo = m_bench.registry().servo(ref)->servo;
             return servo.id == id &&
                    (!m_bench.link().canSetBaud() || servo.baud == m_bench.link().baud());
         };
-        const auto first = std::find_if(m_bench.registry().entries().begin(),
-                                        m_bench.registry().entries().end(), answers);
-        const bool alone = first != m_bench.registry().entries().end() &&
-                           std::find_if(std::next(first), m_bench.registry().entries().end(),
-                                        answers) == m_bench.registry().entries().end();
-        if (!alone)
+        const std::vector<ServoRef>& all = m_bench.registry().order();
+        const auto first = std::find_if(all.begin(), all.end(), answers);
+        if (first == all.end() || std::any_of(std::next(first), all.end(), answers))
             continue;
-        ServoEntry& known = first->second;
+        ServoEntry& known = *m_bench.registry().entry(*first);
         if (heard) {
             known.lastSeen = m_bench.now();
             known.answeredAgain = known.silent;
         } else if (!std::exchange(known.silent, true)) {
-            Q_EMIT m_bench.registry().servoChanged(first->first);
+            Q_EMIT m_bench.registry().servoChanged(known.ref);
         }
     }
 }
 
 void PresenceMonitor::askAll()
 {
-    for (auto& [ref, known] : m_bench.registry().entries()) {
+    for (const ServoRef ref : m_bench.registry().order()) {
+        ServoEntry& known = *m_bench.registry().entry(ref);
         known.silent = true;
         known.hasFullTable = false; // another one of its kind may have been put in its place
         known.snapshotPath.clear();
@@ -87,8 +85,10 @@ void PresenceMonitor::identifyReturned()
 {
     if (m_bench.now() < m_askUntil && m_bench.now() >= m_nextAsk) {
         m_nextAsk = m_bench.now() + askInterval;
-        for (auto& [ref, known] : m_bench.registry().entries())
+        for (const ServoRef ref : m_bench.registry().order()) {
+            ServoEntry& known = *m_bench.registry().entry(ref);
             known.answeredAgain |= known.silent;
+        }
     }
     std::vector<ServoRef> heard;
     for (const auto& [ref, known] : m_bench.registry().entries()) {
@@ -141,7 +141,7 @@ void PresenceMonitor::reidentified(ServoRef ref, const base::Result<device::Serv
 /// it, as silent.
 void PresenceMonitor::replace(ServoRef ref, const jobs::FoundServo& now)
 {
-    ServoEntry& known = m_bench.registry().entries().at(ref);
+    ServoEntry& known = *m_bench.registry().entry(ref);
     const bool working = m_bench.tasks().running() && [&] {
         const auto refs = m_bench.tasks().running()->refs();
         return std::find(refs.begin(), refs.end(), ref) != refs.end();

@@ -32,10 +32,10 @@ public:
 
     void acknowledgeAlarms(ServoRef ref);
 
-    /// For the services of the workbench.
-    std::map<ServoRef, ServoEntry>& entries() { return m_servos; }
     const std::map<ServoRef, ServoEntry>& entries() const { return m_servos; }
-    ServoEntry* entry(ServoRef ref);
+
+    /// For the services of the workbench.
+    ServoEntry* entry(ServoRef ref); ///< null: gone
     ServoRef add(const jobs::FoundServo& one);
     void remove(ServoRef ref);
     void clear();

@@ -50,7 +50,8 @@ void EmergencyStop::trigger()
             .running()
             ->stop.request(); // it may be between two requests, where nothing is preempted
     m_bench.tasks().clearQueue(base::ErrorCode::Preempted);
-    for (auto& [ref, known] : m_bench.registry().entries()) {
+    for (const ServoRef ref : m_bench.registry().order()) {
+        ServoEntry& known = *m_bench.registry().entry(ref);
         known.stopped = true;
         known.stoppedAt = m_bench.now();
     }
@@ -76,7 +77,7 @@ void EmergencyStop::verify()
     std::vector<ServoRef> asked;
     for (const ServoRef ref : m_bench.registry().order()) {
         const bool here = !m_bench.link().canSetBaud() ||
-                          m_bench.registry().entries().at(ref).servo.baud == m_bench.link().baud();
+                          m_bench.registry().servo(ref)->servo.baud == m_bench.link().baud();
         (here ? asked : check->result.otherBaud).push_back(ref);
     }
     if (m_bench.link().state() != LinkState::Open)

@@ -159,7 +159,7 @@ void TaskQueue::startNext()
     m_running->startedAt = m_bench.now();
     if (m_running->task.effect != Effect::None) {
         for (const ServoRef ref : m_running->refs())
-            m_bench.registry().entries().at(ref).movedByProgram = true;
+            m_bench.registry().entry(ref)->movedByProgram = true;
     }
     if (m_running->task.isLongRunning)
         m_bench.emitEvent(

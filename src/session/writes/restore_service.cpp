@@ -138,7 +138,8 @@ void RestoreService::apply(ApplyRequest request)
 
 void RestoreService::tableSaved(int id, const QString& path)
 {
-    for (auto& [ref, one] : m_bench.registry().entries()) {
+    for (const ServoRef ref : std::vector(m_bench.registry().order())) {
+        ServoEntry& one = *m_bench.registry().entry(ref);
         if (one.servo.id != id || one.servo.baud != m_bench.link().baud())
             continue;
         one.snapshotPath = path;

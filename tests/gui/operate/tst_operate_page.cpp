@@ -8,7 +8,7 @@
 #include "sim/host/sim_link.h"
 #include "support/test_main.h"
 #include "ui/charts/trend_chart.h"
-#include "ui/charts/trend_plot.h"
+#include "ui/charts/trend_view.h"
 #include "ui/operate/servo_card.h"
 #include "ui/trends/trend_panel.h"
 #include "ui/widgets/banner.h"
@@ -492,7 +492,7 @@ private Q_SLOTS:
     {
         OperatePageFixture fixture;
         QVERIFY(fixture.ready(1, QStringLiteral("sim:modbus")));
-        auto* plot = fixture.find<ui::TrendPlot>("trendPlot");
+        auto* plot = fixture.find<ui::TrendView>("trendPlot");
         const auto degrees = [&] {
             return plot->picture().axes().axisOf(QStringLiteral("°")).shown;
         };
