@@ -36,6 +36,7 @@ void LaneLabels::setColors(const TrendColors& colors)
 void LaneLabels::setFont(const QFont& font)
 {
     m_font = font;
+    measure();
     update();
 }
 
@@ -45,19 +46,22 @@ void LaneLabels::setLabels(std::vector<LaneLabel> labels)
         return;
     prepareGeometryChange();
     m_labels = std::move(labels);
+    measure();
     update();
 }
 
-double LaneLabels::width() const
+/// Asked for several times a frame, so measured once.
+void LaneLabels::measure()
 {
+    m_width = 0;
     if (m_labels.empty())
-        return 0;
+        return;
     const QFontMetricsF metrics(bold(m_font));
     double widest = metrics.horizontalAdvance(QStringLiteral("-0000.0 mA"));
     for (const LaneLabel& label : m_labels)
         widest = std::max({widest, metrics.horizontalAdvance(label.name),
                            metrics.horizontalAdvance(label.value)});
-    return std::ceil((widest + 2 * labelGap) / labelWidthStep) * labelWidthStep;
+    m_width = std::ceil((widest + 2 * labelGap) / labelWidthStep) * labelWidthStep;
 }
 
 QRectF LaneLabels::boundingRect() const

@@ -27,16 +27,18 @@ public:
     void setFont(const QFont& font);
     void setLabels(std::vector<LaneLabel> labels); ///< those of one lane in a row
     /// What they need beside the lanes; it does not change with each digit.
-    double width() const;
+    double width() const { return m_width; }
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
 private:
+    void measure();
     void paintLane(QPainter* painter, std::size_t first, std::size_t end) const;
 
     std::vector<LaneLabel> m_labels;
     TrendColors m_colors;
     QFont m_font;
+    double m_width = 0;
 };
 } // namespace ui

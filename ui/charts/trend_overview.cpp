@@ -76,6 +76,15 @@ std::optional<TimeSpan> TrendOverview::history() const
     return all;
 }
 
+/// By a pixel at least: an hour of history moves by one every few seconds.
+bool TrendOverview::isOutdated() const
+{
+    const auto all = history();
+    if (!all || !m_shownHistory)
+        return all != m_shownHistory;
+    return std::abs(xOf(all->from)) >= 1 || std::abs(xOf(all->to) - width()) >= 1;
+}
+
 /// One channel a call; when all are there, the picture changes at once.
 void TrendOverview::advance(bool busy)
 {
@@ -89,7 +98,7 @@ void TrendOverview::advance(bool busy)
         // the stretch that is shown changes all the time: the handle only
     } else if (m_fetching) {
         fetchNext();
-    } else if (due && history() != m_shownHistory) {
+    } else if (due && isOutdated()) {
         begin();
     }
     if (handle() != m_paintedHandle)

@@ -40,6 +40,7 @@ protected:
 private:
     enum class Handle : std::uint8_t { None, Left, Right, Whole };
 
+    bool isOutdated() const;
     void fetchNext();
     bool begin();
     void finish();

@@ -18,6 +18,13 @@ void makeCard(QWidget* panel)
         panel->layout()->setContentsMargins(cardMargin, cardMargin, cardMargin, cardMargin);
 }
 
+void makeTableCard(QWidget* panel)
+{
+    constexpr int margin = 3; // inside the rounded corners
+    makeCard(panel);
+    panel->layout()->setContentsMargins(margin, margin, margin, margin);
+}
+
 void makeTransparent(QScrollArea* area)
 {
     area->setFrameShape(QFrame::NoFrame);

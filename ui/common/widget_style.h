@@ -19,6 +19,9 @@ constexpr int rowPadding = 10;   ///< of a table, list or tree, above its text's
 /// Gives the panel a card's ground, border and padding. Call it when the panel has its layout.
 void makeCard(QWidget* panel);
 
+/// The same for a panel that a table fills up to the border.
+void makeTableCard(QWidget* panel);
+
 /// Shows the ground of the card the area lies on. Call it when the area has its widget.
 void makeTransparent(QScrollArea* area);
 

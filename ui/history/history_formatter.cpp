@@ -152,6 +152,18 @@ QStringList HistoryFormatter::headers(HistoryKind kind)
     return {};
 }
 
+int HistoryFormatter::timeColumn(HistoryKind kind)
+{
+    return kind == HistoryKind::Servos ? -1 : 0;
+}
+
+QString HistoryFormatter::listTime(const QDateTime& at, const QDate& today)
+{
+    const QDateTime local = at.toLocalTime();
+    return local.toString(local.date() == today ? QStringLiteral("HH:mm:ss")
+                                                : QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
 int HistoryFormatter::toneColumn(HistoryKind kind)
 {
     return kind == HistoryKind::Writes   ? 5

@@ -40,7 +40,10 @@ public:
     static QStringList headers(history::HistoryKind kind);
     /// Columns that a list shows; the others are details.
     static int listColumns(history::HistoryKind kind);
+    static int timeColumn(history::HistoryKind kind); ///< of the row itself; -1: none
     static int toneColumn(history::HistoryKind kind); ///< -1: none
+    /// In few letters: only the time of an entry of today, no seconds of an older one.
+    static QString listTime(const QDateTime& at, const QDate& today);
     static QString kindName(history::HistoryKind kind);
     static QString servoTitle(const history::HistoryServo& servo);
 

@@ -74,9 +74,8 @@ void HistoryPage::build()
     auto* inside = new QVBoxLayout(card);
     inside->addWidget(m_emptyLabel, 1);
     inside->addWidget(m_view, 1);
-    makeCard(card);
+    makeTableCard(card);
     m_view->setFrameShape(QFrame::NoFrame);
-    card->layout()->setContentsMargins(1, 1, 1, 1);
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->setChildrenCollapsible(false);
     split->setHandleWidth(cardMargin);

@@ -270,6 +270,8 @@ QVariant HistoryTableModel::data(const QModelIndex& index, int role) const
     const HistoryLine& line = lineAt(index.row());
     switch (role) {
     case Qt::DisplayRole:
+        if (index.column() == HistoryFormatter::timeColumn(m_kind))
+            return HistoryFormatter::listTime(line.at, QDate::currentDate());
         return line.cells.value(index.column()).simplified();
     case Qt::ToolTipRole:
         return line.tip();

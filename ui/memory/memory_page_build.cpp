@@ -62,8 +62,7 @@ void MemoryPage::build(session::Settings& settings)
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(m_view);
     m_stack->addWidget(m_empty);
-    makeCard(m_stack);
-    m_stack->layout()->setContentsMargins(1, 1, 1, 1); // the table needs every letter of the width
+    makeTableCard(m_stack);
     m_view->setFrameShape(QFrame::NoFrame);
     auto* card = new QWidget(this);
     auto* side = new QSplitter(Qt::Vertical, card);

@@ -38,6 +38,7 @@ ServoStrip::ServoStrip(const session::ServoRegistry& registry, const session::Li
     connect(&registry, &session::ServoRegistry::servosCleared, this, &ServoStrip::rebuild);
     connect(&registry, &session::ServoRegistry::orderChanged, this, &ServoStrip::rebuild);
     connect(&selection, &Selection::selectedServosChanged, this, &ServoStrip::refresh);
+    hide(); // of less than two there is nothing to choose from
     rebuild();
     followLanguage(this, [this] {
         setAccessibleName(tr("All servos"));

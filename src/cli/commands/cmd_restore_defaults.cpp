@@ -60,12 +60,12 @@ base::Result<Exit> runRestoreDefaults(Run& run, const Values& values)
 
 Command restoreDefaultsCommand()
 {
-    return {
-        "restore-defaults",
-        QT_TRANSLATE_NOOP("cli", "restore the parameters stored in the servo (instruction 0x06); "
-                                 "the ID and baud rate may change, so connect only this servo"),
-        {servoIdArgument},
-        {},
-        runRestoreDefaults};
+    return {"restore-defaults",
+            QT_TRANSLATE_NOOP("cli",
+                              "restore the parameters stored in the servo (instruction 0x06); "
+                              "the ID and baud rate may change, so connect only this servo"),
+            {servoIdArgument},
+            {},
+            runRestoreDefaults};
 }
 } // namespace cli

@@ -9,6 +9,7 @@
 #include "session/paths.h"
 #include "support/history_example.h"
 #include "support/test_main.h"
+#include "ui/history/history_formatter.h"
 #include "ui/history/history_page.h"
 #include "ui/snapshots/compare_model.h"
 #include "ui/snapshots/snapshots_page.h"
@@ -22,6 +23,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -167,6 +169,24 @@ private Q_SLOTS:
         // Its name, not its key; a list asked for while the servo was being met is asked for again.
         QTRY_VERIFY2(!fixture.cell(0, 2).contains(QLatin1Char('_')),
                      qPrintable(fixture.cell(0, 2)));
+    }
+
+    /// The list is narrow; the details have the whole time.
+    void theListNamesTimesInFewLetters()
+    {
+        const QDateTime at(QDate(2026, 3, 1), QTime(9, 5, 7));
+        QCOMPARE(ui::HistoryFormatter::listTime(at, at.date()), QStringLiteral("09:05:07"));
+        QCOMPARE(ui::HistoryFormatter::listTime(at, at.date().addDays(1)),
+                 QStringLiteral("2026-03-01 09:05"));
+        HistoryPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.write("position_p", 40));
+        QTRY_COMPARE(fixture.rows(), 1);
+        QVERIFY(!fixture.cell(0, 0).isEmpty() && fixture.cell(0, 0).size() < 17);
+        const QString tip = fixture.table()->model()->index(0, 0).data(Qt::ToolTipRole).toString();
+        QVERIFY2(tip.contains(QRegularExpression(
+                     QStringLiteral("\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d"))),
+                 qPrintable(tip));
     }
 
     void undosAreLabeledAndValuesHaveUnits()

@@ -10,6 +10,7 @@
 #include "ui/charts/trend_chart.h"
 #include "ui/charts/trend_view.h"
 #include "ui/operate/servo_card.h"
+#include "ui/operate/servo_strip.h"
 #include "ui/trends/trend_panel.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/feedback.h"
@@ -271,6 +272,16 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.gauge(0)->isHidden());
         QVERIFY(!fixture.find<QToolButton>("showGauges")->isEnabled());
         QTRY_VERIFY(chart->QWidget::height() > 120);
+    }
+
+    /// No empty row below the chart.
+    void noStripWithoutServos()
+    {
+        OperatePageFixture fixture;
+        QWidget parent;
+        const ui::ServoStrip strip(fixture.workbench().registry(), fixture.workbench().link(),
+                                   fixture.selection(), &parent);
+        QVERIFY(!strip.isVisibleTo(&parent));
     }
 
     void theStatusStripSelects()
