@@ -8541,6 +8541,18 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Without limits, the shaft can turn past any position.</source>
         <translation>没有限制时，输出轴可转过任意位置。</translation>
     </message>
+    <message>
+        <source>A servo is in its bootloader and has no complete firmware.</source>
+        <translation>有舵机停留在引导程序（bootloader）中，没有完整的固件。</translation>
+    </message>
+    <message>
+        <source>Its firmware update was probably interrupted. Connect only this servo and repeat the update with the vendor&apos;s program FD.</source>
+        <translation>固件升级很可能曾被中断。请只接这一个舵机，用厂家的 FD 软件重新升级。</translation>
+    </message>
+    <message>
+        <source>The bootloader of a servo replies at %1 baud.</source>
+        <translation>有舵机的引导程序在波特率 %1 下应答。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>

@@ -20,6 +20,7 @@ constexpr EnumName<Cause> names[] = {
     {Cause::ResponseLevel0, "response-level-0"},
     {Cause::Noise, "noise"},
     {Cause::BoardNotAdapter, "board-not-adapter"},
+    {Cause::Bootloader, "bootloader"},
 };
 } // namespace
 

@@ -25,9 +25,10 @@ enum class Cause : std::uint8_t {
     OtherProtocol, ///< servos reply in a protocol that was not selected
     TwoServosOneId,
     LateAdapter,
-    ResponseLevel0, ///< servos carry out writes without acknowledging them
-    Noise,          ///< damaged or lost replies, or a line that never falls silent
-    BoardNotAdapter ///< text comes from the port
+    ResponseLevel0,  ///< servos carry out writes without acknowledging them
+    Noise,           ///< damaged or lost replies, or a line that never falls silent
+    BoardNotAdapter, ///< text comes from the port
+    Bootloader       ///< a servo waits for a firmware, as after an update that was cut off
 };
 
 enum class EvidenceKind : std::uint8_t {
@@ -51,6 +52,7 @@ enum class EvidenceKind : std::uint8_t {
     DifferentValues,   ///< id: readings that one servo could not give
     UnreadableReplies, ///< id; count of total
     NoAcknowledgement, ///< id: response level 0
+    BootloaderReplied, ///< baud
 };
 
 struct Evidence {

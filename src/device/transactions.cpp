@@ -38,6 +38,24 @@ base::Result<bus::Outcome> send(const Context& context, Servo& servo, protocol::
         servo.status = outcome->status();
     return outcome;
 }
+
+base::Result<base::Bytes> listenAfter(const Context& context, const base::Bytes& request,
+                                      base::Duration span)
+{
+    bus::Transaction transaction;
+    transaction.request = protocol::Request::raw(request);
+    transaction.request.repeat = protocol::Repeat::Safe; // so that a stop ends the wait
+    transaction.retries = 0;
+    transaction.priority = context.priority;
+    transaction.timeout = span;
+    transaction.hold = context.hold;
+    transaction.epoch = context.epoch;
+    transaction.stop = &context.stop;
+    const auto outcome = context.bus.transact(transaction);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    return outcome->replies.empty() ? base::Bytes() : outcome->data();
+}
 } // namespace
 
 bool canEncode(const Servo& servo, const protocol::Request& request)
@@ -63,21 +81,17 @@ base::Result<base::Bytes> listenAfterPing(const Context& context, base::Duration
 {
     const auto ping = protocol::codecFor(base::Protocol::Feetech)
                           .encode(protocol::Request::ping(protocol::broadcastId));
-    if (!ping)
-        return tl::unexpected(ping.error());
-    bus::Transaction transaction;
-    transaction.request = protocol::Request::raw(*ping);
-    transaction.request.repeat = protocol::Repeat::Safe; // so that a stop ends the wait
-    transaction.retries = 0;
-    transaction.priority = context.priority;
-    transaction.timeout = span;
-    transaction.hold = context.hold;
-    transaction.epoch = context.epoch;
-    transaction.stop = &context.stop;
-    const auto outcome = context.bus.transact(transaction);
-    if (!outcome)
-        return tl::unexpected(outcome.error());
-    return outcome->replies.empty() ? base::Bytes() : outcome->data();
+    return ping ? listenAfter(context, *ping, span) : tl::unexpected(ping.error());
+}
+
+base::Result<bool> askBootloader(const Context& context, base::Duration span)
+{
+    const base::Bytes preamble{'1', 'f', 'B', 'V', 'A'};
+    constexpr std::uint8_t accepted = 0x06;
+    constexpr std::uint8_t refused = 0x15; // it is there all the same
+    return listenAfter(context, preamble, span).map([](const base::Bytes& received) {
+        return received == base::Bytes{accepted} || received == base::Bytes{refused};
+    });
 }
 
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,

@@ -96,6 +96,12 @@ constexpr std::array causes{
             "text",
             "The port belongs to a board that runs its own firmware. Load a pass-through program "
             "onto it that forwards all bytes to the servos, or use a servo adapter.")},
+    CauseEntry{
+        Cause::Bootloader,
+        QT_TRANSLATE_NOOP("text", "A servo is in its bootloader and has no complete firmware."),
+        QT_TRANSLATE_NOOP(
+            "text", "Its firmware update was probably interrupted. Connect only this servo and "
+                    "repeat the update with the vendor's program FD.")},
 };
 
 QString counted(const char* words, const Evidence& evidence)
@@ -165,6 +171,9 @@ QString lineText(const Evidence& evidence)
     case EvidenceKind::RateFixed:
         return translate("text", "The baud rate of this port is set elsewhere, so no other rate "
                                  "could be tried.");
+    case EvidenceKind::BootloaderReplied:
+        return translate("text", "The bootloader of a servo replies at %1 baud.")
+            .arg(evidence.baud);
     case EvidenceKind::ServosFound:
         return translate("text", "%n servo(s) found at %1 baud (%2): ID %3", nullptr,
                          int(evidence.ids.size()))

@@ -38,20 +38,22 @@ void describe(CLI::App& app, Raw& raw)
                        "wire in place of the one before, \"unplug\" leaves the wire empty, "
                        "\"plug N\" adds the Nth")
             ->capture_default_str();
-    app.add_option("--servos", raw.servos,
-                   "The servos, MODEL@ID or MODEL@ID:BAUD each: sts3215@1,sts3250@2,scs15@3. Their "
-                   "defects stand behind them: sts3215@1+overshoot=5+rest-hysteresis=12. Known "
-                   "are rest-hysteresis and static-error (steps), overshoot (% of the way), speed "
-                   "(1 is healthy), speed-per-load, noise (steps), moving (0 or 1: stuck flag), "
-                   "load-friction (N·m), stop (degrees), supply-ohms, ambient (°C). Firmware that "
-                   "behaves differently, 1 for yes: deaf (hears nothing while it writes its "
-                   "EPROM; default: requests wait in its receive buffer), new-id-reply (an ID "
-                   "change is acknowledged with the new ID; default: the old one), run-to-goal "
-                   "(torque on after power-up runs to the goal register; default: holds), "
-                   "late-baud (a new rate holds from the next power-up on), staggered-ping "
-                   "(answers a broadcast PING in turn, 3 ms per ID); eprom-ms: time of an EPROM "
-                   "write. Behind a preset the same names are for all its servos: "
-                   "--preset demo+deaf=1")
+    app.add_option(
+           "--servos", raw.servos,
+           "The servos, MODEL@ID or MODEL@ID:BAUD each: sts3215@1,sts3250@2,scs15@3. Their "
+           "defects stand behind them: sts3215@1+overshoot=5+rest-hysteresis=12. Known "
+           "are rest-hysteresis and static-error (steps), overshoot (% of the way), speed "
+           "(1 is healthy), speed-per-load, noise (steps), moving (0 or 1: stuck flag), "
+           "load-friction (N·m), stop (degrees), supply-ohms, ambient (°C), firmware-lost "
+           "(0 or 1: stays in its bootloader, as after an interrupted update). Firmware that "
+           "behaves differently, 1 for yes: deaf (hears nothing while it writes its "
+           "EPROM; default: requests wait in its receive buffer), new-id-reply (an ID "
+           "change is acknowledged with the new ID; default: the old one), run-to-goal "
+           "(torque on after power-up runs to the goal register; default: holds), "
+           "late-baud (a new rate holds from the next power-up on), staggered-ping "
+           "(answers a broadcast PING in turn, 3 ms per ID); eprom-ms: time of an EPROM "
+           "write. Behind a preset the same names are for all its servos: "
+           "--preset demo+deaf=1")
         ->excludes(preset);
     app.add_option("--baud", raw.baud, "Rate of all servos without one of their own")
         ->check(CLI::PositiveNumber);

@@ -89,6 +89,8 @@ std::vector<Cause> causesBehind(const Observations& seen)
 
 std::vector<Cause> causesOfSilence(const Observations& seen)
 {
+    if (seen.hasBootloader)
+        return {Cause::Bootloader};
     if (!seen.text.isEmpty())
         return {Cause::BoardNotAdapter};
     if (!seen.busyRates.empty())

@@ -16,6 +16,7 @@ struct Observations {
     bool hasGarbledReplies = false;
     std::map<int, int> bytesAt; ///< by rate that was listened to: received, without the echo
     QString text;               ///< if that is what came
+    bool hasBootloader = false; ///< one has replied
     std::vector<int> busyRates;
     std::vector<FoundServo> found;
     std::vector<ServoProbe> probes; ///< of the same servos

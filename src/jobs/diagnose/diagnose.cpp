@@ -25,6 +25,11 @@ using std::chrono::milliseconds;
 constexpr base::Duration listenTime = milliseconds(1100);
 constexpr base::Duration shortListenTime = milliseconds(60);
 constexpr base::Duration rateSettleTime = milliseconds(5);
+/// The first one after a change of rate may be lost, and another on a bad line.
+constexpr int bootloaderTries = 5;
+constexpr base::Duration bootloaderWait = milliseconds(100);
+/// A servo with a whole firmware starts it within about 800 ms.
+constexpr base::Duration bootTime = milliseconds(1000);
 /// Rates below are no setting of a Feetech servo, so it is enough that nothing comes there.
 constexpr int lowestSearchedRate = 38'400;
 /// Of SMS Modbus and LX servos, and of most boards.
@@ -83,6 +88,7 @@ private:
             .and_then([this] { return search({m_homeRate}, m_spec.protocols); })
             .and_then([this] { return searchOtherProtocols(); })
             .and_then([this] { return lookAtOtherRates(); })
+            .and_then([this] { return askBootloader(); })
             .and_then([this] { return probeServos(); });
     }
 
@@ -146,7 +152,7 @@ private:
         total += listeningTime() + searchTime({m_homeRate}, m_spec.protocols);
         if (!m_bus.canSetBaud())
             return total;
-        total += otherRatesTime();
+        total += otherRatesTime() + bootloaderTries * bootloaderWait;
         if (m_homeRate != otherProtocolRate)
             total += searchTime({otherProtocolRate}, {Protocol::Lx, Protocol::Modbus});
         return total;
@@ -235,6 +241,41 @@ private:
         if (done && m_seen.found.empty() && m_seen.totalBytes() == 0)
             add({.kind = EvidenceKind::NothingReceived, .count = int(m_seen.bytesAt.size())});
         return done;
+    }
+
+    /// Where nobody else replies: a servo without a whole firmware.
+    Result<void> askBootloader()
+    {
+        const bool reachable = m_bus.canSetBaud() || m_homeRate == device::bootloaderBaud;
+        if (isComplete() || !m_seen.busyRates.empty() || !reachable)
+            return {};
+        if (const auto set = setBaud(device::bootloaderBaud); !set)
+            return set.error().code == ErrorCode::RateUnsupported ? Result<void>{} : set;
+        return repliesInBootloader().and_then([this](bool replies) -> Result<void> {
+            if (!replies)
+                return {};
+            return m_bus.listen(bootTime)
+                .and_then([this] { return repliesInBootloader(); })
+                .map([this](bool again) {
+                    m_seen.hasBootloader = again;
+                    if (again)
+                        add({.kind = EvidenceKind::BootloaderReplied,
+                             .baud = device::bootloaderBaud});
+                });
+        });
+    }
+
+    Result<bool> repliesInBootloader()
+    {
+        Result<bool> replied = false;
+        for (int i = 0; i < bootloaderTries && replied && !*replied; ++i) {
+            if (m_context.stop.isRequested())
+                return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
+            report({.baud = device::bootloaderBaud}, bootloaderWait);
+            replied = device::askBootloader(m_context, bootloaderWait);
+            endStep(bootloaderWait);
+        }
+        return replied;
     }
 
     /// Whatever comes after a PING to all: the servos' replies, maybe on top of each other, or what

@@ -5,7 +5,7 @@
 
 namespace jobs {
 namespace {
-constexpr std::size_t minText = 12;
+constexpr std::size_t minText = 16; ///< random bytes pass for it once in 100,000 times
 constexpr double minTextShare = 0.9;
 constexpr int maxTextSample = 60;
 constexpr std::size_t maxSample = 12;

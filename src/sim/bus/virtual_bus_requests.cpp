@@ -227,16 +227,23 @@ std::optional<Nanos> VirtualBus::State::deliver(std::size_t nodeIndex, const Ser
     node.writingUntil = written;
     if (!reply || cut || isMute(node.servo, id))
         return std::nullopt;
-    auto frame = encode(node.servo.profile().protocol, *reply);
-    const auto lateness = faultInjector.applyFaults(frame, config.faults);
+    const Nanos ready = written + delay + toNanos(reply->wait);
+    return transmit(nodeIndex, encode(node.servo.profile().protocol, *reply), baud,
+                    std::max(ready, notBefore.value_or(0)));
+}
+
+std::optional<Nanos> VirtualBus::State::transmit(std::size_t nodeIndex, base::Bytes reply, int baud,
+                                                 Nanos ready)
+{
+    BusNode& node = nodes[nodeIndex];
+    const auto lateness = faultInjector.applyFaults(reply, config.faults);
     if (!lateness)
         return std::nullopt;
     ReplyTiming& timing = node.servo.timing();
-    const Nanos ready = written + delay + toNanos(reply->wait);
-    const Nanos start = std::max({ready, notBefore.value_or(0), node.sendsUntil}) +
-                        timing.nextTurnAround().count() + toNanos(*lateness);
+    const Nanos start =
+        std::max(ready, node.sendsUntil) + timing.nextTurnAround().count() + toNanos(*lateness);
     const Burst& transmitted = line.transmit(
-        Burst(static_cast<int>(nodeIndex), start, baud, std::move(frame), timing.clockError()));
+        Burst(static_cast<int>(nodeIndex), start, baud, std::move(reply), timing.clockError()));
     node.sendsUntil = transmitted.end();
     return *lateness > base::Duration{} ? std::nullopt : std::optional(transmitted.end());
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/bus/virtual_bus_state.h"
 
+#include "sim/servo/bootloader.h"
+
 #include <algorithm>
 
 namespace sim {
@@ -39,6 +41,8 @@ void VirtualBus::State::advance(Nanos to)
             dispatchQueued(*due);
             continue;
         }
+        if (dispatchBootloaderByte(receiver != nullptr ? event.at : to))
+            continue;
         if (receiver == nullptr)
             break;
         if (const auto frame = receiver->take(event))
@@ -78,6 +82,32 @@ void VirtualBus::State::updateReceivers(Nanos at)
             return isHeardBy(node.servo, receiver);
         });
     });
+    const bool boots = std::any_of(nodes.begin(), nodes.end(),
+                                   [](const BusNode& node) { return node.servo.isInBootloader(); });
+    if (!boots)
+        bootloaderReceiver.reset();
+    else if (!bootloaderReceiver)
+        bootloaderReceiver.emplace(RxFilter::Host, Bootloader::baud, at);
+}
+
+// True: there was one.
+bool VirtualBus::State::dispatchBootloaderByte(Nanos to)
+{
+    const auto byte = bootloaderReceiver ? bootloaderReceiver->peek(line) : std::nullopt;
+    if (!byte || byte->end > to)
+        return false;
+    bootloaderReceiver->take(*byte);
+    advanceServos(byte->end);
+    for (std::size_t nodeIndex = 0; nodeIndex < nodes.size(); ++nodeIndex) {
+        VirtualServo& servo = nodes[nodeIndex].servo;
+        if (!byte->framed || !servo.isInBootloader())
+            continue;
+        const auto reply = servo.bootloaderReply(byte->value);
+        if (reply && !cut && !isMute(servo, servo.id()))
+            transmit(nodeIndex, {*reply}, Bootloader::baud,
+                     byte->end + toNanos(servo.replyDelay()));
+    }
+    return true;
 }
 
 RequestReceiver* VirtualBus::State::nextReceiver(Nanos to, RequestReceiver::Event& event)
@@ -126,6 +156,8 @@ void VirtualBus::State::discardPast()
     int slowest = hostReceiver.baud();
     for (const RequestReceiver& receiver : receivers)
         slowest = std::min(slowest, receiver.baud());
+    if (bootloaderReceiver)
+        slowest = std::min(slowest, bootloaderReceiver->baud());
     line.removeBefore(now - static_cast<Nanos>(retainedBits * 1e9 / slowest));
 }
 } // namespace sim

@@ -59,6 +59,7 @@ struct VirtualBus::State {
     WireLine line;
     std::vector<RequestReceiver> receivers;
     UartReceiver hostReceiver;
+    std::optional<UartReceiver> bootloaderReceiver; ///< while a servo is in its bootloader
     std::deque<HostByte> toHost;
     Nanos now = 0;
     Nanos steppedTo = 0;
@@ -73,6 +74,7 @@ struct VirtualBus::State {
     void advanceServos(Nanos to);
     void updateReceivers(Nanos at);
     RequestReceiver* nextReceiver(Nanos to, RequestReceiver::Event& event);
+    bool dispatchBootloaderByte(Nanos to);
     std::optional<Nanos> silenceEnd() const;
     void dispatch(const ReceivedFrame& frame);
     void dispatchRequest(const ReceivedFrame& frame);
@@ -84,6 +86,8 @@ struct VirtualBus::State {
     void dispatchQueued(Nanos at);
     std::optional<Nanos> deliver(std::size_t nodeIndex, const ServoRequest& request, Nanos at,
                                  std::optional<Nanos> notBefore);
+    /// Nullopt: lost to a fault, or too late for its turn.
+    std::optional<Nanos> transmit(std::size_t nodeIndex, base::Bytes reply, int baud, Nanos ready);
     bool isMute(const VirtualServo& servo, int id);
     bool listens(std::size_t nodeIndex, const ReceivedFrame& frame) const;
     bool isSilentBefore(std::size_t nodeIndex, const ReceivedFrame& frame) const;

@@ -24,6 +24,8 @@ constexpr DefectOption defectOptions[] = {
     {"speed-per-load", 0, 10, [](ServoSpec& r, double v) { r.defects.speedPerLoad = v; }},
     {"noise", 0, 50, [](ServoSpec& r, double v) { r.defects.positionNoise = v; }},
     {"moving", 0, 1, [](ServoSpec& r, double v) { r.defects.movingFlagStuck = v != 0.0; }, true},
+    {"firmware-lost", 0, 1, [](ServoSpec& r, double v) { r.defects.firmwareLost = v != 0.0; },
+     true},
     {"load-friction", 0, 100, [](ServoSpec& r, double v) { r.load.coulombFriction = v; }},
     {"stop", -3600, 3600,
      [](ServoSpec& r, double v) { r.load.stopHigh = v * std::numbers::pi / 180.0; }},

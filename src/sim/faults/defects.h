@@ -35,6 +35,9 @@ struct Defects {
     /// has filtered it out.
     double positionNoise = 0; ///< steps
 
+    /// Its firmware is not whole, as after an update that was cut off: it stays in its bootloader.
+    bool firmwareLost = false;
+
     std::optional<bool> movingFlagStuck; ///< the moving flag reads this, whatever it does
 
     /// It does not rest where a healthy loop would. Then load, friction, gear play and dead zones

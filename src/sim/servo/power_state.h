@@ -12,6 +12,7 @@ class PowerState {
 public:
     bool isOn() const { return m_on; }
     bool isRunning() const { return m_on && m_rebootLeft.count() == 0; }
+    bool isRebooting() const { return m_on && m_rebootLeft.count() > 0; }
     bool isDeaf() const { return !isRunning() || m_deafLeft.count() > 0; }
 
     void setOn(bool on) { m_on = on; }

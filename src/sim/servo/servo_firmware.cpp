@@ -51,9 +51,15 @@ void ServoFirmware::advance(base::Duration dt)
         switchOn();
     }
     for (m_pending += dt; m_pending >= tickTime; m_pending -= tickTime) {
-        m_drive.tick(m_power.isRunning());
-        m_health.tick(m_power.isRunning());
+        m_drive.tick(isRunning());
+        m_health.tick(isRunning());
     }
+}
+
+bool ServoFirmware::isInBootloader() const
+{
+    return !m_model.traits.lx &&
+           (m_power.isRebooting() || (m_power.isOn() && m_config.defects.firmwareLost));
 }
 
 /// A family without a baud register has one rate.

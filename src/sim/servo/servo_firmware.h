@@ -28,6 +28,10 @@ public:
     const ServoConfig& config() const { return m_config; }
     int baud() const { return m_baud; }
     base::Duration replyDelay() const;
+    /// At a restart, and for good if there is no whole firmware. An LX servo is not known to have
+    /// one.
+    bool isInBootloader() const;
+    bool isRunning() const { return m_power.isRunning() && !isInBootloader(); }
 
     void advance(base::Duration dt);
     void switchOff(); ///< what ends with the power or at a restart
@@ -44,7 +48,7 @@ public:
     void stopMove(); ///< LX: holds where it is
 
     void updateFeedback() { m_feedback.update(); } ///< before the registers are read
-    bool ledOn() const { return m_power.isRunning() && m_feedback.isLedOn(); }
+    bool ledOn() const { return isRunning() && m_feedback.isLedOn(); }
 
 private:
     void loadBaud();

@@ -2,6 +2,7 @@
 #include "sim/servo/virtual_servo.h"
 
 #include "sim/requests/request_handler.h"
+#include "sim/servo/bootloader.h"
 
 #include <numbers>
 
@@ -18,6 +19,7 @@ struct VirtualServo::State {
     }
 
     ServoFirmware firmware;
+    Bootloader bootloader;
     std::unique_ptr<RequestHandler> handler;
 };
 
@@ -50,7 +52,17 @@ AddressMatch VirtualServo::addressMatch(int id, std::uint8_t instruction) const
 
 bool VirtualServo::isDeaf() const
 {
-    return m_state->firmware.power().isDeaf();
+    return m_state->firmware.power().isDeaf() || isInBootloader();
+}
+
+bool VirtualServo::isInBootloader() const
+{
+    return m_state->firmware.isInBootloader();
+}
+
+std::optional<std::uint8_t> VirtualServo::bootloaderReply(std::uint8_t byte)
+{
+    return m_state->bootloader.receive(byte);
 }
 
 base::Duration VirtualServo::writeTime() const
@@ -75,7 +87,7 @@ std::optional<ServoReply> VirtualServo::handle(const ServoRequest& request)
 {
     ServoFirmware& firmware = m_state->firmware;
     firmware.registers().clearEpromWritten();
-    if (firmware.power().isDeaf()) {
+    if (isDeaf()) {
         return std::nullopt;
     }
     // A servo that becomes deaf answers first; the shortest reply has six bytes of ten bits. The

@@ -110,7 +110,11 @@ public:
     int baud() const;
     /// Whether a request to this ID is meant for it: HLS servos obey a second ID for some.
     AddressMatch addressMatch(int id, std::uint8_t instruction) const;
-    bool isDeaf() const; ///< off, rebooting, or writing its EPROM if that makes it deaf
+    /// Off, in its bootloader, or writing its EPROM if that makes it deaf.
+    bool isDeaf() const;
+    bool isInBootloader() const;
+    /// What its bootloader replies to a byte at Bootloader::baud.
+    std::optional<std::uint8_t> bootloaderReply(std::uint8_t byte);
     /// How long the latest request delays the next one, because the servo writes its EPROM.
     base::Duration writeTime() const;
     base::Duration replyDelay() const;

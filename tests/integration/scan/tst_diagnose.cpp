@@ -158,6 +158,13 @@ const std::vector<Way>& ways()
              bus.unplugged = true;
              bus.options.wire.echo = true;
          }},
+        {"an update cut off",
+         Servos,
+         {Cause::Bootloader},
+         [](BrokenBus& bus, Random&) {
+             bus.servos.resize(1);
+             bus.servos.front().defects.firmwareLost = true;
+         }},
         {"reply wire broken",
          Line,
          {Cause::NoServoOrNoPower},
@@ -279,6 +286,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
     void namesTheCauseOfBrokenBuses();
     void namesAnotherProgramFirst();
+    void aRestartIsNoLostFirmware();
     void keepsWhatItFoundWhenItIsStopped();
     void emergencyReachesTheServosAtTheirOwnRate();
     void theEndDoesNotMoveAway_data();
@@ -339,6 +347,23 @@ void TestDiagnose::namesAnotherProgramFirst()
     QVERIFY(report);
     QCOMPARE(report->diagnosis.cause, Cause::PortBusy);
     QCOMPARE(int(report->found.size()), 1);
+}
+
+/// At a restart every servo is in its bootloader for a moment.
+void TestDiagnose::aRestartIsNoLostFirmware()
+{
+    const base::Bytes preamble{'1', 'f', 'B', 'V', 'A'};
+    const auto causeOf = [&preamble](int replies) {
+        SimFixture fixture(QStringLiteral("sts3215@1"));
+        fixture.withBus([](sim::VirtualBus& wire) { wire.unplugAll(); });
+        fixture.tap().replyOverride = [&](const base::Bytes& sent) {
+            const bool replied = sent == preamble && replies-- > 0;
+            return replied ? std::optional(base::Bytes{0x06}) : std::nullopt;
+        };
+        return jobs::diagnose(fixture.context(), {})->diagnosis.cause;
+    };
+    QCOMPARE(causeOf(1), Cause::NoServoOrNoPower);
+    QCOMPARE(causeOf(2), Cause::Bootloader);
 }
 
 void TestDiagnose::keepsWhatItFoundWhenItIsStopped()
