@@ -668,6 +668,14 @@
         <source>Temperature</source>
         <translation>温度</translation>
     </message>
+    <message>
+        <source>SIMULATED: not real servos</source>
+        <translation>模拟：不是真实舵机</translation>
+    </message>
+    <message>
+        <source>Some of these servos were SIMULATED</source>
+        <translation>部分舵机是模拟的，不是真实舵机</translation>
+    </message>
 </context>
 <context>
     <name>ControlText</name>

@@ -6,6 +6,8 @@
 #include "report/report_file.h"
 #include "report/sweep_text.h"
 
+#include <algorithm>
+
 namespace report {
 using results::CommissionBatch;
 using results::CommissionRow;
@@ -92,6 +94,19 @@ QString unfinishedTable(const HtmlWriter& htmlWriter, const CommissionBatch& bat
 }
 
 /// What there is none of is left out, except what is done.
+/// Not to be taken for a batch that has left the bench.
+QString simulatedNote(const HtmlWriter& htmlWriter, const CommissionBatch& batch)
+{
+    const auto isSimulated = [](const CommissionRow& row) { return row.simulated; };
+    if (std::none_of(batch.rows.begin(), batch.rows.end(), isSimulated))
+        return {};
+    const bool all = std::all_of(batch.rows.begin(), batch.rows.end(), isSimulated);
+    return QStringLiteral("<p class=\"simulated\">%1</p>\n")
+        .arg(htmlWriter.htmlText(
+            all ? translate("CommissionText", "SIMULATED: not real servos")
+                : translate("CommissionText", "Some of these servos were SIMULATED")));
+}
+
 QString summary(const HtmlWriter& htmlWriter, const CommissionBatch& batch, const QString& name)
 {
     const SweepTexts& words = sweepTexts();
@@ -126,8 +141,9 @@ base::Result<void> saveCommissionReport(const CommissionBatch& batch, const QStr
     return saveReport(
         {title, batch.program, at},
         [&](const HtmlWriter& htmlWriter, const EmbedChart&) {
-            return htmlWriter.heading(1, title) + summary(htmlWriter, batch, name) +
-                   servosTable(htmlWriter, batch) + unfinishedTable(htmlWriter, batch);
+            return htmlWriter.heading(1, title) + simulatedNote(htmlWriter, batch) +
+                   summary(htmlWriter, batch, name) + servosTable(htmlWriter, batch) +
+                   unfinishedTable(htmlWriter, batch);
         },
         chinese, path);
 }

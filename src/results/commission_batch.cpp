@@ -93,14 +93,15 @@ QByteArray encodeCommissionCsv(const CommissionBatch& batch)
 {
     QByteArray text = files::csvStart(files::CsvReader::Spreadsheet);
     text += "time,verdict,troubles,model,firmware,was_id,was_baud,id,baud,template,"
-            "written,centred,volts,celsius,label,snapshot\n";
+            "written,centred,volts,celsius,label,snapshot,simulated\n";
     for (const CommissionRow& row : batch.rows)
         text += files::csvLine(
             {timeText(row.at), verdictName(row.verdict), issuesCell(row.issues), row.servo.model,
              row.servo.firmware, QString::number(row.servo.id), known(row.oldBaud, 0),
              known(row.newId, -1), known(row.newBaud, 0), row.templateName,
              QString::number(row.written), row.centered ? QStringLiteral("1") : QStringLiteral("0"),
-             numberOrEmpty(row.volts), numberOrEmpty(row.celsius), row.label, row.snapshot});
+             numberOrEmpty(row.volts), numberOrEmpty(row.celsius), row.label, row.snapshot,
+             row.simulated ? QStringLiteral("1") : QStringLiteral("0")});
     return text;
 }
 

@@ -29,6 +29,7 @@ struct CommissionIssue {
 struct CommissionRow {
     QDateTime at;                  ///< UTC, to the second
     snapshot::SnapshotServo servo; ///< as it was found, with its old ID
+    bool simulated = false;
     int oldBaud = 0;
     int newId = -1;         ///< −1: was not given one
     int newBaud = 0;        ///< 0: was not given one
@@ -86,7 +87,8 @@ std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending);
 QByteArray encodeCommissionBatch(const CommissionBatch& batch);
 base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text);
 /// For spreadsheets, with a byte order mark. Columns: time, verdict, troubles, model, firmware,
-/// was_id, was_baud, id, baud, template, written, centered, volts, celsius, label, snapshot.
+/// was_id, was_baud, id, baud, template, written, centred, volts, celsius, label, snapshot,
+/// simulated.
 QByteArray encodeCommissionCsv(const CommissionBatch& batch);
 
 /// "batch.csv" → "batch.commission.json"

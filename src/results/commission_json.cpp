@@ -49,6 +49,7 @@ QByteArray rowText(const CommissionRow& row)
         .raw("troubles", issuesText(row.issues))
         .text("label", row.label)
         .text("snapshot", row.snapshot)
+        .raw("simulated", files::jsonFlag(row.simulated))
         .done();
 }
 
@@ -97,6 +98,7 @@ CommissionRow readRow(const files::JsonReader& json)
         row.issues.push_back({issue.nonEmptyText("word"), issue.text("detail")});
     row.label = json.text("label");
     row.snapshot = json.text("snapshot");
+    row.simulated = json.contains("simulated") && json.flag("simulated"); // newer than the others
     return row;
 }
 

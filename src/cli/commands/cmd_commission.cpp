@@ -342,7 +342,8 @@ Json jsonRow(const results::CommissionRow& row)
         .add("celsius", row.celsius)
         .add("troubles", std::move(issues))
         .add("label", row.label)
-        .add("snapshot", row.snapshot);
+        .add("snapshot", row.snapshot)
+        .add("simulated", row.simulated);
     return json;
 }
 

@@ -86,6 +86,7 @@ base::Result<void> CommissionRunner::processServo(device::Servo servo)
     work.servo = std::move(servo);
     work.row.at = QDateTime::fromSecsSinceEpoch(QDateTime::currentSecsSinceEpoch(), Qt::UTC);
     work.row.servo = view.servo;
+    work.row.simulated = work.servo.identity().isSimulated();
     work.row.oldBaud = view.baud;
     work.newId = m_progress.nextId().value_or(-1);
     work.newBaud = m_spec.baud > 0 ? m_spec.baud : view.baud;

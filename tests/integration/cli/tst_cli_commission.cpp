@@ -38,6 +38,7 @@ private Q_SLOTS:
             QCOMPARE(row.value(QStringLiteral("baud")).toInt(), 500'000);
             QCOMPARE(row.value(QStringLiteral("was_id")).toInt(), 1);
             QVERIFY(QFile::exists(row.value(QStringLiteral("snapshot")).toString()));
+            QVERIFY(row.value(QStringLiteral("simulated")).toBool());
         }
         QFile file(csv);
         QVERIFY(file.open(QIODevice::ReadOnly));

@@ -98,6 +98,7 @@ private Q_SLOTS:
     void unknownModelsKeepNumbers();
     void templatesKeepTheirValues();
     void aBatchIsHandedOver();
+    void aSimulatedBatchSaysSo();
     void aBatchOpensInASpreadsheet();
 
 private:
@@ -217,6 +218,30 @@ void TestHandoverReports::aBatchIsHandedOver()
     QVERIFY(report::saveCommissionReport(batchOf(300), q("arm.csv"), false, path("batch.pdf")));
     QVERIFY(pagesOf(path("batch.pdf")) > 3);
     QVERIFY(paperText(path("batch.pdf")).contains(q("关节 300")));
+}
+
+void TestHandoverReports::aSimulatedBatchSaysSo()
+{
+    results::CommissionBatch batch = batchOf(2);
+    batch.pending.clear();
+    const auto text = [&] {
+        const QByteArray kept = results::encodeCommissionBatch(batch); // as from an earlier day
+        const auto read = results::decodeCommissionBatch(kept);
+        if (!read || !report::saveCommissionReport(*read, q("arm.csv"), false, path("batch.pdf")))
+            return q("no report");
+        return paperText(path("batch.pdf"));
+    };
+    QVERIFY(!text().contains(q("SIMULATED")));
+    batch.rows.front().simulated = true;
+    QVERIFY2(text().contains(q("Some of these servos were SIMULATED")), qPrintable(text()));
+    batch.rows.back().simulated = true;
+    QVERIFY(text().contains(q("SIMULATED: not real servos")));
+    QVERIFY(results::encodeCommissionCsv(batch).endsWith(",1\n"));
+    batch.rows = {batchOf(1).rows.front()};
+    const QByteArray older =
+        results::encodeCommissionBatch(batch).replace(", \"simulated\": false", "");
+    QVERIFY(!older.contains("simulated"));
+    QVERIFY(results::decodeCommissionBatch(older).has_value());
 }
 
 /// Excel takes a file without a byte order mark for another encoding.
