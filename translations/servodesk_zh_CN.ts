@@ -6215,6 +6215,30 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>In use</source>
         <translation>使用中</translation>
     </message>
+    <message>
+        <source>Newer version known</source>
+        <translation>已知的较新版本</translation>
+    </message>
+    <message>
+        <source>differs from the others</source>
+        <translation>与其他舵机不同</translation>
+    </message>
+    <message>
+        <source>The firmware versions differ. LeRobot refuses a bus whose servos do not all have the same version.</source>
+        <translation>固件版本不一致。总线上的舵机固件版本不全相同时，LeRobot 拒绝连接。</translation>
+    </message>
+    <message>
+        <source>Newer versions are listed in the vendor&apos;s firmware catalog; they may not be the latest.</source>
+        <translation>较新版本取自厂家的固件目录，不一定是最新版本。</translation>
+    </message>
+    <message>
+        <source>No servo replied.</source>
+        <translation>没有舵机应答。</translation>
+    </message>
+    <message>
+        <source>list the servos&apos; firmware versions, and those that differ</source>
+        <translation>列出各舵机的固件版本，标出不一致的舵机</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

@@ -8,6 +8,7 @@ namespace cli {
 Command portsCommand();
 Command scanCommand();
 Command infoCommand();
+Command firmwareListCommand();
 Command dumpCommand();
 Command readCommand();
 Command writeCommand();

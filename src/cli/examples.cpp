@@ -11,6 +11,7 @@ const std::vector<Examples>& allExamples()
         {"info", "info 1", "info 1 --json"},
         {"dump", "dump 1", "dump 1 --json"},
         {"read", "read 1 present_position present_voltage", "read 1 position_p --json"},
+        {"firmware list", "firmware list", "firmware list --json"},
 
         {"write", "write 1 position_p=24 position_d=20", "write 1 torque_limit=50% --temporary"},
         {"set-id", "set-id 1 11", "set-id 2 12 --json"},

@@ -87,7 +87,7 @@ std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending);
 QByteArray encodeCommissionBatch(const CommissionBatch& batch);
 base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text);
 /// For spreadsheets, with a byte order mark. Columns: time, verdict, troubles, model, firmware,
-/// was_id, was_baud, id, baud, template, written, centred, volts, celsius, label, snapshot,
+/// was_id, was_baud, id, baud, template, written, centered, volts, celsius, label, snapshot,
 /// simulated.
 QByteArray encodeCommissionCsv(const CommissionBatch& batch);
 

@@ -51,7 +51,8 @@ void describe(CLI::App& app, Raw& raw)
            "change is acknowledged with the new ID; default: the old one), run-to-goal "
            "(torque on after power-up runs to the goal register; default: holds), "
            "late-baud (a new rate holds from the next power-up on), staggered-ping "
-           "(answers a broadcast PING in turn, 3 ms per ID); eprom-ms: time of an EPROM "
+           "(answers a broadcast PING in turn, 3 ms per ID); firmware-minor: its minor version; "
+           "eprom-ms: time of an EPROM "
            "write. Behind a preset the same names are for all its servos: "
            "--preset demo+deaf=1")
         ->excludes(preset);

@@ -14,7 +14,7 @@ struct DefectOption {
     double min;
     double max;
     void (*set)(ServoSpec&, double);
-    bool isFlag = false; ///< 0 or 1
+    bool isWhole = false;
 };
 constexpr DefectOption defectOptions[] = {
     {"rest-hysteresis", 0, 400, [](ServoSpec& r, double v) { r.defects.restHysteresis = v; }},
@@ -35,6 +35,7 @@ constexpr DefectOption defectOptions[] = {
      [](ServoSpec& r, double v) {
          r.epromTime = base::Duration(static_cast<base::Duration::rep>(v * 1000));
      }},
+    {"firmware-minor", 0, 255, [](ServoSpec& r, double v) { r.firmwareMinor = int(v); }, true},
     {"deaf", 0, 1, [](ServoSpec& r, double v) { r.behavior.deafWhileWriting = v != 0.0; }, true},
     {"new-id-reply", 0, 1,
      [](ServoSpec& r, double v) { r.behavior.acknowledgesWithNewId = v != 0.0; }, true},
@@ -62,7 +63,7 @@ base::Result<void> addDefect(ServoSpec& servoSpec, const QString& item, const QS
                                  .arg(item, defectOptionNames().join(QLatin1String(", "))));
     bool ok = false;
     const double number = value.toDouble(&ok);
-    const bool whole = !option->isFlag || number == std::floor(number);
+    const bool whole = !option->isWhole || number == std::floor(number);
     if (!ok || !whole || !(number >= option->min && number <= option->max))
         return invalidDefect(QStringLiteral("%1: a number from %2 to %3")
                                  .arg(item)

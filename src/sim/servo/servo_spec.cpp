@@ -82,7 +82,8 @@ base::Result<VirtualServo> makeServo(const ServoSpec& servoSpec, const catalog::
     const Firmware* firmware = firmwareOf(model->series);
     if (firmware == nullptr || !model->supported)
         return invalidServo(item, QStringLiteral("this series cannot be simulated"));
-    const auto profile = catalog.profileFor(*model, firmware->major, firmware->minor);
+    const auto profile = catalog.profileFor(*model, firmware->major,
+                                            servoSpec.firmwareMinor.value_or(firmware->minor));
     if (!supportsId(*profile, servoSpec.id))
         return invalidServo(item, QStringLiteral("this model has no ID %1").arg(servoSpec.id));
     if (servoSpec.baud && !supportsBaud(*profile, *servoSpec.baud))

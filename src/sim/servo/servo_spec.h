@@ -24,6 +24,7 @@ struct ServoSpec {
     std::optional<double> ambientCelsius{};
     FirmwareBehavior behavior{};
     std::optional<base::Duration> epromTime{};
+    std::optional<int> firmwareMinor{}; ///< that of the series if not given
 };
 
 base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoSpec>& servoSpecs,
