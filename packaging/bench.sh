@@ -10,7 +10,7 @@ set -euo pipefail
 smoke=false
 [ "${1:-}" != --smoke ] || smoke=true
 [ -f "$BUILD_DIR/CMakeCache.txt" ] || die "nothing is built." "To build it with the tests:  packaging/test.sh"
-cmake --build "$BUILD_DIR" --target benches
+cmake --build "$BUILD_DIR" --target benches || die "this build has no benches." "To build it with them:  packaging/test.sh"
 
 for bench in "$BUILD_DIR"/tests/bench_*; do
     [ -x "$bench" ] || continue

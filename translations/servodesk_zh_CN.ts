@@ -1976,6 +1976,10 @@
         <source>Bus type: %1</source>
         <translation>总线类型：%1</translation>
     </message>
+    <message>
+        <source>Firmware differs from the others</source>
+        <translation>固件版本与其他舵机不同</translation>
+    </message>
 </context>
 <context>
     <name>ServoTasks</name>
@@ -6232,10 +6236,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>较新版本取自厂家的固件目录，不一定是最新版本。</translation>
     </message>
     <message>
-        <source>No servo replied.</source>
-        <translation>没有舵机应答。</translation>
-    </message>
-    <message>
         <source>list the servos&apos; firmware versions, and those that differ</source>
         <translation>列出各舵机的固件版本，标出不一致的舵机</translation>
     </message>
@@ -8578,7 +8578,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>有舵机停留在引导程序（bootloader）中，没有完整的固件。</translation>
     </message>
     <message>
-        <source>Its firmware update was probably interrupted. Connect only this servo and repeat the update with the vendor&apos;s program FD.</source>
+        <source>Its firmware update was probably interrupted. Connect only this servo and repeat the update with the vendor&apos;s FD software.</source>
         <translation>固件升级很可能曾被中断。请只接这一个舵机，用厂家的 FD 软件重新升级。</translation>
     </message>
     <message>

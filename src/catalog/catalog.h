@@ -84,6 +84,10 @@ private:
     std::shared_ptr<const Data> m_data;
 };
 
+/// By place: which servos run another firmware than most of their model; of versions that are
+/// equally frequent the newest counts. Null, and servos that report no version, never differ.
+std::vector<bool> differingFirmware(const std::vector<ProfilePtr>& servos);
+
 struct Catalog::LoadResult {
     Catalog catalog;
     std::vector<LoadWarning> warnings;

@@ -2,8 +2,18 @@
 #include "catalog/catalog.h"
 #include "catalog/definition.h"
 
+#include <algorithm>
+#include <map>
+
 namespace catalog {
 namespace {
+std::optional<Version> versionOf(const ProfilePtr& servo)
+{
+    if (!servo || servo->identity.firmwareMajor < 0)
+        return std::nullopt;
+    return Version{servo->identity.firmwareMajor, servo->identity.firmwareMinor};
+}
+
 bool concerns(const FirmwareDef& firmware, const Identity& identity, base::ByteOrder order)
 {
     if (firmware.protocol != identity.protocol || firmware.byteOrder != order)
@@ -41,5 +51,29 @@ std::optional<KnownFirmware> Catalog::newerFirmware(const Profile& profile) cons
         return std::nullopt;
     return KnownFirmware{newest->version.major, newest->version.minor, newest->date,
                          newest->source};
+}
+
+std::vector<bool> differingFirmware(const std::vector<ProfilePtr>& servos)
+{
+    std::map<QString, std::map<Version, int>> counts; // by model
+    for (const ProfilePtr& servo : servos) {
+        if (const auto version = versionOf(servo))
+            ++counts[servo->identity.modelId()][*version];
+    }
+    std::vector<bool> differs;
+    for (const ProfilePtr& servo : servos) {
+        const auto version = versionOf(servo);
+        if (!version) {
+            differs.push_back(false);
+            continue;
+        }
+        const auto& ofModel = counts[servo->identity.modelId()];
+        const auto usual =
+            std::max_element(ofModel.begin(), ofModel.end(), [](const auto& a, const auto& b) {
+                return a.second < b.second || (a.second == b.second && a.first < b.first);
+            });
+        differs.push_back(usual->first != *version);
+    }
+    return differs;
 }
 } // namespace catalog

@@ -93,20 +93,22 @@ QString unfinishedTable(const HtmlWriter& htmlWriter, const CommissionBatch& bat
                  rows);
 }
 
-/// What there is none of is left out, except what is done.
 /// Not to be taken for a batch that has left the bench.
 QString simulatedNote(const HtmlWriter& htmlWriter, const CommissionBatch& batch)
 {
-    const auto isSimulated = [](const CommissionRow& row) { return row.simulated; };
-    if (std::none_of(batch.rows.begin(), batch.rows.end(), isSimulated))
+    const auto isSimulated = [](const auto& servo) { return servo.simulated; };
+    const auto count = std::count_if(batch.rows.begin(), batch.rows.end(), isSimulated) +
+                       std::count_if(batch.pending.begin(), batch.pending.end(), isSimulated);
+    if (count == 0)
         return {};
-    const bool all = std::all_of(batch.rows.begin(), batch.rows.end(), isSimulated);
+    const bool all = count == std::ssize(batch.rows) + std::ssize(batch.pending);
     return QStringLiteral("<p class=\"simulated\">%1</p>\n")
         .arg(htmlWriter.htmlText(
             all ? translate("CommissionText", "SIMULATED: not real servos")
                 : translate("CommissionText", "Some of these servos were SIMULATED")));
 }
 
+/// What there is none of is left out, except what is done.
 QString summary(const HtmlWriter& htmlWriter, const CommissionBatch& batch, const QString& name)
 {
     const SweepTexts& words = sweepTexts();

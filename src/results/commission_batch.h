@@ -57,6 +57,7 @@ struct PendingCommission {
     bool isIdConfirmed =
         false;             ///< its new ID was read back: under the old one another servo answers
     bool lockOpen = false; ///< its lock was opened and not proven closed
+    bool simulated = false;
     bool operator==(const PendingCommission&) const = default;
 };
 

@@ -65,6 +65,7 @@ QByteArray pendingText(const PendingCommission& one)
         .text("snapshot", one.snapshot)
         .raw("id_read", files::jsonFlag(one.isIdConfirmed))
         .raw("lock_open", files::jsonFlag(one.lockOpen))
+        .raw("simulated", files::jsonFlag(one.simulated))
         .done();
 }
 
@@ -78,6 +79,12 @@ snapshot::SnapshotServo readCommissionServo(const files::JsonReader& json)
     servo.map = json.text("map");
     servo.protocol = json.text("protocol");
     return servo;
+}
+
+/// Files of an earlier version do not have it.
+bool readSimulated(const files::JsonReader& json)
+{
+    return json.contains("simulated") && json.flag("simulated");
 }
 
 CommissionRow readRow(const files::JsonReader& json)
@@ -98,7 +105,7 @@ CommissionRow readRow(const files::JsonReader& json)
         row.issues.push_back({issue.nonEmptyText("word"), issue.text("detail")});
     row.label = json.text("label");
     row.snapshot = json.text("snapshot");
-    row.simulated = json.contains("simulated") && json.flag("simulated"); // newer than the others
+    row.simulated = readSimulated(json);
     return row;
 }
 
@@ -114,6 +121,7 @@ PendingCommission readPending(const files::JsonReader& json)
     one.snapshot = json.text("snapshot");
     one.isIdConfirmed = json.flag("id_read");
     one.lockOpen = json.flag("lock_open");
+    one.simulated = readSimulated(json);
     return one;
 }
 

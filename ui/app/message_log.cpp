@@ -4,8 +4,6 @@
 #include "ui/app/event_text.h"
 #include "ui/common/follow_language.h"
 
-#include <QEvent>
-
 namespace ui {
 namespace {
 constexpr std::size_t maxEvents = 1000;

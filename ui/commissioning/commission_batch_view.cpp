@@ -8,7 +8,6 @@
 #include "ui/widgets/tone_delegate.h"
 
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>

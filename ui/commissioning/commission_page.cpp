@@ -15,7 +15,6 @@
 #include "ui/widgets/question_dialog.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>

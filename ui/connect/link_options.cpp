@@ -5,7 +5,6 @@
 #include "ui/common/widget_text.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>

@@ -7,7 +7,6 @@
 #include "ui/common/widget_text.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -5,7 +5,6 @@
 #include "ui/common/follow_language.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QVBoxLayout>
 
 namespace ui {

@@ -5,7 +5,6 @@
 #include "ui/common/follow_language.h"
 #include "ui/editors/register_text.h"
 
-#include <QEvent>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QVBoxLayout>

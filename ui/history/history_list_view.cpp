@@ -53,7 +53,10 @@ void HistoryListView::updateAfterChange()
     for (int column = 0; column < m_model.columnCount(); ++column)
         setColumnHidden(column, column >= shown);
     const bool isEmpty = model()->rowCount() == 0;
-    if (std::exchange(m_columnsUnsized, isEmpty) && !isEmpty)
+    const QModelIndex oldest = model()->index(model()->rowCount() - 1, 0);
+    const bool isTimeLonger = oldest.data().toString().size() >
+                              std::exchange(m_timeLength, oldest.data().toString().size());
+    if ((std::exchange(m_columnsUnsized, isEmpty) || isTimeLonger) && !isEmpty)
         m_columns->fit();
 }
 } // namespace ui

@@ -19,7 +19,7 @@ public:
 
     std::optional<int> selectedRow() const;
     /// After the rows have changed: back to the row that was at the top, and the columns get their
-    /// width from the first rows.
+    /// width from the first rows, and again when the first of another day is there.
     void updateAfterChange();
 
 private:
@@ -29,5 +29,6 @@ private:
     FitColumns* m_columns;
     QPersistentModelIndex m_topRow; ///< the row to keep at the top; none: the list is at its top
     bool m_columnsUnsized = true;   ///< until there are rows
+    qsizetype m_timeLength = 0;     ///< of the oldest row's time: an older day takes more letters
 };
 } // namespace ui

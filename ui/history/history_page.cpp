@@ -18,7 +18,6 @@
 #include "ui/widgets/note_dialog.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>

@@ -4,8 +4,6 @@
 #include "text/error_text.h"
 #include "ui/common/follow_language.h"
 
-#include <QEvent>
-
 namespace ui {
 HistorySendLabel::HistorySendLabel(session::HistorySender& sender, QWidget* parent)
     : QLabel(parent)

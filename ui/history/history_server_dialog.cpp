@@ -8,7 +8,6 @@
 #include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>

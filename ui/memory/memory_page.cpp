@@ -16,7 +16,6 @@
 #include "ui/widgets/banner.h"
 #include "ui/widgets/servo_obstacle.h"
 
-#include <QEvent>
 #include <QSplitter>
 #include <QStackedWidget>
 

@@ -10,7 +10,6 @@
 
 #include <QActionGroup>
 #include <QComboBox>
-#include <QEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>

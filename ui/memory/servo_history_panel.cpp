@@ -4,7 +4,6 @@
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QListView>
 #include <QVBoxLayout>

@@ -10,7 +10,6 @@
 #include "ui/widgets/feedback.h"
 #include "ui/widgets/floating_overlay.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 

@@ -9,7 +9,6 @@
 #include "ui/widgets/pill.h"
 #include "ui/widgets/rate_text.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>

@@ -6,7 +6,6 @@
 #include "ui/widgets/feedback.h"
 
 #include <QApplication>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QScrollBar>
 

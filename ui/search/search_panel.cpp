@@ -10,7 +10,6 @@
 #include "ui/widgets/rate_text.h"
 #include "ui/widgets/thin_progress.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QListView>
 #include <QMenu>

@@ -112,7 +112,37 @@ ServoRow ServoListModel::makeRow(ServoRef ref)
     const session::ServoEntry* entry = m_registry.servo(ref);
     if (entry == nullptr)
         return {};
-    return servoRow(*entry, newerFirmware(entry->servo.profile), m_registry.now());
+    return servoRow(*entry, newerFirmware(entry->servo.profile), m_registry.now(),
+                    m_differing.count(ref) != 0);
+}
+
+void ServoListModel::setRow(int row, ServoRow now)
+{
+    if (now == m_rows[std::size_t(row)])
+        return;
+    m_rows[std::size_t(row)] = std::move(now);
+    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+}
+
+/// One servo more, or one less, can make others the odd ones.
+void ServoListModel::compareFirmware()
+{
+    std::vector<catalog::ProfilePtr> profiles;
+    for (const ServoRow& row : m_rows) {
+        const session::ServoEntry* entry = m_registry.servo(row.ref);
+        profiles.push_back(entry != nullptr ? entry->servo.profile : nullptr);
+    }
+    const std::vector<bool> differs = catalog::differingFirmware(profiles);
+    std::set<ServoRef> differing;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (differs[i])
+            differing.insert(m_rows[i].ref);
+    }
+    if (differing == m_differing)
+        return;
+    m_differing = std::move(differing);
+    for (int row = 0; row < rowCount(); ++row)
+        setRow(row, makeRow(m_rows[std::size_t(row)].ref));
 }
 
 const std::optional<catalog::KnownFirmware>&
@@ -134,6 +164,7 @@ void ServoListModel::added(ServoRef ref)
     beginInsertRows({}, row, row);
     m_rows.insert(m_rows.begin() + row, makeRow(ref));
     endInsertRows();
+    compareFirmware();
 }
 
 /// A changed ID or baud rate may move the row; its index and the selection move with it.
@@ -142,11 +173,10 @@ void ServoListModel::changed(ServoRef ref)
     const int row = rowOf(ref);
     if (row < 0 || m_registry.servo(ref) == nullptr)
         return;
-    ServoRow now = makeRow(ref);
-    if (now != m_rows[std::size_t(row)]) {
-        m_rows[std::size_t(row)] = std::move(now);
-        Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
-    }
+    const QString firmware = m_rows[std::size_t(row)].firmware;
+    setRow(row, makeRow(ref));
+    if (m_rows[std::size_t(row)].firmware != firmware)
+        compareFirmware();
     const auto& order = m_registry.order();
     const int target =
         std::min(int(std::find(order.begin(), order.end(), ref) - order.begin()), rowCount() - 1);
@@ -167,6 +197,7 @@ void ServoListModel::removed(ServoRef ref)
     beginRemoveRows({}, row, row);
     m_rows.erase(m_rows.begin() + row);
     endRemoveRows();
+    compareFirmware();
 }
 
 void ServoListModel::reload()
@@ -176,6 +207,7 @@ void ServoListModel::reload()
     for (const ServoRef ref : m_registry.order())
         m_rows.push_back(makeRow(ref));
     endResetModel();
+    compareFirmware();
 }
 
 void ServoListModel::updateAges()

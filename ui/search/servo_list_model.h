@@ -10,6 +10,9 @@
 
 #include <QAbstractTableModel>
 
+#include <map>
+#include <set>
+
 namespace ui {
 class ServoListModel final : public QAbstractTableModel {
     Q_OBJECT
@@ -41,12 +44,15 @@ private:
     void removed(session::ServoRef ref);
     void reload();
     ServoRow makeRow(session::ServoRef ref);
+    void setRow(int row, ServoRow now);
+    void compareFirmware();
     const std::optional<catalog::KnownFirmware>& newerFirmware(const catalog::ProfilePtr& profile);
 
     const session::ServoRegistry& m_registry;
     const catalog::Catalog& m_catalog;
     std::vector<ServoRow> m_rows;
     std::map<catalog::ProfilePtr, std::optional<catalog::KnownFirmware>>
-        m_newer; ///< looked up once
+        m_newer;                             ///< looked up once
+    std::set<session::ServoRef> m_differing; ///< by firmware from the others of their model
 };
 } // namespace ui

@@ -16,7 +16,6 @@
 
 #include <QCheckBox>
 #include <QDir>
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>

@@ -21,7 +21,6 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>

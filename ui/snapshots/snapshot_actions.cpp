@@ -14,7 +14,6 @@
 #include "ui/widgets/question_dialog.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QFileInfo>
 #include <QMenu>
 #include <QPushButton>

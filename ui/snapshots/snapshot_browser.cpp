@@ -7,7 +7,6 @@
 #include "ui/snapshots/snapshot_row.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>

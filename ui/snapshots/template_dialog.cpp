@@ -10,7 +10,6 @@
 #include "ui/common/widget_style.h"
 
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>

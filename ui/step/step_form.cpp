@@ -4,7 +4,6 @@
 #include "device/motion/move_limits.h"
 #include "ui/common/follow_language.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>

@@ -6,7 +6,6 @@
 #include "ui/common/follow_language.h"
 #include "ui/common/theme.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSpinBox>

@@ -17,7 +17,6 @@
 #include "ui/widgets/thin_progress.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>

@@ -12,7 +12,6 @@
 #include "ui/sweep/limits_model.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>

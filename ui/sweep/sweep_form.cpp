@@ -9,7 +9,6 @@
 #include "ui/widgets/segmented_control.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>

@@ -6,7 +6,6 @@
 #include "ui/widgets/test_text.h"
 #include "ui/widgets/tone_delegate.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>

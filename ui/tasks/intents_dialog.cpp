@@ -9,7 +9,6 @@
 #include "ui/widgets/fit_columns.h"
 #include "ui/widgets/question_dialog.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>

@@ -9,7 +9,6 @@
 
 #include <QColorDialog>
 #include <QDoubleSpinBox>
-#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>

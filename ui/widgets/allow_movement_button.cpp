@@ -6,7 +6,6 @@
 #include "ui/widgets/press_guard.h"
 #include "ui/widgets/question_dialog.h"
 
-#include <QEvent>
 #include <QPointer>
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "ui/common/follow_language.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>

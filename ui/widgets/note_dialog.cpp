@@ -6,7 +6,6 @@
 #include "ui/common/widget_text.h"
 
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>

@@ -5,7 +5,6 @@
 #include "ui/common/follow_language.h"
 #include "ui/widgets/rate_text.h"
 
-#include <QEvent>
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QVBoxLayout>

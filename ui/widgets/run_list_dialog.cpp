@@ -5,7 +5,6 @@
 #include "ui/widgets/question_dialog.h"
 #include "ui/widgets/tone_delegate.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>

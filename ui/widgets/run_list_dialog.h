@@ -24,6 +24,7 @@ class RunListDialog : public QDialog {
 public:
     RunListDialog(session::HistoryService& historyService, const QString& kind, QWidget* parent);
 
+protected:
     QPushButton* addButton(const char* name); ///< before Label…
     static void setButtonText(QPushButton* button, const QString& text, const QString& tip);
     void hideColumns(std::initializer_list<RunColumn> columns);

@@ -96,7 +96,8 @@ QString lockRemark(const session::ServoEntry& entry, bool old)
 }
 
 std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
-                                   const std::optional<catalog::KnownFirmware>& newer, bool old)
+                                   const std::optional<catalog::KnownFirmware>& newer, bool old,
+                                   bool firmwareDiffers)
 {
     std::vector<ServoRemark> remarks;
     const catalog::Profile* profile = entry.servo.profile.get();
@@ -110,6 +111,8 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
         remarks.push_back({Tone::Bad, translate("ServoRow", "Family unclear: read-only")});
     else if (profile != nullptr && !profile->writable)
         remarks.push_back({Tone::Warn, translate("ServoRow", "Unknown firmware: read-only")});
+    if (firmwareDiffers)
+        remarks.push_back({Tone::Warn, translate("ServoRow", "Firmware differs from the others")});
     if (newer)
         remarks.push_back(
             {Tone::Accent,
@@ -120,7 +123,8 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
 } // namespace
 
 ServoRow servoRow(const session::ServoEntry& entry,
-                  const std::optional<catalog::KnownFirmware>& newer, base::Duration now)
+                  const std::optional<catalog::KnownFirmware>& newer, base::Duration now,
+                  bool firmwareDiffers)
 {
     const device::Servo& servo = entry.servo;
     const catalog::Profile* profile = servo.profile.get();
@@ -141,7 +145,7 @@ ServoRow servoRow(const session::ServoEntry& entry,
     const bool old = now - entry.lastSeen > session::maxReadingAge;
     row.alarmTone = state.tone == Tone::Good && old ? Tone::Quiet : state.tone;
     row.lastSeen = timeAgoText(now - entry.lastSeen);
-    row.remarks = remarksOf(entry, newer, old);
+    row.remarks = remarksOf(entry, newer, old, firmwareDiffers);
     row.isSilent = entry.silent;
     return row;
 }

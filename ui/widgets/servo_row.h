@@ -36,7 +36,9 @@ struct ServoRow {
     bool operator==(const ServoRow&) const = default;
 };
 
+/// `firmwareDiffers`: from that of the other servos of its model.
 ServoRow servoRow(const session::ServoEntry& entry,
-                  const std::optional<catalog::KnownFirmware>& newer, base::Duration now);
+                  const std::optional<catalog::KnownFirmware>& newer, base::Duration now,
+                  bool firmwareDiffers = false);
 } // namespace ui
 Q_DECLARE_METATYPE(ui::ServoRow)

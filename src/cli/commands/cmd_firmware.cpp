@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_search.h"
 #include "cli/commands.h"
-#include "cli/input/arguments.h"
-#include "cli/output/progress.h"
 #include "cli/output/report_text.h"
-#include "cli/run.h"
 #include "cli/translate.h"
-#include "jobs/scan/scan.h"
-#include "transport/port_opener.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace cli {
@@ -17,67 +12,49 @@ namespace {
 using Version = std::pair<int, int>;
 
 struct FirmwareRow {
-    const device::Servo* servo;
+    const jobs::FoundServo* found;
     std::optional<Version> version; ///< none: the servo reports none
     std::optional<catalog::KnownFirmware> newer;
     bool differs = false; ///< from most servos of its model
 };
 
-/// Of versions that are equally frequent the newest counts.
-Version mostFrequentVersion(const std::vector<Version>& versions)
-{
-    std::map<Version, int> counts;
-    for (const Version& version : versions)
-        ++counts[version];
-    return std::max_element(counts.begin(), counts.end(),
-                            [](const auto& a, const auto& b) {
-                                return std::pair(a.second, a.first) < std::pair(b.second, b.first);
-                            })
-        ->first;
-}
-
 std::vector<FirmwareRow> firmwareRows(const jobs::ScanReport& report,
                                       const catalog::Catalog& catalog)
 {
     std::vector<FirmwareRow> rows;
-    std::map<QString, std::vector<Version>> byModel;
+    std::vector<catalog::ProfilePtr> profiles;
     for (const jobs::FoundServo& found : report.found) {
-        FirmwareRow row{&found.servo, {}, {}};
+        FirmwareRow row{&found, {}, {}};
         if (const catalog::Profile* profile = found.servo.profile.get()) {
-            const catalog::Identity& identity = profile->identity;
             row.newer = catalog.newerFirmware(*profile);
-            if (identity.firmwareMajor >= 0) {
-                row.version = Version(identity.firmwareMajor, identity.firmwareMinor);
-                byModel[identity.modelId()].push_back(*row.version);
-            }
+            if (profile->identity.firmwareMajor >= 0)
+                row.version =
+                    Version(profile->identity.firmwareMajor, profile->identity.firmwareMinor);
         }
         rows.push_back(row);
+        profiles.push_back(found.servo.profile);
     }
-    for (FirmwareRow& row : rows) {
-        if (row.version)
-            row.differs = *row.version !=
-                          mostFrequentVersion(byModel[row.servo->profile->identity.modelId()]);
-    }
+    const std::vector<bool> differs = catalog::differingFirmware(profiles);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].differs = differs[i];
     return rows;
 }
 
 /// LeRobot compares all servos of a bus, whatever their model.
-bool isSameEverywhere(const std::vector<FirmwareRow>& rows)
+std::set<std::optional<Version>> versionsOf(const std::vector<FirmwareRow>& rows)
 {
-    std::set<Version> versions;
-    for (const FirmwareRow& row : rows) {
-        if (row.version)
-            versions.insert(*row.version);
-    }
-    return versions.size() <= 1;
+    std::set<std::optional<Version>> versions;
+    for (const FirmwareRow& row : rows)
+        versions.insert(row.version);
+    return versions;
 }
 
 Json jsonRow(const FirmwareRow& row)
 {
-    const catalog::Profile* profile = row.servo->profile.get();
+    const catalog::Profile* profile = row.found->servo.profile.get();
     Json json = Json::object();
-    json.add("id", row.servo->id)
-        .add("baud", row.servo->baud)
+    json.add("id", row.found->servo.id)
+        .add("baud", row.found->servo.baud)
         .add("model", profile != nullptr ? Json(profile->modelName) : Json())
         .add("model_id", profile != nullptr ? Json(profile->identity.modelId()) : Json())
         .add("firmware", row.version ? Json(profile->identity.firmware()) : Json())
@@ -93,21 +70,24 @@ Json jsonRow(const FirmwareRow& row)
 Table tableOf(const std::vector<FirmwareRow>& rows)
 {
     Table table({translate("cli", "ID"), translate("cli", "Model"),
-                 translate("cli", "Model number"), translate("cli", "Firmware"),
-                 translate("cli", "Newer version known"), translate("cli", "Note")});
-    table.alignRight({0});
+                 translate("cli", "Model number"), translate("cli", "Baud rate"),
+                 translate("cli", "Firmware"), translate("cli", "Newer version known"),
+                 translate("cli", "Note")});
+    table.alignRight({0, 3});
     for (const FirmwareRow& row : rows) {
-        const catalog::Profile* profile = row.servo->profile.get();
+        const catalog::Profile* profile = row.found->servo.profile.get();
         const QString newer =
             row.newer
                 ? QStringLiteral("%1 (%2)").arg(row.newer->version(),
                                                 row.newer->date.toString(QStringLiteral("yyyy-MM")))
                 : noValue();
-        table.add({QString::number(row.servo->id),
-                   profile != nullptr ? profile->modelName : QStringLiteral("?"),
-                   profile != nullptr ? profile->identity.modelId() : QStringLiteral("?"),
-                   row.version ? profile->identity.firmware() : QStringLiteral("?"), newer,
-                   row.differs ? translate("cli", "differs from the others") : QString()});
+        table.add(
+            {QString::number(row.found->servo.id),
+             profile != nullptr ? profile->modelName : QStringLiteral("?"),
+             profile != nullptr ? profile->identity.modelId() : QStringLiteral("?"),
+             QString::number(row.found->servo.baud),
+             row.version ? profile->identity.firmware() : QStringLiteral("?"), newer,
+             row.differs ? translate("cli", "differs from the others") : scanNote(*row.found)});
     }
     return table;
 }
@@ -115,7 +95,9 @@ Table tableOf(const std::vector<FirmwareRow>& rows)
 QString remarks(const std::vector<FirmwareRow>& rows)
 {
     QStringList lines;
-    if (!isSameEverywhere(rows))
+    std::set<std::optional<Version>> known = versionsOf(rows);
+    known.erase(std::nullopt);
+    if (known.size() > 1)
         lines << translate("cli",
                            "The firmware versions differ. LeRobot refuses a bus whose servos "
                            "do not all have the same version.");
@@ -127,41 +109,22 @@ QString remarks(const std::vector<FirmwareRow>& rows)
 
 base::Result<Exit> runFirmwareList(Run& run, const Values& values)
 {
-    jobs::ScanSpec spec;
-    if (const auto bauds = values.option("--bauds")) {
-        const auto rates = parseBauds(*bauds);
-        if (!rates)
-            return tl::unexpected(rates.error());
-        spec.bauds = *rates;
-    } else if (run.globals().autoBaud) {
-        spec.bauds = transport::standardBaudRates();
-    }
-    if (run.globals().protocol)
-        spec.protocols = {*run.globals().protocol};
-    const auto context = run.context();
-    if (!context)
-        return tl::unexpected(context.error());
-    base::Result<jobs::ScanReport> report;
-    {
-        ProgressLine line(run.console(), translate("cli", "Searching"));
-        report = jobs::scan(*context, spec,
-                            [&line](const jobs::Progress& progress) { line.update(progress); });
-    }
+    const auto report = searchBus(run, values);
     if (!report)
         return tl::unexpected(report.error());
     const std::vector<FirmwareRow> rows = firmwareRows(*report, run.session().catalog());
     Json::Array servos;
     for (const FirmwareRow& row : rows)
         servos.push_back(jsonRow(row));
+    const auto versions = versionsOf(rows);
     Json document = Json::object();
     document.add("port", report->port)
         .add("servos", std::move(servos))
-        .add("same_firmware", isSameEverywhere(rows));
+        .add("same_firmware", versions.size() == 1 && versions.begin()->has_value());
     if (report->stopped)
         document.add("stopped", true);
-    const QString text = rows.empty() ? translate("cli", "No servo replied.") + QLatin1Char('\n')
-                                      : tableOf(rows).text() + remarks(rows);
-    run.finish(document, text);
+    const QString table = rows.empty() ? QString() : tableOf(rows).text();
+    run.finish(document, table + remarks(rows) + scanRemarks(*report));
     return report->stopped ? Exit::Failed : rows.empty() ? Exit::NoReply : Exit::Success;
 }
 } // namespace
@@ -171,7 +134,7 @@ Command firmwareListCommand()
     return {"firmware list",
             QT_TRANSLATE_NOOP("cli", "list the servos' firmware versions, and those that differ"),
             {},
-            {{"--bauds", QT_TRANSLATE_NOOP("cli", "baud rates to use for the search"), "all|N,N…"}},
+            searchOptions(),
             runFirmwareList};
 }
 } // namespace cli

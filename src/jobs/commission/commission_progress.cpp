@@ -125,6 +125,7 @@ base::Result<void> CommissionProgress::addPending(const CommissionWork& work, bo
                           work.newBaud,
                           isAtNewId,
                           work.row.snapshot};
+    now.simulated = work.row.simulated;
     if (known != nullptr && isResumed) {
         now.at = known->at;
         now.isIdSent = now.isIdSent || known->isIdSent;

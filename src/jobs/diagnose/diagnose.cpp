@@ -25,7 +25,7 @@ using std::chrono::milliseconds;
 constexpr base::Duration listenTime = milliseconds(1100);
 constexpr base::Duration shortListenTime = milliseconds(60);
 constexpr base::Duration rateSettleTime = milliseconds(5);
-/// The first one after a change of rate may be lost, and another on a bad line.
+/// The first one after a change of rate may be lost, and more on a bad line.
 constexpr int bootloaderTries = 5;
 constexpr base::Duration bootloaderWait = milliseconds(100);
 /// A servo with a whole firmware starts it within about 800 ms.
@@ -137,6 +137,13 @@ private:
         return total;
     }
 
+    /// Zero where it cannot be asked. If it replies, it is asked once more, later.
+    base::Duration bootloaderTime() const
+    {
+        const bool reachable = m_bus.canSetBaud() || m_homeRate == device::bootloaderBaud;
+        return reachable ? bootloaderTries * bootloaderWait : base::Duration{};
+    }
+
     base::Duration probeTime() const
     {
         constexpr base::Duration ofServo = milliseconds(100);
@@ -149,10 +156,10 @@ private:
         base::Duration total = listenTime + searchTime({m_homeRate}, m_spec.protocols);
         if (const auto others = otherProtocols(); !others.empty())
             total += searchTime({m_homeRate}, others);
-        total += listeningTime() + searchTime({m_homeRate}, m_spec.protocols);
+        total += listeningTime() + searchTime({m_homeRate}, m_spec.protocols) + bootloaderTime();
         if (!m_bus.canSetBaud())
             return total;
-        total += otherRatesTime() + bootloaderTries * bootloaderWait;
+        total += otherRatesTime();
         if (m_homeRate != otherProtocolRate)
             total += searchTime({otherProtocolRate}, {Protocol::Lx, Protocol::Modbus});
         return total;
@@ -246,22 +253,23 @@ private:
     /// Where nobody else replies: a servo without a whole firmware.
     Result<void> askBootloader()
     {
-        const bool reachable = m_bus.canSetBaud() || m_homeRate == device::bootloaderBaud;
-        if (isComplete() || !m_seen.busyRates.empty() || !reachable)
+        const base::Duration planned = bootloaderTime();
+        if (isComplete() || !m_seen.busyRates.empty() || planned == base::Duration{}) {
+            drop(planned);
             return {};
+        }
         if (const auto set = setBaud(device::bootloaderBaud); !set)
             return set.error().code == ErrorCode::RateUnsupported ? Result<void>{} : set;
         return repliesInBootloader().and_then([this](bool replies) -> Result<void> {
             if (!replies)
                 return {};
-            return m_bus.listen(bootTime)
-                .and_then([this] { return repliesInBootloader(); })
-                .map([this](bool again) {
-                    m_seen.hasBootloader = again;
-                    if (again)
-                        add({.kind = EvidenceKind::BootloaderReplied,
-                             .baud = device::bootloaderBaud});
-                });
+            if (!m_bus.pauseUntil(m_bus.clock().now() + bootTime, &m_context.stop))
+                return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
+            return repliesInBootloader().map([this](bool again) {
+                m_seen.hasBootloader = again;
+                if (again)
+                    add({.kind = EvidenceKind::BootloaderReplied, .baud = device::bootloaderBaud});
+            });
         });
     }
 

@@ -139,10 +139,10 @@ void RestoreService::apply(ApplyRequest request)
 void RestoreService::tableSaved(int id, const QString& path)
 {
     for (const ServoRef ref : std::vector(m_bench.registry().order())) {
-        ServoEntry& one = *m_bench.registry().entry(ref);
-        if (one.servo.id != id || one.servo.baud != m_bench.link().baud())
+        ServoEntry* one = m_bench.registry().entry(ref);
+        if (one == nullptr || one->servo.id != id || one->servo.baud != m_bench.link().baud())
             continue;
-        one.snapshotPath = path;
+        one->snapshotPath = path;
         m_bench.emitEvent({.kind = Event::Kind::TableSaved, .servo = ref, .path = path});
     }
 }

@@ -15,6 +15,7 @@ struct VirtualServo::State {
     void switchOff()
     {
         handler->forgetStored();
+        bootloader = {};
         firmware.switchOff();
     }
 

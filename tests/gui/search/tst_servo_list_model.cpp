@@ -62,6 +62,7 @@ private Q_SLOTS:
     void statesAsText_data();
     void statesAsText();
     void problemsAreMarked();
+    void theOddFirmwareIsMarked();
     void overheatedLxIsMarked();
     void unknownServosAreUsable();
     void newerFirmwareShowsItsDate();
@@ -129,6 +130,21 @@ void TestServoListModel::problemsAreMarked()
              qPrintable(remarks(fixture.row(4))));
     QVERIFY(!remarks(fixture.row(5)).contains(QStringLiteral("lock")));
     QVERIFY(!remarks(fixture.row(5)).contains(QStringLiteral("Two servos")));
+}
+
+/// LeRobot refuses a bus whose servos differ.
+void TestServoListModel::theOddFirmwareIsMarked()
+{
+    Fixture fixture;
+    QVERIFY(fixture.open(QStringLiteral(
+        "sim:sts3215@1+firmware-minor=9,sts3215@2,sts3215@3,sts3250@4+firmware-minor=9")));
+    QVERIFY(fixture.search({.firstId = 1, .lastId = 3, .bauds = {}}));
+    QVERIFY(fixture.search({.firstId = 4, .lastId = 4, .bauds = {}}));
+    const QString differs = QStringLiteral("Firmware differs from the others");
+    for (const int id : {1, 2, 3, 4}) {
+        const QString all = remarks(fixture.row(id));
+        QVERIFY2(all.contains(differs) == (id == 1), qPrintable(all));
+    }
 }
 
 void TestServoListModel::overheatedLxIsMarked()

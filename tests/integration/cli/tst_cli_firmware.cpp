@@ -62,6 +62,10 @@ private Q_SLOTS:
         QCOMPARE(cli.run(words("firmware list --bauds 250000")).exit, 4);
         const auto all = cli.run(words("firmware list --bauds 500000,1000000 --json"));
         QCOMPARE(all.json()[QLatin1String("servos")].toArray().size(), 2);
+        const auto none = cli.run(words("firmware list --bauds 250000 --json"));
+        QCOMPARE(none.json()[QLatin1String("same_firmware")].toBool(true), false);
+        QVERIFY(
+            cli.run(words("firmware list --bauds 250000")).out.contains(QStringLiteral("power")));
         QCOMPARE(cli.run(words("firmware list --bauds 7")).exit, 2);
     }
 };

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void newerFirmwareIsReported_data();
     void newerFirmwareIsReported();
     void dateAndSourceAreShown();
+    void theOddOnesAreFound();
     void userFilesAreUsed();
     void mistakesSkipTheirRow_data();
     void mistakesSkipTheirRow();
@@ -84,6 +85,22 @@ void TestFirmwareList::dateAndSourceAreShown()
     QVERIFY(found.has_value());
     QCOMPARE(found->date, QDate(2025, 3, 6));
     QVERIFY(!found->source.isEmpty());
+}
+
+/// Among servos of their model; 3.10 is newer than 3.9.
+void TestFirmwareList::theOddOnesAreFound()
+{
+    const Catalog catalog = Catalog::load().catalog;
+    const auto sts3215 = [&](int minor) { return catalog.resolve({3, minor, 0, 9, 3}); };
+    const auto other = catalog.resolve({3, 9, 0, 9, 11});
+    const auto silent = catalog.resolve({-1, -1, 0, 9, 3});
+    using Flags = std::vector<bool>;
+    QCOMPARE(catalog::differingFirmware({}), Flags());
+    QCOMPARE(catalog::differingFirmware({sts3215(9), other, sts3215(9)}), (Flags{0, 0, 0}));
+    QCOMPARE(catalog::differingFirmware({sts3215(9), sts3215(10), sts3215(9), other}),
+             (Flags{0, 1, 0, 0}));
+    QCOMPARE(catalog::differingFirmware({sts3215(9), sts3215(10)}), (Flags{1, 0}));
+    QCOMPARE(catalog::differingFirmware({nullptr, silent, sts3215(10)}), (Flags{0, 0, 0}));
 }
 
 void TestFirmwareList::userFilesAreUsed()

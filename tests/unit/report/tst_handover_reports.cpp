@@ -236,6 +236,14 @@ void TestHandoverReports::aSimulatedBatchSaysSo()
     QVERIFY2(text().contains(q("Some of these servos were SIMULATED")), qPrintable(text()));
     batch.rows.back().simulated = true;
     QVERIFY(text().contains(q("SIMULATED: not real servos")));
+    batch.pending = {{QDateTime({2026, 11, 28}, {9, 0}, Qt::UTC), batch.rows.front().servo}};
+    batch.pending.front().oldBaud = 1'000'000;
+    batch.pending.front().newId = 99;
+    batch.pending.front().newBaud = 1'000'000;
+    QVERIFY(text().contains(q("Some of these servos were SIMULATED")));
+    batch.pending.front().simulated = true;
+    QVERIFY(text().contains(q("SIMULATED: not real servos")));
+    batch.pending.clear();
     QVERIFY(results::encodeCommissionCsv(batch).endsWith(",1\n"));
     batch.rows = {batchOf(1).rows.front()};
     const QByteArray older =

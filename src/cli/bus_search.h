@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searching the bus, for every command that begins with it: its options, the search with its
+// progress line, and what to say beside the servos. Main thread.
+#pragma once
+
+#include "cli/run.h"
+#include "jobs/scan/scan.h"
+
+namespace cli {
+std::vector<Option> searchOptions(); ///< --ids, --bauds, --slow
+/// Connects first.
+base::Result<jobs::ScanReport> searchBus(Run& run, const Values& values);
+
+QString scanNote(const jobs::FoundServo& found); ///< empty: nothing to say
+/// Lines below the table, each with its end: what else may be there, and what to do.
+QString scanRemarks(const jobs::ScanReport& report);
+} // namespace cli
