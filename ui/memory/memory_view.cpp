@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 
 #include <numeric>
 #include <utility>
@@ -207,6 +208,8 @@ void MemoryView::growColumns()
         measureColumn(column, false);
     if (m_columnWidths != before)
         fitColumns();
+    else
+        fitRows(false);
 }
 
 /// Long columns give way first, then the spare ones go; what is left over goes back to the long
@@ -260,6 +263,41 @@ void MemoryView::fitColumns()
         if (width > 0)
             setColumnWidth(column, width);
     }
+    fitRows(true);
+}
+
+/// Names and lists of flags that are longer than their column get a second line.
+void MemoryView::fitRows(bool canShrink)
+{
+    if (model() == nullptr)
+        return;
+    const int oneLine = fontMetrics().height();
+    const int defaultHeight = verticalHeader()->defaultSectionSize();
+    for (int row = 0; row < model()->rowCount(); ++row) {
+        int text = oneLine;
+        for (const MemoryColumn column : {MemoryColumn::Name, MemoryColumn::Physical}) {
+            if (!isColumnHidden(section(column)))
+                text = std::max(text, cellHeight(model()->index(row, section(column))));
+        }
+        const bool moreLines = text > oneLine * 3 / 2; // another font is a little higher
+        const int height = defaultHeight + (moreLines ? text - oneLine : 0);
+        if (canShrink ? height != rowHeight(row) : height > rowHeight(row))
+            setRowHeight(row, height);
+    }
+}
+
+int MemoryView::cellHeight(const QModelIndex& index) const
+{
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    option.rect = QRect(0, 0, columnWidth(index.column()), rowHeight(index.row()));
+    return itemDelegateForIndex(index)->sizeHint(option, index).height();
+}
+
+void MemoryView::rowsInserted(const QModelIndex& parent, int first, int last)
+{
+    QTableView::rowsInserted(parent, first, last);
+    fitRows(true);
 }
 
 void MemoryView::showEvent(QShowEvent* event)

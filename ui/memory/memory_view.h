@@ -44,12 +44,15 @@ protected:
     void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void scrollContentsBy(int dx, int dy) override;
+    void rowsInserted(const QModelIndex& parent, int first, int last) override;
     void changeEvent(QEvent* event) override;
 
 private:
     QModelIndex editableCell(const QModelIndex& index) const;
     void measureColumn(MemoryColumn column, bool canShrink);
     void fitColumns();
+    void fitRows(bool canShrink);
+    int cellHeight(const QModelIndex& index) const; ///< of its text, in as many lines as it needs
 
     bool m_physicalFirst = false;
     std::set<MemoryColumn> m_hiddenColumns; ///< by the user

@@ -11,6 +11,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSortFilterProxyModel>
+#include <QStyle>
 
 namespace ui {
 namespace {
@@ -25,6 +26,11 @@ const MemoryRow* rowForIndex(const QModelIndex& index)
     }
     const auto* memory = qobject_cast<const MemoryModel*>(model);
     return memory != nullptr && source.isValid() ? &memory->row(source.row()) : nullptr;
+}
+
+int cellMargin()
+{
+    return QApplication::style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1;
 }
 
 bool isSecondaryColumn(MemoryColumn column)
@@ -42,6 +48,28 @@ std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
     if (column == MemoryColumn::Value && (row.isStale || !row.raw))
         return Tone::Quiet;
     return isSecondaryColumn(column) ? std::optional(Tone::Quiet) : std::nullopt;
+}
+
+/// With space before the column behind it. What is too long for its cell gets lines, each of them
+/// with that space; the rows of the table are as high as these need.
+QString rightAligned(const QString& text, int width, const QFontMetrics& metrics)
+{
+    static const QString space = QStringLiteral("\u00a0\u00a0");
+    const int room = width - 2 * cellMargin();
+    if (width <= 0 || metrics.horizontalAdvance(text + space) <= room)
+        return text + space;
+    QString lines;
+    QString line;
+    for (const QString& word : text.split(QLatin1Char(' '))) {
+        const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+        if (!line.isEmpty() && metrics.horizontalAdvance(longer + space) > room) {
+            lines += line + space + QChar::LineSeparator;
+            line = word;
+        } else {
+            line = longer;
+        }
+    }
+    return lines + line + space;
 }
 
 RegisterEditor* editorOf(QObject* object)
@@ -65,9 +93,10 @@ void RegisterDelegate::initStyleOption(QStyleOptionViewItem* option, const QMode
     const QColor text = tone ? ui::tone(*tone, colors) : colors.color(QPalette::Text);
     colors.setColor(QPalette::Text, text);
     colors.setColor(QPalette::HighlightedText, text); // the selection is pale
-    // Space between a number and the column that begins behind it.
+    if (memoryColumn(index) == MemoryColumn::Name)
+        option->features |= QStyleOptionViewItem::WrapText;
     if ((option->displayAlignment & Qt::AlignRight) != 0)
-        option->text += QStringLiteral("\u00a0\u00a0");
+        option->text = rightAligned(option->text, option->rect.width(), option->fontMetrics);
 }
 
 QSize RegisterDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const
