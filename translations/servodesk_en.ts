@@ -218,6 +218,16 @@
     </message>
 </context>
 <context>
+    <name>ui::FindServosDialog</name>
+    <message numerus="yes">
+        <source>%n servo(s) · ID %1 · %2 · %3 baud</source>
+        <translation>
+            <numerusform>%n servo · ID %1 · %2 · %3 baud</numerusform>
+            <numerusform>%n servos · ID %1 · %2 · %3 baud</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::HistoryPage</name>
     <message numerus="yes">
         <source>%Ln row(s)</source>

@@ -421,6 +421,14 @@
         <source>Checks the bus, tries other baud rates and protocols, and identifies the cause; writes nothing</source>
         <translation>检查总线，尝试其他波特率和协议，并指出原因；不写入任何内容</translation>
     </message>
+    <message>
+        <source>&amp;Find servos on all ports…</source>
+        <translation>在所有端口上查找舵机(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Searches every serial port at every baud rate; writes nothing</source>
+        <translation>以所有波特率搜索每个串口；不写入任何内容</translation>
+    </message>
 </context>
 <context>
     <name>CommissionText</name>
@@ -10343,6 +10351,107 @@ Retries: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::FindServosDialog</name>
+    <message numerus="yes">
+        <source>%n servo(s) · ID %1 · %2 · %3 baud</source>
+        <translation>
+            <numerusform>%n 个舵机 · ID %1 · %2 · 波特率 %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Possibly several servos with one ID.</source>
+        <translation>可能有多个舵机使用同一个 ID。</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>正在搜索…</translation>
+    </message>
+    <message>
+        <source>Not searched to the end</source>
+        <translation>未搜索完</translation>
+    </message>
+    <message>
+        <source>No servo replied.</source>
+        <translation>没有舵机应答。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>重新搜索</translation>
+    </message>
+    <message>
+        <source>Ends the search; what was found stays in the list</source>
+        <translation>结束搜索；已找到的结果保留在列表中</translation>
+    </message>
+    <message>
+        <source>Searches all ports again; writes nothing</source>
+        <translation>重新搜索所有端口；不写入任何内容</translation>
+    </message>
+    <message>
+        <source>Searching at %1 baud…</source>
+        <translation>正在以波特率 %1 搜索…</translation>
+    </message>
+    <message>
+        <source>Find servos on all ports</source>
+        <translation>在所有端口上查找舵机</translation>
+    </message>
+    <message>
+        <source>Opens one serial port after the other and pings all IDs at every baud rate until a servo replies. Nothing is written. Devices that are not servo adapters receive the pings too: unplug them first.</source>
+        <translation>依次打开每个串口，以各种波特率 PING 所有 ID，直到有舵机应答。不写入任何内容。非舵机适配器的设备也会收到 PING：请先拔下它们。</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port. Plug in the adapter, then search again.</source>
+        <translation>此电脑没有串口。请插入适配器，然后重新搜索。</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Ports</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>What replied on each port</source>
+        <translation>每个端口上的应答结果</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Progress of the search on this port</source>
+        <translation>此端口的搜索进度</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Opens the selected port at the rate of its servos</source>
+        <translation>以舵机所用的波特率打开选中的端口</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Closes this window and ends the search</source>
+        <translation>关闭此窗口并结束搜索</translation>
+    </message>
+</context>
+<context>
     <name>ui::HelpWindow</name>
     <message>
         <source>ServoDesk Help</source>
@@ -14310,6 +14419,10 @@ Retries: %9</source>
     <message>
         <source>No hardware? The simulated bus has servos of several families, some with faults to find.</source>
         <translation>手边没有硬件？模拟总线上有多个系列的舵机，其中一些带有可供排查的故障。</translation>
+    </message>
+    <message>
+        <source>Find servos on all ports…</source>
+        <translation>在所有端口上查找舵机…</translation>
     </message>
 </context>
 </TS>

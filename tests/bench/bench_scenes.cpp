@@ -10,6 +10,7 @@
 #include "session/sweep/sweep_test.h"
 #include "sim/host/sim_link.h"
 #include "ui/charts/trend_chart.h"
+#include "ui/connect/find_servos_dialog.h"
 
 #include <QAbstractButton>
 #include <QDialog>
@@ -369,7 +370,36 @@ void exchange(gui::MainWindowFixture& fixture)
     fixture.waitUntilIdle();
 }
 
+/// Two ports with servos, one that cannot be opened.
+void findServos(gui::MainWindowFixture& fixture)
+{
+    fixture.workbench().closing().disconnectFrom();
+    auto* ports = new session::PortWatcher(fixture.window.get(), [] {
+        session::PortWatcher::PortList list;
+        for (const char* port : {"sim:sts3215@1,sts3215@2,sts3215@3", "sim:lx", "sim:no-such-bus"})
+            list.ports.emplace_back().path = QString::fromLatin1(port);
+        return list;
+    });
+    (void)QTest::qWaitFor([&] { return ports->isReady(); }, 10'000);
+    auto* dialog =
+        new ui::FindServosDialog(fixture.workbench().session(), *ports, fixture.window.get());
+    dialog->show();
+    (void)QTest::qWaitFor(
+        [&] { return !dialog->findChild<QWidget*>(QStringLiteral("findProgress"))->isVisible(); },
+        60'000);
+}
+
+void diagnose(gui::MainWindowFixture& fixture)
+{
+    fixture.action(ui::Command::Diagnose)->trigger();
+    (void)QTest::qWaitFor([&] { return !fixture.workbench().search().isDiagnosing(); }, 120'000);
+}
+
 constexpr ErrorScene troubleScenes[] = {
+    {"find-servos", "sim:sts3215@1", findServos, "findServosDialog"},
+    {"diagnosis-rate", "sim:sts3215@1:500000,sts3215@2", diagnose, "diagnosisDialog"},
+    {"diagnosis-bootloader", "sim:sts3215@1+firmware-lost=1", diagnose, "diagnosisDialog"},
+    {"diagnosis-twins", "sim:new-arm", diagnose, "diagnosisDialog"},
     {"leave-turning", "sim:sts3215@1", leaveServoTurning, "question"},
     {"leave-unlocked", "sim:sts3215@1", leaveLockOpen, "question"},
     {"interrupted-write", "sim:sts3215@1", interruptWrite, ""},

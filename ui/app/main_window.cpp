@@ -22,6 +22,7 @@
 #include "ui/common/dialog_sizes.h"
 #include "ui/common/follow_language.h"
 #include "ui/connect/connect_bar.h"
+#include "ui/connect/find_servos_dialog.h"
 #include "ui/connect/link_error_banner.h"
 #include "ui/search/diagnosis_dialog.h"
 #include "ui/search/search_panel.h"
@@ -192,6 +193,17 @@ void MainWindow::connectCommands()
         connect(m_commands.action(command), &QAction::triggered, this, slot);
     };
     on(Command::Disconnect, [this] { m_closeConfirmation->disconnectPort(); });
+    on(Command::FindServos, [this] {
+        showSingle<FindServosDialog>(*this, [this] {
+            auto* dialog = new FindServosDialog(m_workbench.session(), m_context.ports, this);
+            connect(dialog, &FindServosDialog::connectRequested, this,
+                    [this](const session::PortRequest& request) {
+                        m_connectBar->setRequest(request);
+                        m_connectBar->connectNow();
+                    });
+            return dialog;
+        });
+    });
     on(Command::PowerCycle, [this] {
         m_workbench.link().powerCycle();
         m_workbench.writes().readTable(m_context.selection.current());

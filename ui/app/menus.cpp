@@ -29,10 +29,26 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
     , m_help(bar.addMenu(QString()))
 {
     add(*m_port, commands,
-        {Command::Connect, Command::Disconnect, Command::UseSimulation, Command::PowerCycle, line,
-         Command::Search, Command::StopSearch, Command::Diagnose, Command::StopTask, line,
-         Command::OpenIntents, line, Command::Record, Command::OpenRecording, Command::ExportTable,
-         Command::PrintTable, line, Command::Quit});
+        {Command::Connect,
+         Command::Disconnect,
+         Command::FindServos,
+         line,
+         Command::UseSimulation,
+         Command::PowerCycle,
+         line,
+         Command::Search,
+         Command::StopSearch,
+         Command::Diagnose,
+         Command::StopTask,
+         line,
+         Command::OpenIntents,
+         line,
+         Command::Record,
+         Command::OpenRecording,
+         Command::ExportTable,
+         Command::PrintTable,
+         line,
+         Command::Quit});
     add(*m_edit, commands,
         {Command::Undo, Command::Redo, line, Command::CopyRows, Command::FindRegister});
     addServoCommands(*m_servo, commands);

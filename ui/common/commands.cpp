@@ -43,6 +43,8 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
      QT_TRANSLATE_NOOP("Commands", "Opens the selected port and searches it for servos"), "network-connect", "F2", NotOpen},
     {Command::Disconnect, QT_TRANSLATE_NOOP("Commands", "&Disconnect"),
      QT_TRANSLATE_NOOP("Commands", "Closes the port; a write in progress is completed first"), "network-disconnect", "Shift+F2", Open},
+    {Command::FindServos, QT_TRANSLATE_NOOP("Commands", "&Find servos on all ports…"),
+     QT_TRANSLATE_NOOP("Commands", "Searches every serial port at every baud rate; writes nothing"), "edit-find", "", NotOpen},
     {Command::UseSimulation, QT_TRANSLATE_NOOP("Commands", "Use the &simulated bus"),
      QT_TRANSLATE_NOOP("Commands", "Lets you try all features on simulated servos without any hardware"), "system-run", "", Always},
     {Command::PowerCycle, QT_TRANSLATE_NOOP("Commands", "&Power-cycle the simulated servos"),

@@ -15,6 +15,7 @@ namespace ui {
 enum class Command : std::uint8_t {
     Connect,
     Disconnect,
+    FindServos,
     UseSimulation,
     PowerCycle,
     Search,

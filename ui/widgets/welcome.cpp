@@ -30,10 +30,12 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     , m_adapterText(words(this, "welcomeAdapterWords"))
     , m_simulationText(words(this, "welcomeSimulationWords"))
     , m_adapter(new QPushButton(this))
+    , m_find(new QPushButton(this))
     , m_simulation(new QPushButton(this))
 {
     setObjectName(QStringLiteral("welcome"));
     m_adapter->setObjectName(QStringLiteral("welcomeConnect"));
+    m_find->setObjectName(QStringLiteral("welcomeFind"));
     m_simulation->setObjectName(QStringLiteral("welcomeSimulation"));
     makeMainAction(m_adapter);
     QFont large = font();
@@ -44,7 +46,11 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     column->addWidget(m_title);
     column->addSpacing(12);
     column->addWidget(m_adapterText);
-    column->addWidget(m_adapter, 0, Qt::AlignLeft);
+    auto* withAdapter = new QHBoxLayout;
+    withAdapter->addWidget(m_adapter);
+    withAdapter->addWidget(m_find);
+    withAdapter->addStretch(1);
+    column->addLayout(withAdapter);
     column->addSpacing(20);
     column->addWidget(m_simulationText);
     column->addWidget(m_simulation, 0, Qt::AlignLeft);
@@ -57,9 +63,11 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     room->setColumnMinimumWidth(1, columnWidth);
     connect(m_adapter, &QPushButton::clicked, m_commands.action(Command::Connect),
             &QAction::trigger);
+    connect(m_find, &QPushButton::clicked, m_commands.action(Command::FindServos),
+            &QAction::trigger);
     connect(m_simulation, &QPushButton::clicked, m_commands.action(Command::UseSimulation),
             &QAction::trigger);
-    for (const Command command : {Command::Connect, Command::UseSimulation})
+    for (const Command command : {Command::Connect, Command::FindServos, Command::UseSimulation})
         connect(m_commands.action(command), &QAction::changed, this, &Welcome::updateEnabled);
     followLanguage(this, [this] { retranslate(); });
     updateEnabled();
@@ -68,6 +76,7 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
 void Welcome::updateEnabled()
 {
     m_adapter->setEnabled(m_commands.action(Command::Connect)->isEnabled());
+    m_find->setEnabled(m_commands.action(Command::FindServos)->isEnabled());
     m_simulation->setEnabled(m_commands.action(Command::UseSimulation)->isEnabled());
 }
 
@@ -79,12 +88,14 @@ void Welcome::retranslate()
            "Connecting and searching do not write anything or move any servo."));
     m_adapter->setText(tr("Connect to selected port"));
     m_adapter->setToolTip(tr("Opens the port selected above and searches it for servos"));
+    m_find->setText(tr("Find servos on all ports…"));
+    m_find->setToolTip(m_commands.action(Command::FindServos)->toolTip());
     m_simulationText->setText(
         tr("No hardware? The simulated bus has servos of several families, some with faults to "
            "find."));
     m_simulation->setText(tr("Try a simulated bus"));
     m_simulation->setToolTip(tr("Simulated servos; nothing needs to be connected"));
-    for (QPushButton* button : {m_adapter, m_simulation})
+    for (QPushButton* button : {m_adapter, m_find, m_simulation})
         button->setAccessibleName(button->text());
 }
 } // namespace ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The middle of the window while nothing is connected: the two ways to begin, each one click. Owned
+// The middle of the window while nothing is connected: the ways to begin, each one click. Owned
 // by the window; main thread.
 #pragma once
 
@@ -26,6 +26,7 @@ private:
     QLabel* m_adapterText;
     QLabel* m_simulationText;
     QPushButton* m_adapter;
+    QPushButton* m_find;
     QPushButton* m_simulation;
 };
 } // namespace ui

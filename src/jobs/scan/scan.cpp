@@ -71,6 +71,8 @@ private:
             m_report.rates.push_back(baud);
             if (const auto done = ignoreBusyRate(searchRate()); !done)
                 return done;
+            if (m_spec.untilFound && !m_found.isEmpty())
+                break;
         }
         return {};
     }
@@ -100,6 +102,8 @@ private:
     /// The searches that were put off, protocol by protocol.
     base::Result<void> searchSlow()
     {
+        if (m_spec.untilFound)
+            return {};
         m_slow.sort([](const Search& a, const Search& b) {
             return a.scan.protocol() == Protocol::Lx && b.scan.protocol() != Protocol::Lx;
         });

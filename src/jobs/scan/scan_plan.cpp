@@ -36,8 +36,11 @@ base::Duration estimateRate(const device::Context& context, const ScanSpec& spec
 {
     base::Duration total{};
     for (const Protocol protocol : protocolsToScan(context, spec, baud)) {
-        if (idsToScan(spec, protocol).count() > 0)
-            total += broadcastEstimate(baud, protocol) + idScanEstimate(spec, baud, protocol);
+        if (idsToScan(spec, protocol).count() == 0)
+            continue;
+        total += broadcastEstimate(baud, protocol);
+        if (!spec.untilFound || !scanProfileOf(protocol).supportsBroadcast)
+            total += idScanEstimate(spec, baud, protocol);
     }
     return total;
 }

@@ -56,6 +56,8 @@ private Q_SLOTS:
     void aBundleIncludesServosSilentOnce();
     void inconsistentScansAreRefused();
     void searchesAllRatesAndReturnsToItsOwn();
+    void untilFoundEndsWithTheFirstRate();
+    void untilFoundEndsOnASilentBus();
     void listsAServoSeenAtANeighboringRateOnce();
     void reportsRatesTheAdapterRefuses();
     void emergencyReachesTheServosAtTheirOwnRate();
@@ -312,6 +314,45 @@ void TestScan::searchesAllRatesAndReturnsToItsOwn()
     QVERIFY(fixture.onlyReadsSent());
     // Nobody is left held: the bus serves others again.
     QVERIFY(device::identify(fixture.context(), 2));
+}
+
+/// All servos of the first rate that has one; the other rates are left out.
+void TestScan::untilFoundEndsWithTheFirstRate()
+{
+    SimFixture fixture(
+        QStringLiteral("sts3215@1:500000,sts3215@9:500000,sm40blhv@3:115200,scs15@4:38400"));
+    jobs::ScanSpec spec;
+    spec.bauds = {fast, 500'000, 115'200, 38'400};
+    spec.untilFound = true;
+    double last = 0;
+    const auto report = jobs::scan(
+        fixture.context(), spec, [&](const jobs::Progress& progress) { last = progress.fraction; });
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({1, 9}));
+    QCOMPARE(report->rates, (std::vector<int>{fast, 500'000}));
+    QVERIFY(last > 0 && last <= 1);
+    QCOMPARE(fixture.bus().baud(), fast);
+    QVERIFY(fixture.onlyReadsSent());
+}
+
+/// No longer than was estimated, and without the long searches of LX and Modbus.
+void TestScan::untilFoundEndsOnASilentBus()
+{
+    SimFixture fixture(QStringLiteral("sts3215@1:57600")); // hears nothing of it
+    jobs::ScanSpec spec;
+    spec.bauds = {fast, 500'000, 115'200};
+    const base::Duration thorough = jobs::estimateScanTime(fixture.context(), spec);
+    spec.untilFound = true;
+    const base::Duration estimate = jobs::estimateScanTime(fixture.context(), spec);
+    QVERIFY(estimate < thorough / 3);
+    double last = 0;
+    const auto report = jobs::scan(
+        fixture.context(), spec, [&](const jobs::Progress& progress) { last = progress.fraction; });
+    QVERIFY(report);
+    QVERIFY(report->found.empty());
+    QVERIFY2(report->elapsed < estimate * 3 / 2,
+             qPrintable(QString::number(double(report->elapsed.count()) / 1e6)));
+    QCOMPARE(last, 1.0);
 }
 
 void TestScan::listsAServoSeenAtANeighboringRateOnce()
