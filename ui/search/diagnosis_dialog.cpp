@@ -9,6 +9,7 @@
 #include "ui/common/theme.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
+#include "ui/search/remedy_drawing.h"
 #include "ui/widgets/rate_text.h"
 #include "ui/widgets/thin_progress.h"
 
@@ -90,6 +91,7 @@ DiagnosisDialog::DiagnosisDialog(session::SearchService& search, session::LinkCo
     , m_causeTitle(new QLabel(this))
     , m_cause(wrappedLabel(this, "diagnosisCause"))
     , m_remedy(wrappedLabel(this, "diagnosisRemedy"))
+    , m_drawing(new RemedyDrawing(this))
     , m_also(wrappedLabel(this, "diagnosisAlso"))
     , m_action(new QPushButton(this))
     , m_again(new QPushButton(this))
@@ -181,6 +183,7 @@ QWidget* DiagnosisDialog::buildCause()
     column->addWidget(m_cause);
     column->addWidget(m_remedy);
     column->addWidget(m_action, 0, Qt::AlignLeft);
+    column->addWidget(m_drawing);
     column->addWidget(m_also);
     column->addStretch(1);
     makeCard(card);
@@ -240,6 +243,7 @@ void DiagnosisDialog::showState()
     m_copy->setEnabled(!diagnosis.evidence.empty());
     m_remedy->clear();
     m_also->clear();
+    m_drawing->clear();
     const bool isFine = !isRunning && !diagnosis.stopped && diagnosis.cause == Cause::Found;
     m_causeTitle->setText(isFine ? tr("Result") : tr("Cause"));
     if (isRunning) {
@@ -256,6 +260,7 @@ void DiagnosisDialog::showState()
     } else {
         m_cause->setText(text::causeText(diagnosis.cause));
         m_remedy->setText(text::causeRemedy(diagnosis.cause));
+        m_drawing->setCause(diagnosis.cause);
         QStringList others;
         for (const Cause cause : diagnosis.also)
             others << tr("Also possible: %1").arg(text::causeText(cause));

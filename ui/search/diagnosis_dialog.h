@@ -14,6 +14,7 @@ class QPushButton;
 class QTextBrowser;
 
 namespace ui {
+class RemedyDrawing;
 class ThinProgress;
 
 class DiagnosisDialog final : public QDialog {
@@ -52,6 +53,7 @@ private:
     QLabel* m_causeTitle;
     QLabel* m_cause;
     QLabel* m_remedy;
+    RemedyDrawing* m_drawing;
     QLabel* m_also;
     QPushButton* m_action;
     QPushButton* m_again;

@@ -5,6 +5,7 @@
 #include "support/test_main.h"
 #include "text/language.h"
 #include "ui/search/diagnosis_dialog.h"
+#include "ui/search/remedy_drawing.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -65,6 +66,7 @@ private Q_SLOTS:
     void closingItEndsTheDiagnosis();
     void waitsForARunningSearch();
     void aLostPortIsSaid();
+    void drawsWhatToDo();
 };
 
 void TestDiagnosisDialog::explainsItselfWhileItRuns()
@@ -78,6 +80,7 @@ void TestDiagnosisDialog::explainsItselfWhileItRuns()
     QCOMPARE(fixture.text("diagnosisCause"),
              QStringLiteral("The servos that were found reply reliably."));
     QVERIFY(!fixture.actionButton()->isVisible());
+    QVERIFY(!fixture.find<QWidget>("remedyDrawing")->isVisible());
     QCOMPARE(fixture.workbench.registry().order().size(), std::size_t(2)); // as after a search
     fixture.find<QPushButton>("diagnosisCopy")->click();
     const QString report = QGuiApplication::clipboard()->text();
@@ -108,6 +111,7 @@ void TestDiagnosisDialog::leadsFromSeveralServosToCommissioning()
     QSignalSpy page(fixture.action(Command::PageCommission), &QAction::triggered);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 60'000);
     QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("Several servos have the same ID."));
+    QVERIFY(fixture.find<QWidget>("remedyDrawing")->isVisible());
     fixture.actionButton()->click();
     QCOMPARE(page.count(), 1);
 }
@@ -161,6 +165,38 @@ void TestDiagnosisDialog::aLostPortIsSaid()
     QTRY_COMPARE(fixture.workbench.link().state(), session::LinkState::Off);
     QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("The diagnosis was stopped."));
     QVERIFY(!fixture.find<QPushButton>("diagnosisAgain")->isEnabled());
+}
+
+/// In the colors of the theme.
+void TestDiagnosisDialog::drawsWhatToDo()
+{
+    QWidget parent;
+    ui::RemedyDrawing drawing(&parent);
+    parent.show();
+    drawing.resize(drawing.sizeHint());
+    const auto pixels = [&](const QColor& color) {
+        const QImage image = drawing.grab().toImage();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == color ? 1 : 0;
+        }
+        return count;
+    };
+    for (const base::Cause cause :
+         {base::Cause::NoServoOrNoPower, base::Cause::EchoOnly, base::Cause::Noise,
+          base::Cause::TwoServosOneId, base::Cause::Bootloader}) {
+        drawing.setCause(cause);
+        QVERIFY(drawing.isVisible());
+        for (const QColor& ink : {QColor(0x20, 0x20, 0x20), QColor(0xe8, 0xe8, 0xe8)}) {
+            QPalette colors = drawing.palette();
+            colors.setColor(QPalette::Text, ink);
+            drawing.setPalette(colors);
+            QVERIFY2(pixels(ink) > 100, qPrintable(base::causeName(cause)));
+        }
+    }
+    drawing.setCause(base::Cause::OtherProtocol);
+    QVERIFY(!drawing.isVisible());
 }
 
 SERVODESK_TEST(TestDiagnosisDialog)
