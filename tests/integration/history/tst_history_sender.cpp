@@ -19,7 +19,9 @@
 #include <QtTest>
 
 #include <atomic>
+#include <memory>
 #include <thread>
+#include <vector>
 
 using history::History;
 using history::HistoryServer;
@@ -47,6 +49,11 @@ private:
     {
         QCOMPARE(everything(*browse()), everything(*bench.open()));
     }
+    /// Its folder goes with the test object: a thread left behind closes the history in its own
+    /// time, and both would delete the same files.
+    Bench& newBench() { return *m_benches.emplace_back(std::make_unique<Bench>()); }
+
+    std::vector<std::unique_ptr<Bench>> m_benches;
 
 private Q_SLOTS:
     void initTestCase() { startServer(); }
@@ -75,7 +82,7 @@ private Q_SLOTS:
 
 void TestHistorySender::disabledUntilAServerIsSet()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     HistorySender sender(bench.path, shortSenderTimes());
     sender.notifyChanged();
@@ -85,7 +92,7 @@ void TestHistorySender::disabledUntilAServerIsSet()
 
 void TestHistorySender::newEntriesAreSent()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     HistorySender::Timing slowTimes = shortSenderTimes();
     slowTimes.checkInterval = 1h;
@@ -111,7 +118,7 @@ void TestHistorySender::newEntriesAreSent()
 
 void TestHistorySender::changesOfOtherProgramsAreSentToo()
 {
-    Bench bench;
+    Bench& bench = newBench();
     HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
     QTRY_COMPARE(int(sender.state().phase), int(Phase::UpToDate));
@@ -122,7 +129,7 @@ void TestHistorySender::changesOfOtherProgramsAreSentToo()
 
 void TestHistorySender::serverComesUpLater()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     m_pg.stop();
     {
@@ -155,7 +162,7 @@ void TestHistorySender::serverComesUpLater()
 
 void TestHistorySender::aRestartedServerMissesNothing()
 {
-    Bench bench;
+    Bench& bench = newBench();
     HistorySender sender(bench.path, shortSenderTimes());
     sender.setServer(address(), utf8("Bench 1"));
     for (int round = 0; round < 3; ++round) {
@@ -174,7 +181,7 @@ void TestHistorySender::aRestartedServerMissesNothing()
 
 void TestHistorySender::aHungServerIsAnError()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(address(), utf8("Bench 1"));
@@ -193,7 +200,7 @@ void TestHistorySender::aHungServerIsAnError()
 /// own as in the program: while the server hangs they are as many in the same time as without one.
 void TestHistorySender::servoWritesDoNotWait()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::write(bench.journal, 2, 1); // something to send from the beginning
     const support::SilentServer silent;
     HistorySender sender(bench.path, shortSenderTimes(200ms));
@@ -234,7 +241,7 @@ void TestHistorySender::shutdownDoesNotWait_data()
 void TestHistorySender::shutdownDoesNotWait()
 {
     QFETCH(bool, connecting);
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     const support::SilentServer silent;
     HistorySender::Timing times = shortSenderTimes(200ms);
@@ -242,7 +249,7 @@ void TestHistorySender::shutdownDoesNotWait()
     auto sender = std::make_unique<HistorySender>(bench.path, times);
     if (connecting) {
         sender->setServer(silent.address() + utf8(" connect_timeout=100000"), utf8("Bench 1"));
-        QTRY_VERIFY(silent.isAsked()); // and the history, whose folder goes at the end, is open
+        QTRY_VERIFY(silent.isAsked());
     } else {
         sender->setServer(address(), utf8("Bench 1"));
         QTRY_COMPARE(int(sender->state().phase), int(Phase::UpToDate));
@@ -256,7 +263,7 @@ void TestHistorySender::shutdownDoesNotWait()
 
 void TestHistorySender::switchingServersMidway()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     const support::SilentServer silent;
     HistorySender sender(bench.path, shortSenderTimes(200ms));
@@ -328,7 +335,7 @@ void TestHistorySender::theWindowBrowses()
 
 void TestHistorySender::browsingAHungServer()
 {
-    Bench bench;
+    Bench& bench = newBench();
     history_example::fill(bench);
     session::HistoryUploader sending(bench.path, address(), utf8("A"));
     QVERIFY(sending.send().has_value());
