@@ -6247,6 +6247,34 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>list the servos&apos; firmware versions, and those that differ</source>
         <translation>列出各舵机的固件版本，标出不一致的舵机</translation>
     </message>
+    <message>
+        <source>not searched to the end</source>
+        <translation>未搜索完</translation>
+    </message>
+    <message>
+        <source>no servo replied</source>
+        <translation>没有舵机应答</translation>
+    </message>
+    <message>
+        <source>possibly several servos with one ID</source>
+        <translation>可能有多个舵机使用同一个 ID</translation>
+    </message>
+    <message>
+        <source>Searching %1</source>
+        <translation>正在搜索 %1</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port.</source>
+        <translation>此电脑没有串口。</translation>
+    </message>
+    <message>
+        <source>search all ports at all baud rates until servos reply</source>
+        <translation>以所有波特率搜索所有端口，直到有舵机应答</translation>
+    </message>
+    <message>
+        <source>only these ports</source>
+        <translation>只搜索这些端口</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

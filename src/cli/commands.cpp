@@ -6,8 +6,8 @@ const std::vector<CommandGroup>& commandGroups()
 {
     static const std::vector<CommandGroup> groups{
         {QT_TRANSLATE_NOOP("cli", "Find and read:"),
-         {portsCommand(), scanCommand(), diagnoseCommand(), infoCommand(), dumpCommand(),
-          readCommand(), firmwareListCommand()}},
+         {portsCommand(), findCommand(), scanCommand(), diagnoseCommand(), infoCommand(),
+          dumpCommand(), readCommand(), firmwareListCommand()}},
         {QT_TRANSLATE_NOOP("cli", "Write:"),
          {writeCommand(), setIdCommand(), setBaudCommand(), centerCommand(),
           restoreDefaultsCommand(), rebootCommand(), clearAlarmCommand(), commissionCommand(),

@@ -7,6 +7,7 @@
 namespace cli {
 Command portsCommand();
 Command scanCommand();
+Command findCommand();
 Command infoCommand();
 Command firmwareListCommand();
 Command dumpCommand();

@@ -6,6 +6,7 @@ const std::vector<Examples>& allExamples()
 {
     static const std::vector<Examples> examples{
         {"ports", "ports", "ports --json"},
+        {"find", "find", "find --json"},
         {"scan", "scan", "scan --ids 1-6 --bauds all"},
         {"diagnose", "diagnose", "diagnose --json"},
         {"info", "info 1", "info 1 --json"},

@@ -20,6 +20,20 @@ QString protocolText(base::Protocol protocol)
     return translate("BusText", "Feetech");
 }
 
+QString idRangesText(const std::vector<int>& ids)
+{
+    QStringList parts;
+    for (std::size_t first = 0; first < ids.size();) {
+        std::size_t last = first;
+        while (last + 1 < ids.size() && ids[last + 1] == ids[last] + 1)
+            ++last;
+        const QString from = QString::number(ids[first]);
+        parts << (last == first ? from : QStringLiteral("%1–%2").arg(from).arg(ids[last]));
+        first = last + 1;
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
 QString simulatedBusText(const QString& port)
 {
     static constexpr std::array buses{

@@ -7,8 +7,13 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace text {
 QString protocolText(base::Protocol protocol);
+
+/// "1–6, 9", of sorted IDs.
+QString idRangesText(const std::vector<int>& ids);
 
 /// For "sim:demo" and the others of session::simulatedPorts(); empty for any other port.
 QString simulatedBusText(const QString& port);

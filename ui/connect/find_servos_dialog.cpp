@@ -32,29 +32,16 @@ constexpr int findSteps = 1000; ///< of the progress bar
 
 enum Column { PortColumn, ResultColumn, findColumns };
 
-/// "1–6, 9"
-QString idText(const std::vector<jobs::FoundServo>& found)
-{
-    QStringList parts;
-    for (std::size_t first = 0; first < found.size();) {
-        std::size_t last = first;
-        while (last + 1 < found.size() && found[last + 1].servo.id == found[last].servo.id + 1)
-            ++last;
-        const QString from = QString::number(found[first].servo.id);
-        parts << (last == first ? from
-                                : QStringLiteral("%1–%2").arg(from).arg(found[last].servo.id));
-        first = last + 1;
-    }
-    return parts.join(QStringLiteral(", "));
-}
-
 QString foundText(const std::vector<jobs::FoundServo>& found)
 {
     const device::Servo& first = found.front().servo;
+    std::vector<int> ids;
+    for (const jobs::FoundServo& one : found)
+        ids.push_back(one.servo.id);
     QString text =
         FindServosDialog::tr("%n servo(s) · ID %1 · %2 · %3 baud", nullptr,
                              static_cast<int>(found.size()))
-            .arg(idText(found), text::protocolText(first.protocol), rateText(first.baud));
+            .arg(text::idRangesText(ids), text::protocolText(first.protocol), rateText(first.baud));
     if (std::any_of(found.begin(), found.end(),
                     [](const jobs::FoundServo& one) { return one.duplicateSuspected; }))
         text += QLatin1Char('\n') + FindServosDialog::tr("Possibly several servos with one ID.");
@@ -95,6 +82,7 @@ Tone resultTone(const PortResult& result)
 FindServosDialog::FindServosDialog(session::Session& session, const session::PortWatcher& ports,
                                    QWidget* parent)
     : QDialog(parent)
+    , m_session(session)
     , m_ports(ports)
     , m_finder(session)
     , m_intro(new QLabel(this))
@@ -250,7 +238,11 @@ void FindServosDialog::connectToSelected()
         return;
     session::PortRequest request;
     request.name = result->port;
-    request.baud = result->found.front().servo.baud;
+    const device::Servo& servo = result->found.front().servo;
+    request.baud = servo.baud;
+    const auto expected = m_session.catalog().protocolsAt(servo.baud);
+    if (std::find(expected.begin(), expected.end(), servo.protocol) == expected.end())
+        request.protocol = servo.protocol; // nobody would look for it at this rate
     m_finder.stop();
     Q_EMIT connectRequested(request);
     close();

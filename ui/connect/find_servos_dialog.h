@@ -38,6 +38,7 @@ private:
     const session::PortResult* selected() const; ///< null: none, or nobody replied there
     void retranslate();
 
+    session::Session& m_session;
     const session::PortWatcher& m_ports;
     session::PortFinder m_finder;
     QLabel* m_intro;

@@ -103,7 +103,7 @@ private:
     base::Result<void> searchSlow()
     {
         if (m_spec.untilFound)
-            return {};
+            return m_found.isEmpty() ? searchLxElsewhere() : base::Result<void>{};
         m_slow.sort([](const Search& a, const Search& b) {
             return a.scan.protocol() == Protocol::Lx && b.scan.protocol() != Protocol::Lx;
         });
@@ -111,6 +111,26 @@ private:
             const auto done =
                 setBaud(search.baud).and_then([&] { return ignoreBusyRate(scanIds(search)); });
             if (!done)
+                return done;
+        }
+        return {};
+    }
+
+    /// An LX servo has one rate, but after garbled traffic some replied at another one (LX sheet).
+    base::Result<void> searchLxElsewhere()
+    {
+        for (const int baud : std::vector<int>(m_report.rates)) {
+            const auto searched = protocolsToScan(m_context, m_spec, baud);
+            if (!m_spec.protocols.empty() ||
+                std::find(searched.begin(), searched.end(), Protocol::Lx) != searched.end())
+                continue;
+            if (const auto set = setBaud(baud); !set)
+                return set;
+            Search search = makeSearch(Protocol::Lx);
+            auto done = pingBroadcast(search);
+            if (done && m_found.isEmpty() && search.scan.hasReply())
+                done = ignoreBusyRate(scanIds(search));
+            if (!done || !m_found.isEmpty())
                 return done;
         }
         return {};

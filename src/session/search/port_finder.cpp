@@ -17,6 +17,26 @@ std::vector<int> likelyRatesFirst()
 }
 } // namespace
 
+base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
+                                          const base::StopToken& stop,
+                                          const jobs::ProgressFn& progress)
+{
+    PortRequest request;
+    request.name = port;
+    auto connection = session.connect(request);
+    if (!connection && connection.error().code == base::ErrorCode::RateUnsupported) {
+        request.baud = 115'200; // a computer's own port has no faster one
+        connection = session.connect(request);
+    }
+    if (!connection)
+        return tl::unexpected(connection.error());
+    jobs::ScanSpec spec;
+    spec.bauds = likelyRatesFirst();
+    spec.untilFound = true;
+    device::Notices notices;
+    return jobs::scan((*connection)->context(stop, notices), spec, progress);
+}
+
 PortFinder::PortFinder(Session& session, QObject* parent)
     : QObject(parent)
     , m_session(session)
@@ -66,21 +86,9 @@ void PortFinder::searchNext()
 /// On the thread of the search.
 void PortFinder::search(const QString& port, const base::StopToken& stop)
 {
-    base::Result<jobs::ScanReport> report;
-    PortRequest request;
-    request.name = port;
-    if (const auto connection = m_session.connect(request); connection) {
-        jobs::ScanSpec spec;
-        spec.bauds = likelyRatesFirst();
-        spec.untilFound = true;
-        device::Notices notices;
-        report = jobs::scan((*connection)->context(stop, notices), spec,
-                            [this](const jobs::Progress& progress) {
-                                m_mainQueue.post([this, progress] { Q_EMIT progressed(progress); });
-                            });
-    } else {
-        report = tl::unexpected(connection.error());
-    }
+    auto report = findServos(m_session, port, stop, [this](const jobs::Progress& progress) {
+        m_mainQueue.post([this, progress] { Q_EMIT progressed(progress); });
+    });
     m_mainQueue.post([this, report = std::move(report)] { searched(report); });
 }
 

@@ -11,6 +11,11 @@
 #include "session/session.h"
 
 namespace session {
+/// One port: opens it, searches it, closes it. Any thread. Errors: those of connect() and scan().
+base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
+                                          const base::StopToken& stop,
+                                          const jobs::ProgressFn& progress);
+
 struct PortResult {
     enum class State { Waiting, Searching, Searched, Stopped };
     QString port;

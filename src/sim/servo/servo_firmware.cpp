@@ -18,7 +18,7 @@ ServoFirmware::ServoFirmware(catalog::ProfilePtr profile, const ServoConfig& ser
     , m_drive(m_model, m_config, m_registers, m_protection)
     , m_health(m_model, m_config, m_registers, m_drive, m_protection)
     , m_feedback(m_model, m_config, m_registers, m_drive, m_health, m_protection)
-    , m_baud(m_model.profile->defaultBaud.value_or(1000000))
+    , m_baud(m_config.baud.value_or(m_model.profile->defaultBaud.value_or(1000000)))
 {
     switchOn();
 }

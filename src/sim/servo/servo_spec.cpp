@@ -50,6 +50,8 @@ const catalog::ModelEntry* findModel(const catalog::Catalog& catalog, const QStr
 bool supportsBaud(const catalog::Profile& profile, int baud)
 {
     const catalog::Register* rate = profile.byRole(catalog::Role::BaudRate);
+    if (profile.protocol == base::Protocol::Lx) // no register, and yet seen at others (LX sheet)
+        return baud > 0;
     if (rate == nullptr)
         return profile.defaultBaud == baud;
     return std::any_of(rate->values.begin(), rate->values.end(),

@@ -94,6 +94,20 @@ private Q_SLOTS:
                  QStringLiteral("1 servo · ID 7 · Feetech · %1 baud").arg(ui::rateText(57'600)));
     }
 
+    /// Nobody would look for it there after connecting.
+    void anLxServoAtAnotherRateIsConnectedToAsSuch()
+    {
+        const QString port = QStringLiteral("sim:lx16a@3:9600");
+        Fixture fixture({port});
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
+        QSignalSpy requests(fixture.dialog, &ui::FindServosDialog::connectRequested);
+        fixture.connectButton()->click();
+        QCOMPARE(requests.count(), 1);
+        const auto request = requests.front().front().value<session::PortRequest>();
+        QCOMPARE(request.baud, std::optional(9600));
+        QCOMPARE(request.protocol, std::optional(base::Protocol::Lx));
+    }
+
     void stoppedPortsAreNotCalledSilent()
     {
         const QStringList ports{QStringLiteral("sim:sts3215@1:57600"),

@@ -42,6 +42,7 @@ private Q_SLOTS:
     void noisyWireReadsRightOrFails();
     void wrongRateIsNoAnswerAndAutoFindsIt();
     void newRateIsUsed();
+    void findNamesThePortOfTheServos();
     void echoingAdapterIsSupported();
     void busyPortNamesItsOwner();
     void unpluggedPortEndsTheWatch();
@@ -162,6 +163,31 @@ void TestCliBus::newRateIsUsed()
     QCOMPARE(result.json()[QLatin1String("baud")].toInt(), 250000);
     QCOMPARE(cli.run("info 1").exit, 4);
     QCOMPARE(cli.run("info 1 --baud 250000").exit, 0);
+}
+
+/// Whatever --baud says; each port is closed again.
+void TestCliBus::findNamesThePortOfTheServos()
+{
+    CliProgram cli;
+    SimProgram sim(words("--servos sts3215@1:500000,sts3215@2:500000,scs15@5:500000"));
+    cli.setPort(sim.port());
+    const QString missing = QStringLiteral("/dev/no-such-port");
+    const ProgramResult result =
+        cli.json(qPrintable(QStringLiteral("find %1 %2").arg(missing, sim.port())));
+    QCOMPARE(result.exit, 0);
+    const QJsonArray ports = result.json()[QLatin1String("ports")].toArray();
+    QCOMPARE(ports.size(), 2);
+    QCOMPARE(ports[0][QLatin1String("port")].toString(), missing);
+    QCOMPARE(ports[0][QLatin1String("error")][QLatin1String("code")].toString(),
+             QStringLiteral("port-missing"));
+    QCOMPARE(ports[1][QLatin1String("port")].toString(), sim.port());
+    const QJsonArray found = ports[1][QLatin1String("found")].toArray();
+    QCOMPARE(found.size(), 3);
+    QCOMPARE(found[2][QLatin1String("id")].toInt(), 5);
+    QCOMPARE(found[2][QLatin1String("baud")].toInt(), 500'000);
+    const ProgramResult text = cli.run(qPrintable(QStringLiteral("find %1").arg(sim.port())));
+    QVERIFY2(text.out.contains(QStringLiteral("1–2, 5")), qPrintable(text.out));
+    QCOMPARE(cli.run(qPrintable(QStringLiteral("find %1").arg(missing))).exit, 4);
 }
 
 void TestCliBus::echoingAdapterIsSupported()

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void searchesAllRatesAndReturnsToItsOwn();
     void untilFoundEndsWithTheFirstRate();
     void untilFoundEndsOnASilentBus();
+    void untilFoundTriesLxEverywhereAtTheEnd();
     void listsAServoSeenAtANeighboringRateOnce();
     void reportsRatesTheAdapterRefuses();
     void emergencyReachesTheServosAtTheirOwnRate();
@@ -353,6 +354,21 @@ void TestScan::untilFoundEndsOnASilentBus()
     QVERIFY2(report->elapsed < estimate * 3 / 2,
              qPrintable(QString::number(double(report->elapsed.count()) / 1e6)));
     QCOMPARE(last, 1.0);
+}
+
+void TestScan::untilFoundTriesLxEverywhereAtTheEnd()
+{
+    SimFixture fixture(QStringLiteral("lx16a@3:9600"));
+    jobs::ScanSpec spec;
+    spec.bauds = {fast, 115'200, 9600};
+    spec.untilFound = true;
+    const auto report = jobs::scan(fixture.context(), spec);
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({3}));
+    QCOMPARE(report->found.front().servo.baud, 9600);
+    QCOMPARE(report->found.front().servo.protocol, base::Protocol::Lx);
+    QCOMPARE(fixture.bus().baud(), fast);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestScan::listsAServoSeenAtANeighboringRateOnce()

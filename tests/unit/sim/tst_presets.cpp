@@ -280,7 +280,6 @@ private Q_SLOTS:
         row("series without a map", "sws3225@1", "sws3225@1");
         row("Modbus station 0", "smsmb@0", "smsmb@0");
         row("Modbus station 248", "smsmb@248", "smsmb@248");
-        row("LX at another rate", "lx16a@1:1000000", "1000000");
         row("Modbus at a Feetech rate", "smsmb@1:1000000", "1000000");
         row("comma at the end", "sts3215@1,", "MODEL@ID");
     }
