@@ -228,6 +228,16 @@
     </message>
 </context>
 <context>
+    <name>ui::FirmwarePage</name>
+    <message numerus="yes">
+        <source>All %n servo(s) run firmware %1.</source>
+        <translation>
+            <numerusform>The %n servo runs firmware %1.</numerusform>
+            <numerusform>All %n servos run firmware %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::HistoryPage</name>
     <message numerus="yes">
         <source>%Ln row(s)</source>

@@ -429,6 +429,14 @@
         <source>Searches every serial port at every baud rate; writes nothing</source>
         <translation>以所有波特率搜索每个串口；不写入任何内容</translation>
     </message>
+    <message>
+        <source>&amp;Firmware</source>
+        <translation>固件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Compare the firmware versions of the servos</source>
+        <translation>比较各舵机的固件版本</translation>
+    </message>
 </context>
 <context>
     <name>CommissionText</name>
@@ -1685,10 +1693,6 @@
         <translation>串行总线舵机调试程序</translation>
     </message>
     <message>
-        <source>page to show: operate, memory, sweep, step, snapshots, commission, history</source>
-        <translation>要显示的页面：operate、memory、sweep、step、snapshots、commission、history</translation>
-    </message>
-    <message>
         <source>port to open and search: device path, tcp://HOST:PORT or sim:demo</source>
         <translation>要打开并搜索的端口：设备路径、tcp://主机:端口或 sim:demo</translation>
     </message>
@@ -1727,6 +1731,10 @@
     <message>
         <source>--page: unknown value &quot;%1&quot;</source>
         <translation>--page：未知的值“%1”</translation>
+    </message>
+    <message>
+        <source>page to show: operate, memory, sweep, step, snapshots, commission, firmware, history</source>
+        <translation>要显示的页面：operate、memory、sweep、step、snapshots、commission、firmware、history</translation>
     </message>
 </context>
 <context>
@@ -10480,6 +10488,87 @@ Retries: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::FirmwarePage</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Differs from the others of its model</source>
+        <translation>与同型号的其他舵机不同</translation>
+    </message>
+    <message>
+        <source>The firmware versions differ. LeRobot refuses a bus whose servos do not all have the same version.</source>
+        <translation>固件版本不一致。总线上的舵机固件版本不全相同时，LeRobot 拒绝连接。</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n servo(s) run firmware %1.</source>
+        <translation>
+            <numerusform>全部 %n 个舵机的固件均为 %1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the list</source>
+        <translation>保存列表</translation>
+    </message>
+    <message>
+        <source>Table for spreadsheets (*.csv)</source>
+        <translation>电子表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>型号</translation>
+    </message>
+    <message>
+        <source>Model number</source>
+        <translation>型号编号</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Newer version known</source>
+        <translation>已知的较新版本</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>No servos in the list yet. Search the bus.</source>
+        <translation>列表中还没有舵机，请搜索总线。</translation>
+    </message>
+    <message>
+        <source>Newer versions are listed in the vendor&apos;s firmware catalog; they may not be the latest. The vendor&apos;s FD software updates a servo.</source>
+        <translation>新版本来自厂家的固件目录，不一定是最新的。可用厂家的 FD 软件升级舵机。</translation>
+    </message>
+    <message>
+        <source>Firmware versions</source>
+        <translation>固件版本</translation>
+    </message>
+    <message>
+        <source>One row per servo of the list</source>
+        <translation>列表中的每个舵机一行</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>保存列表…</translation>
+    </message>
+    <message>
+        <source>Saves the versions as a table for spreadsheets</source>
+        <translation>将版本保存为电子表格</translation>
+    </message>
+</context>
+<context>
     <name>ui::HelpWindow</name>
     <message>
         <source>ServoDesk Help</source>
@@ -11668,6 +11757,14 @@ Retries: %9</source>
     <message>
         <source>Pages</source>
         <translation>页面</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>Compare the firmware versions of the servos</source>
+        <translation>比较各舵机的固件版本</translation>
     </message>
 </context>
 <context>

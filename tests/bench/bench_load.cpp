@@ -72,7 +72,8 @@ int main(int argc, char* argv[])
 {
     const QCoreApplication app(argc, argv);
     bool isMet = measure(QStringLiteral("operate"), false, operateLimit);
-    for (const char* page : {"memory", "sweep", "step", "snapshots", "commission", "history"})
+    for (const char* page :
+         {"memory", "sweep", "step", "snapshots", "commission", "firmware", "history"})
         isMet = measure(QLatin1String(page), false, pageLimit) && isMet;
     isMet = measure({}, false, idleLimit) && isMet;
     isMet = measure(QStringLiteral("operate"), true, idleLimit) && isMet;

@@ -3,6 +3,7 @@
 
 #include "ui/commissioning/commission_page.h"
 #include "ui/common/widget_style.h"
+#include "ui/firmware/firmware_page.h"
 #include "ui/history/history_page.h"
 #include "ui/memory/memory_page.h"
 #include "ui/operate/operate_page.h"
@@ -42,6 +43,8 @@ constexpr std::array allPages{
          QT_TRANSLATE_NOOP("ui::Pages", "Save, compare and restore servo settings")},
     Page{"commission", Command::PageCommission, QT_TRANSLATE_NOOP("ui::Pages", "Commissioning"),
          QT_TRANSLATE_NOOP("ui::Pages", "Set up servos one at a time")},
+    Page{"firmware", Command::PageFirmware, QT_TRANSLATE_NOOP("ui::Pages", "Firmware"),
+         QT_TRANSLATE_NOOP("ui::Pages", "Compare the firmware versions of the servos")},
     Page{"history", Command::PageHistory, QT_TRANSLATE_NOOP("ui::Pages", "History"),
          QT_TRANSLATE_NOOP("ui::Pages", "All writes, snapshots, tests and alarms")}};
 
@@ -72,6 +75,7 @@ Pages::Pages(AppContext& appContext, session::Settings& settings, QWidget* paren
     m_step = add<StepPage>();
     m_snapshots = add<SnapshotsPage>();
     add<CommissionPage>();
+    add<FirmwarePage>();
     m_history = add<HistoryPage>(&Pages::connectHistory);
     connectCommands();
 }

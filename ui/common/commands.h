@@ -45,6 +45,7 @@ enum class Command : std::uint8_t {
     PageSnapshots,
     TakeSnapshot,
     PageCommission,
+    PageFirmware,
     PageHistory,
     PreviousTests,
     PauseTrend,
