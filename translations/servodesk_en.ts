@@ -220,10 +220,10 @@
 <context>
     <name>ui::FindServosDialog</name>
     <message numerus="yes">
-        <source>%n servo(s) · ID %1 · %2 · %3 baud</source>
+        <source>%n servo(s) · %1 · %2 baud</source>
         <translation>
-            <numerusform>%n servo · ID %1 · %2 · %3 baud</numerusform>
-            <numerusform>%n servos · ID %1 · %2 · %3 baud</numerusform>
+            <numerusform>%n servo · %1 · %2 baud</numerusform>
+            <numerusform>%n servos · %1 · %2 baud</numerusform>
         </translation>
     </message>
 </context>

@@ -6256,10 +6256,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>列出各舵机的固件版本，标出不一致的舵机</translation>
     </message>
     <message>
-        <source>not searched to the end</source>
-        <translation>未搜索完</translation>
-    </message>
-    <message>
         <source>no servo replied</source>
         <translation>没有舵机应答</translation>
     </message>
@@ -6282,6 +6278,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>only these ports</source>
         <translation>只搜索这些端口</translation>
+    </message>
+    <message>
+        <source>search not finished</source>
+        <translation>搜索未完成</translation>
     </message>
 </context>
 <context>
@@ -10388,12 +10388,6 @@ Retries: %9</source>
 </context>
 <context>
     <name>ui::FindServosDialog</name>
-    <message numerus="yes">
-        <source>%n servo(s) · ID %1 · %2 · %3 baud</source>
-        <translation>
-            <numerusform>%n 个舵机 · ID %1 · %2 · 波特率 %3</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Possibly several servos with one ID.</source>
         <translation>可能有多个舵机使用同一个 ID。</translation>
@@ -10405,10 +10399,6 @@ Retries: %9</source>
     <message>
         <source>Searching…</source>
         <translation>正在搜索…</translation>
-    </message>
-    <message>
-        <source>Not searched to the end</source>
-        <translation>未搜索完</translation>
     </message>
     <message>
         <source>No servo replied.</source>
@@ -10437,10 +10427,6 @@ Retries: %9</source>
     <message>
         <source>Find servos on all ports</source>
         <translation>在所有端口上查找舵机</translation>
-    </message>
-    <message>
-        <source>Opens one serial port after the other and pings all IDs at every baud rate until a servo replies. Nothing is written. Devices that are not servo adapters receive the pings too: unplug them first.</source>
-        <translation>依次打开每个串口，以各种波特率 PING 所有 ID，直到有舵机应答。不写入任何内容。非舵机适配器的设备也会收到 PING：请先拔下它们。</translation>
     </message>
     <message>
         <source>This computer has no serial port. Plug in the adapter, then search again.</source>
@@ -10485,6 +10471,24 @@ Retries: %9</source>
     <message>
         <source>Closes this window and ends the search</source>
         <translation>关闭此窗口并结束搜索</translation>
+    </message>
+    <message>
+        <source>ID %1 (%2)</source>
+        <translation>ID %1（%2）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n servo(s) · %1 · %2 baud</source>
+        <translation>
+            <numerusform>%n 个舵机 · %1 · 波特率 %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Search not finished</source>
+        <translation>搜索未完成</translation>
+    </message>
+    <message>
+        <source>Searches each serial port at every baud rate until a servo replies. Nothing is written. Devices that are not servo adapters receive the queries too: unplug them first.</source>
+        <translation>以各种波特率依次搜索每个串口，直到有舵机应答。不写入任何内容。非舵机适配器的设备也会收到这些查询：请先拔下它们。</translation>
     </message>
 </context>
 <context>

@@ -197,7 +197,13 @@ void MainWindow::connectCommands()
         showSingle<FindServosDialog>(*this, [this] {
             auto* dialog = new FindServosDialog(m_workbench.session(), m_context.ports, this);
             connect(dialog, &FindServosDialog::connectRequested, this,
-                    [this](const session::PortRequest& request) {
+                    [this](const session::PortRequest& found) {
+                        session::PortRequest request =
+                            m_settings.lastRequestFor(m_context.ports.adapterKey(found.name));
+                        request.name = found.name;
+                        request.baud = found.baud;
+                        request.protocol = found.protocol;
+                        request.parity = found.parity;
                         m_connectBar->setRequest(request);
                         m_connectBar->connectNow();
                     });

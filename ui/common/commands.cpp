@@ -25,6 +25,7 @@ enum When : unsigned {
     HasUndo = 1U << 9,
     HasRedo = 1U << 10,
     NoTest = 1U << 11, ///< no test uses the bus
+    NoPort = 1U << 12, ///< and none is expected back
 };
 
 struct Row {
@@ -44,7 +45,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
     {Command::Disconnect, QT_TRANSLATE_NOOP("Commands", "&Disconnect"),
      QT_TRANSLATE_NOOP("Commands", "Closes the port; a write in progress is completed first"), "network-disconnect", "Shift+F2", Open},
     {Command::FindServos, QT_TRANSLATE_NOOP("Commands", "&Find servos on all ports…"),
-     QT_TRANSLATE_NOOP("Commands", "Searches every serial port at every baud rate; writes nothing"), "edit-find", "", NotOpen},
+     QT_TRANSLATE_NOOP("Commands", "Searches every serial port at every baud rate; writes nothing"), "edit-find", "", NoPort},
     {Command::UseSimulation, QT_TRANSLATE_NOOP("Commands", "Use the &simulated bus"),
      QT_TRANSLATE_NOOP("Commands", "Lets you try all features on simulated servos without any hardware"), "system-run", "", Always},
     {Command::PowerCycle, QT_TRANSLATE_NOOP("Commands", "&Power-cycle the simulated servos"),
@@ -159,6 +160,7 @@ unsigned situation(const session::Workbench& workbench, const Selection& selecti
     const bool idle = workbench.link().state() == session::LinkState::Off ||
                       workbench.link().state() == session::LinkState::Lost;
     unsigned now = (open ? Open : 0U) | (idle ? NotOpen : 0U);
+    now |= workbench.link().state() == session::LinkState::Off ? NoPort : 0U;
     now |= workbench.link().isSimulated() ? Simulated : 0U;
     now |= workbench.search().isSearching() ? Searching : 0U;
     now |= workbench.tasks().isBusy() ? Busy : 0U;

@@ -34,14 +34,13 @@ enum Column { PortColumn, ResultColumn, findColumns };
 
 QString foundText(const std::vector<jobs::FoundServo>& found)
 {
-    const device::Servo& first = found.front().servo;
-    std::vector<int> ids;
-    for (const jobs::FoundServo& one : found)
-        ids.push_back(one.servo.id);
+    QStringList groups;
+    for (const auto& [protocol, ids] : session::idsByProtocol(found))
+        groups << FindServosDialog::tr("ID %1 (%2)")
+                      .arg(text::idRangesText(ids), text::protocolText(protocol));
     QString text =
-        FindServosDialog::tr("%n servo(s) · ID %1 · %2 · %3 baud", nullptr,
-                             static_cast<int>(found.size()))
-            .arg(text::idRangesText(ids), text::protocolText(first.protocol), rateText(first.baud));
+        FindServosDialog::tr("%n servo(s) · %1 · %2 baud", nullptr, static_cast<int>(found.size()))
+            .arg(groups.join(QStringLiteral(", ")), rateText(found.front().servo.baud));
     if (std::any_of(found.begin(), found.end(),
                     [](const jobs::FoundServo& one) { return one.duplicateSuspected; }))
         text += QLatin1Char('\n') + FindServosDialog::tr("Possibly several servos with one ID.");
@@ -55,7 +54,7 @@ QString resultText(const PortResult& result)
     if (!result.found.empty()) {
         const QString text = foundText(result.found);
         return result.state == State::Stopped
-                   ? text + QLatin1Char('\n') + FindServosDialog::tr("Not searched to the end")
+                   ? text + QLatin1Char('\n') + FindServosDialog::tr("Search not finished")
                    : text;
     }
     switch (result.state) {
@@ -64,11 +63,19 @@ QString resultText(const PortResult& result)
     case State::Searching:
         return FindServosDialog::tr("Searching…");
     case State::Stopped:
-        return FindServosDialog::tr("Not searched to the end");
+        return FindServosDialog::tr("Search not finished");
     case State::Searched:
         break;
     }
     return FindServosDialog::tr("No servo replied.");
+}
+
+QString resultTip(const PortResult& result)
+{
+    if (!result.error)
+        return resultText(result);
+    const text::Description words = text::describe(*result.error);
+    return text::joinSentences({words.message, words.cause, words.remedy});
 }
 
 Tone resultTone(const PortResult& result)
@@ -95,11 +102,16 @@ FindServosDialog::FindServosDialog(session::Session& session, const session::Por
     , m_close(new QPushButton(this))
 {
     setObjectName(QStringLiteral("findServosDialog"));
-    setAttribute(Qt::WA_DeleteOnClose);
     setWindowModality(Qt::WindowModal); // the ports are in use
     rememberSize(*this);
     build();
-    connect(&m_finder, &session::PortFinder::changed, this, &FindServosDialog::update);
+    connect(&m_finder, &session::PortFinder::changed, this, [this] {
+        m_progress->setValue(0); // another port
+        m_state->clear();
+        update();
+        if (m_isShown)
+            deleteWhenEnded();
+    });
     connect(&m_finder, &session::PortFinder::progressed, this, &FindServosDialog::showProgress);
     retranslate();
     start();
@@ -149,7 +161,7 @@ void FindServosDialog::build()
     resize(findWidth, findHeight);
     connect(m_table, &QTableWidget::itemSelectionChanged, this,
             [this] { m_connect->setEnabled(selected() != nullptr); });
-    connect(m_table, &QTableWidget::itemActivated, this, &FindServosDialog::connectToSelected);
+    connect(m_table, &QTableWidget::cellDoubleClicked, this, &FindServosDialog::connectToSelected);
     connect(m_connect, &QPushButton::clicked, this, &FindServosDialog::connectToSelected);
     connect(m_again, &QPushButton::clicked, this, [this] {
         if (m_finder.isRunning())
@@ -158,6 +170,17 @@ void FindServosDialog::build()
             start();
     });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(this, &QDialog::finished, this, [this] {
+        m_finder.stop();
+        deleteWhenEnded();
+    });
+}
+
+/// Closing the port that is being searched may take as long as its adapter likes.
+void FindServosDialog::deleteWhenEnded()
+{
+    if (!isVisible() && !m_finder.isRunning())
+        deleteLater();
 }
 
 void FindServosDialog::start()
@@ -166,10 +189,7 @@ void FindServosDialog::start()
     for (const session::PortInfo& port : m_ports.ports())
         ports << port.path;
     m_table->setRowCount(0);
-    if (ports.isEmpty())
-        update();
-    else
-        m_finder.start(ports);
+    m_finder.start(ports);
 }
 
 void FindServosDialog::update()
@@ -201,7 +221,7 @@ void FindServosDialog::showResults()
                 m_table->setItem(row, column, item);
             }
             item->setText(text);
-            item->setToolTip(text);
+            item->setToolTip(column == ResultColumn ? resultTip(result) : text);
         }
         m_table->item(row, ResultColumn)->setForeground(tone(resultTone(result), palette()));
         if (!result.found.empty() && m_table->selectedItems().isEmpty())
@@ -242,7 +262,7 @@ void FindServosDialog::connectToSelected()
     request.baud = servo.baud;
     const auto expected = m_session.catalog().protocolsAt(servo.baud);
     if (std::find(expected.begin(), expected.end(), servo.protocol) == expected.end())
-        request.protocol = servo.protocol; // nobody would look for it at this rate
+        request.protocol = servo.protocol; // a search after connecting would leave it out
     m_finder.stop();
     Q_EMIT connectRequested(request);
     close();
@@ -252,9 +272,9 @@ void FindServosDialog::retranslate()
 {
     setWindowTitle(tr("Find servos on all ports"));
     setAccessibleName(windowTitle());
-    m_intro->setText(tr("Opens one serial port after the other and pings all IDs at every baud "
-                        "rate until a servo replies. Nothing is written. Devices that are not "
-                        "servo adapters receive the pings too: unplug them first."));
+    m_intro->setText(tr("Searches each serial port at every baud rate until a servo replies. "
+                        "Nothing is written. Devices that are not servo adapters receive the "
+                        "queries too: unplug them first."));
     m_emptyLabel->setText(tr("This computer has no serial port. Plug in the adapter, then search "
                              "again."));
     m_table->setHorizontalHeaderLabels({tr("Port"), tr("Result")});
@@ -264,6 +284,12 @@ void FindServosDialog::retranslate()
                   tr("Opens the selected port at the rate of its servos"));
     setButtonText(m_close, tr("Close"), tr("Closes this window and ends the search"));
     update();
+}
+
+void FindServosDialog::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    m_isShown = true;
 }
 
 void FindServosDialog::changeEvent(QEvent* event)

@@ -27,6 +27,7 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void build();
@@ -35,11 +36,13 @@ private:
     void showResults();
     void showProgress(const jobs::Progress& progress);
     void connectToSelected();
+    void deleteWhenEnded();
     const session::PortResult* selected() const; ///< null: none, or nobody replied there
     void retranslate();
 
     session::Session& m_session;
     const session::PortWatcher& m_ports;
+    bool m_isShown = false; ///< has been
     session::PortFinder m_finder;
     QLabel* m_intro;
     QTableWidget* m_table;

@@ -266,24 +266,25 @@ void MemoryView::fitColumns()
     fitRows(true);
 }
 
-/// Names and lists of flags that are longer than their column get a second line.
 void MemoryView::fitRows(bool canShrink)
 {
-    if (model() == nullptr)
-        return;
+    for (int row = 0; model() != nullptr && row < model()->rowCount(); ++row)
+        fitRow(row, canShrink);
+}
+
+/// Names and lists of flags that are longer than their column get a second line.
+void MemoryView::fitRow(int row, bool canShrink)
+{
     const int oneLine = fontMetrics().height();
-    const int defaultHeight = verticalHeader()->defaultSectionSize();
-    for (int row = 0; row < model()->rowCount(); ++row) {
-        int text = oneLine;
-        for (const MemoryColumn column : {MemoryColumn::Name, MemoryColumn::Physical}) {
-            if (!isColumnHidden(section(column)))
-                text = std::max(text, cellHeight(model()->index(row, section(column))));
-        }
-        const bool moreLines = text > oneLine * 3 / 2; // another font is a little higher
-        const int height = defaultHeight + (moreLines ? text - oneLine : 0);
-        if (canShrink ? height != rowHeight(row) : height > rowHeight(row))
-            setRowHeight(row, height);
+    int text = oneLine;
+    for (const MemoryColumn column : {MemoryColumn::Name, MemoryColumn::Physical}) {
+        if (!isColumnHidden(section(column)))
+            text = std::max(text, cellHeight(model()->index(row, section(column))));
     }
+    const bool moreLines = text > oneLine * 3 / 2; // another font is a little higher
+    const int height = verticalHeader()->defaultSectionSize() + (moreLines ? text - oneLine : 0);
+    if (canShrink ? height != rowHeight(row) : height > rowHeight(row))
+        setRowHeight(row, height);
 }
 
 int MemoryView::cellHeight(const QModelIndex& index) const
@@ -297,7 +298,8 @@ int MemoryView::cellHeight(const QModelIndex& index) const
 void MemoryView::rowsInserted(const QModelIndex& parent, int first, int last)
 {
     QTableView::rowsInserted(parent, first, last);
-    fitRows(true);
+    for (int row = first; row <= last; ++row)
+        fitRow(row, true);
 }
 
 void MemoryView::showEvent(QShowEvent* event)

@@ -52,6 +52,7 @@ private:
     void measureColumn(MemoryColumn column, bool canShrink);
     void fitColumns();
     void fitRows(bool canShrink);
+    void fitRow(int row, bool canShrink);
     int cellHeight(const QModelIndex& index) const; ///< of its text, in as many lines as it needs
 
     bool m_physicalFirst = false;

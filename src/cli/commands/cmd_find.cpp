@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
+#include "cli/exit_code.h"
 #include "cli/output/progress.h"
 #include "cli/output/report_text.h"
 #include "cli/output/table.h"
@@ -8,6 +9,8 @@
 #include "session/search/port_finder.h"
 #include "text/bus_text.h"
 #include "text/error_text.h"
+
+#include <algorithm>
 
 namespace cli {
 namespace {
@@ -30,81 +33,92 @@ Json jsonFound(const std::vector<jobs::FoundServo>& found)
     Json::Array servos;
     for (const jobs::FoundServo& one : found) {
         const catalog::Profile* profile = one.servo.profile.get();
-        servos.push_back(Json::object()
-                             .add("id", one.servo.id)
-                             .add("model", profile != nullptr ? Json(profile->modelName) : Json())
-                             .add("protocol", base::protocolName(one.servo.protocol))
-                             .add("baud", one.servo.baud));
+        Json servo = Json::object();
+        servo.add("id", one.servo.id)
+            .add("model", profile != nullptr ? Json(profile->modelName) : Json())
+            .add("protocol", base::protocolName(one.servo.protocol))
+            .add("baud", one.servo.baud);
+        if (one.duplicateSuspected)
+            servo.add("twins_suspected", true);
+        servos.push_back(std::move(servo));
     }
     return servos;
 }
 
-/// What is said of one port, in both forms.
-struct PortLine {
-    QStringList cells;
-    Json json;
-    bool hasServos = false;
-};
-
-PortLine portLine(const QString& port, const base::Result<jobs::ScanReport>& report)
+Json jsonPort(const QString& port, const base::Result<jobs::ScanReport>& report)
 {
-    PortLine line{{port}, Json::object().add("port", port), false};
+    Json json = Json::object().add("port", port);
     if (!report) {
-        const QString why = text::describe(report.error()).message;
-        line.cells << noValue() << noValue() << noValue() << why;
-        line.json.add("error", jsonError(report.error()));
-        return line;
+        json.add("error", jsonError(report.error()));
+        return json;
     }
-    line.hasServos = !report->found.empty();
-    line.json.add("found", jsonFound(report->found));
+    json.add("found", jsonFound(report->found));
     if (report->stopped)
-        line.json.add("stopped", true);
-    if (!line.hasServos) {
-        line.cells << noValue() << noValue() << noValue()
-                   << (report->stopped ? translate("cli", "not searched to the end")
+        json.add("stopped", true);
+    return json;
+}
+
+void addNote(Table& table, const QString& port, const QString& note)
+{
+    table.add({port, noValue(), noValue(), noValue(), note});
+}
+
+/// A line for each protocol.
+void addLines(Table& table, const QString& port, const base::Result<jobs::ScanReport>& report)
+{
+    if (!report)
+        return addNote(table, port, text::describe(report.error()).message);
+    if (report->found.empty())
+        return addNote(table, port,
+                       report->stopped ? translate("cli", "search not finished")
                                        : translate("cli", "no servo replied"));
-        return line;
+    for (const auto& [protocol, ids] : session::idsByProtocol(report->found)) {
+        const bool duplicates =
+            std::any_of(report->found.begin(), report->found.end(),
+                        [protocol = protocol](const jobs::FoundServo& one) {
+                            return one.servo.protocol == protocol && one.duplicateSuspected;
+                        });
+        table.add(
+            {port, text::idRangesText(ids), base::protocolName(protocol),
+             QString::number(report->found.front().servo.baud),
+             duplicates ? translate("cli", "possibly several servos with one ID") : QString()});
     }
-    std::vector<int> ids;
-    bool duplicates = false;
-    for (const jobs::FoundServo& one : report->found) {
-        ids.push_back(one.servo.id);
-        duplicates |= one.duplicateSuspected;
-    }
-    const device::Servo& first = report->found.front().servo;
-    line.cells << text::idRangesText(ids) << base::protocolName(first.protocol)
-               << QString::number(first.baud)
-               << (duplicates ? translate("cli", "possibly several servos with one ID")
-                              : QString());
-    return line;
 }
 
 base::Result<Exit> runFind(Run& run, const Values& values)
 {
-    Json::Array ports;
+    const QStringList ports = portsToSearch(run, values);
+    Json::Array documents;
     Table table({translate("cli", "Port"), translate("cli", "ID"), translate("cli", "Protocol"),
                  translate("cli", "Baud rate"), translate("cli", "Note")});
+    std::optional<base::Error> firstError;
     bool hasServos = false;
-    for (const QString& port : portsToSearch(run, values)) {
+    bool isSearched = false; ///< one port could be
+    for (const QString& port : ports) {
         if (run.stop().isRequested())
             break;
         ProgressLine progress(run.console(), translate("cli", "Searching %1").arg(port));
-        const PortLine line = portLine(
-            port, session::findServos(run.session(), port, run.stop(),
-                                      [&](const jobs::Progress& now) { progress.update(now); }));
-        ports.push_back(line.json);
-        table.add(line.cells);
-        hasServos |= line.hasServos;
+        const auto report =
+            session::findServos(run.session(), port, run.stop(),
+                                [&](const jobs::Progress& now) { progress.update(now); });
+        documents.push_back(jsonPort(port, report));
+        addLines(table, port, report);
+        hasServos |= report && !report->found.empty();
+        isSearched |= report.has_value();
+        if (!report && !firstError)
+            firstError = report.error();
     }
-    const bool isEmpty = ports.empty();
-    Json document = Json::object().add("ports", std::move(ports));
+    Json document = Json::object().add("ports", std::move(documents));
     if (run.stop().isRequested())
         document.add("stopped", true);
     run.finish(std::move(document),
-               isEmpty ? translate("cli", "This computer has no serial port.") + QLatin1Char('\n')
-                       : table.text());
+               ports.isEmpty()
+                   ? translate("cli", "This computer has no serial port.") + QLatin1Char('\n')
+                   : table.text());
     if (run.stop().isRequested())
         return Exit::Failed;
+    if (firstError && !isSearched)
+        return exitCode(firstError->code);
     return hasServos ? Exit::Success : Exit::NoReply;
 }
 } // namespace

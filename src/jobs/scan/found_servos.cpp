@@ -41,6 +41,19 @@ FoundServos::FoundServos(const device::Context& context, const ScanSpec& spec,
     , m_progress(progress)
 {}
 
+bool FoundServos::hasIdentified() const
+{
+    return std::any_of(m_servos.begin(), m_servos.end(),
+                       [](const FoundServo& one) { return one.servo.profile != nullptr; });
+}
+
+bool FoundServos::hasIdentifiedAt(int baud) const
+{
+    return std::any_of(m_servos.begin(), m_servos.end(), [baud](const FoundServo& one) {
+        return one.servo.profile != nullptr && one.servo.baud == baud;
+    });
+}
+
 int FoundServos::countAt(int baud, Protocol protocol) const
 {
     return int(std::count_if(m_servos.begin(), m_servos.end(), [&](const FoundServo& found) {

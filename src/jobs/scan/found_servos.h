@@ -17,6 +17,8 @@ public:
                 ScanProgress& progress);
 
     bool isEmpty() const { return m_servos.empty(); }
+    bool hasIdentified() const;
+    bool hasIdentifiedAt(int baud) const;
     int countAt(int baud, base::Protocol protocol) const;
 
     /// What the search knows about this ID now. Errors of the link only: a servo that cannot be

@@ -2,6 +2,7 @@
 #include "jobs/scan/scan.h"
 
 #include "jobs/scan/found_servos.h"
+#include "jobs/scan/scan_list.h"
 #include "jobs/scan/scan_plan.h"
 
 #include <algorithm>
@@ -60,6 +61,8 @@ private:
     base::Result<void> searchFast()
     {
         for (const int baud : ratesToScan(m_spec, m_oldBaud)) {
+            if (m_spec.untilFound && m_found.hasIdentified() && !isNeighborOfFound(baud))
+                continue;
             const auto set = setBaud(baud);
             if (!set && set.error().code == ErrorCode::RateUnsupported) {
                 m_report.unsupportedRates.push_back(baud);
@@ -71,10 +74,16 @@ private:
             m_report.rates.push_back(baud);
             if (const auto done = ignoreBusyRate(searchRate()); !done)
                 return done;
-            if (m_spec.untilFound && !m_found.isEmpty())
-                break;
         }
         return {};
+    }
+
+    /// A servo also replies at a rate a few percent off its own, which may come later.
+    bool isNeighborOfFound(int baud) const
+    {
+        return std::any_of(m_report.rates.begin(), m_report.rates.end(), [&](int searched) {
+            return m_found.hasIdentifiedAt(searched) && areNeighborRates(searched, baud);
+        });
     }
 
     base::Result<void> searchRate()
@@ -103,7 +112,7 @@ private:
     base::Result<void> searchSlow()
     {
         if (m_spec.untilFound)
-            return m_found.isEmpty() ? searchLxElsewhere() : base::Result<void>{};
+            return m_found.hasIdentified() ? base::Result<void>{} : searchLxElsewhere();
         m_slow.sort([](const Search& a, const Search& b) {
             return a.scan.protocol() == Protocol::Lx && b.scan.protocol() != Protocol::Lx;
         });
@@ -119,18 +128,21 @@ private:
     /// An LX servo has one rate, but after garbled traffic some replied at another one (LX sheet).
     base::Result<void> searchLxElsewhere()
     {
-        for (const int baud : std::vector<int>(m_report.rates)) {
-            const auto searched = protocolsToScan(m_context, m_spec, baud);
-            if (!m_spec.protocols.empty() ||
-                std::find(searched.begin(), searched.end(), Protocol::Lx) != searched.end())
+        const auto& refused = m_report.unsupportedRates;
+        for (const int baud : ratesForLxAtTheEnd(m_context, m_spec)) {
+            if (std::find(refused.begin(), refused.end(), baud) != refused.end())
                 continue;
             if (const auto set = setBaud(baud); !set)
                 return set;
             Search search = makeSearch(Protocol::Lx);
-            auto done = pingBroadcast(search);
-            if (done && m_found.isEmpty() && search.scan.hasReply())
-                done = ignoreBusyRate(scanIds(search));
-            if (!done || !m_found.isEmpty())
+            const auto ping = [&] {
+                const auto pinged = pingBroadcast(search);
+                return pinged && !m_found.hasIdentified() && search.scan.hasReply()
+                           ? scanIds(search)
+                           : pinged;
+            };
+            const auto done = ignoreBusyRate(ping());
+            if (!done || m_found.hasIdentified())
                 return done;
         }
         return {};

@@ -27,8 +27,8 @@ struct ScanSpec {
     std::vector<base::Protocol> protocols{}; ///< empty: those that are possible at each rate
     bool slowPass = false;                   ///< ask silent IDs again with a long timeout
     bool identify = true;
-    /// Only which rate the servos have: ends with the first rate that has one, and does without
-    /// the long searches of protocols to whose broadcast nobody replied.
+    /// Only which rate the servos have: ends with the first rate at which one could be identified,
+    /// and does without the long searches of protocols to whose broadcast nobody replied.
     bool untilFound = false;
     /// Asked again, with a long timeout, before their silence counts.
     std::vector<ExpectedServo> expected{};

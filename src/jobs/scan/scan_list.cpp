@@ -32,11 +32,15 @@ bool sameServo(const device::Servo& a, const device::Servo& b)
 
 bool isNeighborRate(const device::Servo& weak, const device::Servo& strong)
 {
-    const int apart = std::abs(strong.baud - weak.baud);
-    return sameServo(weak, strong) && apart != 0 && apart <= baudTolerance * strong.baud &&
+    return sameServo(weak, strong) && areNeighborRates(weak.baud, strong.baud) &&
            storedRate(strong) == strong.baud && storedRate(weak) != weak.baud;
 }
 } // namespace
+
+bool areNeighborRates(int a, int b)
+{
+    return a != b && std::abs(a - b) <= baudTolerance * std::max(a, b);
+}
 
 void dropNeighborRates(std::vector<FoundServo>& found)
 {

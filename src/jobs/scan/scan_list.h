@@ -5,6 +5,9 @@
 #include "jobs/scan/scan.h"
 
 namespace jobs {
+/// So close that a receiver at one rate takes bytes that were sent at the other.
+bool areNeighborRates(int a, int b);
+
 /// A servo that answered at two rates a few percent apart is kept once, at the rate it reports.
 void dropNeighborRates(std::vector<FoundServo>& found);
 

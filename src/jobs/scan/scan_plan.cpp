@@ -70,6 +70,21 @@ base::Duration estimateScanTime(const device::Context& context, const ScanSpec& 
     base::Duration total{};
     for (const int baud : ratesToScan(spec, context.bus.baud()))
         total += estimateRate(context, spec, baud);
+    for (const int baud : ratesForLxAtTheEnd(context, spec))
+        total += broadcastEstimate(baud, Protocol::Lx);
     return total;
+}
+
+std::vector<int> ratesForLxAtTheEnd(const device::Context& context, const ScanSpec& spec)
+{
+    std::vector<int> rates;
+    if (!spec.untilFound || !spec.protocols.empty())
+        return rates;
+    for (const int baud : ratesToScan(spec, context.bus.baud())) {
+        const auto searched = protocolsToScan(context, spec, baud);
+        if (std::find(searched.begin(), searched.end(), Protocol::Lx) == searched.end())
+            rates.push_back(baud);
+    }
+    return rates;
 }
 } // namespace jobs

@@ -13,6 +13,9 @@ std::vector<int> ratesToScan(const ScanSpec& spec, int currentBaud);
 std::vector<base::Protocol> protocolsToScan(const device::Context& context, const ScanSpec& spec,
                                             int baud);
 
+/// Where an LX servo is looked for once nothing else was found: at all rates that are not its own.
+std::vector<int> ratesForLxAtTheEnd(const device::Context& context, const ScanSpec& spec);
+
 /// The duration of everything at one rate.
 base::Duration estimateRate(const device::Context& context, const ScanSpec& spec, int baud);
 } // namespace jobs

@@ -15,7 +15,28 @@ std::vector<int> likelyRatesFirst()
     }
     return rates;
 }
+
+/// Broken replies at another rate are no servos where some were identified.
+void keepOneRate(std::vector<jobs::FoundServo>& found)
+{
+    if (found.empty())
+        return;
+    const auto identified = std::find_if(
+        found.begin(), found.end(), [](const auto& one) { return one.servo.profile != nullptr; });
+    const int baud = (identified == found.end() ? found.begin() : identified)->servo.baud;
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [baud](const auto& one) { return one.servo.baud != baud; }),
+                found.end());
+}
 } // namespace
+
+std::map<base::Protocol, std::vector<int>> idsByProtocol(const std::vector<jobs::FoundServo>& found)
+{
+    std::map<base::Protocol, std::vector<int>> ids;
+    for (const jobs::FoundServo& one : found)
+        ids[one.servo.protocol].push_back(one.servo.id);
+    return ids;
+}
 
 base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
                                           const base::StopToken& stop,
@@ -34,7 +55,10 @@ base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
     spec.bauds = likelyRatesFirst();
     spec.untilFound = true;
     device::Notices notices;
-    return jobs::scan((*connection)->context(stop, notices), spec, progress);
+    auto report = jobs::scan((*connection)->context(stop, notices), spec, progress);
+    if (report)
+        keepOneRate(report->found);
+    return report;
 }
 
 PortFinder::PortFinder(Session& session, QObject* parent)

@@ -10,11 +10,17 @@
 #include "session/main_thread_queue.h"
 #include "session/session.h"
 
+#include <map>
+
 namespace session {
-/// One port: opens it, searches it, closes it. Any thread. Errors: those of connect() and scan().
+/// One port: opens it, searches it, closes it. The servos in the report have one rate. Any thread.
+/// Errors: those of connect() and scan().
 base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
                                           const base::StopToken& stop,
                                           const jobs::ProgressFn& progress);
+
+std::map<base::Protocol, std::vector<int>>
+idsByProtocol(const std::vector<jobs::FoundServo>& found);
 
 struct PortResult {
     enum class State { Waiting, Searching, Searched, Stopped };
@@ -31,10 +37,10 @@ public:
     explicit PortFinder(Session& session, QObject* parent = nullptr);
     ~PortFinder() override;
 
-    void start(const QStringList& ports); ///< nothing while it is running
+    void start(const QStringList& ports); ///< ignored while it is running
     void stop();
     bool isRunning() const { return m_stop != nullptr; }
-    const std::vector<PortResult>& results() const { return m_results; } ///< as far as they are
+    const std::vector<PortResult>& results() const { return m_results; } ///< so far
 
 Q_SIGNALS:
     void changed();                                  ///< the results; started or ended
@@ -50,6 +56,6 @@ private:
     std::vector<PortResult> m_results;
     std::size_t m_current = 0;
     std::unique_ptr<base::StopToken> m_stop;   ///< null: not running
-    std::unique_ptr<base::JobThread> m_thread; ///< uses the others, so it ends first
+    std::unique_ptr<base::JobThread> m_thread; ///< last: it uses the others
 };
 } // namespace session

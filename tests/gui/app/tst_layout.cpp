@@ -267,7 +267,6 @@ private Q_SLOTS:
         const auto* table = fixture.find<QTableView>("memoryTable");
         for (int column = 0; column < table->model()->columnCount(); ++column)
             QVERIFY2(!table->isColumnHidden(column), qPrintable(QString::number(column)));
-        QVERIFY(cutCells(*table).isEmpty());
     }
 
     /// At any width: lists of flags and long names get a second line.

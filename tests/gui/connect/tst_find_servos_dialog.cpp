@@ -65,10 +65,10 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QVERIFY2(fixture.result(missing).contains(QStringLiteral("no-such-bus")),
                  qPrintable(fixture.result(missing)));
-        QCOMPARE(fixture.result(arm), QStringLiteral("3 servos · ID 1–2, 4 · Feetech · %1 baud")
+        QCOMPARE(fixture.result(arm), QStringLiteral("3 servos · ID 1–2, 4 (Feetech) · %1 baud")
                                           .arg(ui::rateText(1'000'000)));
         QCOMPARE(fixture.result(QStringLiteral("sim:lx")),
-                 QStringLiteral("5 servos · ID 1–5 · LX · %1 baud").arg(ui::rateText(115'200)));
+                 QStringLiteral("5 servos · ID 1–5 (LX) · %1 baud").arg(ui::rateText(115'200)));
 
         // The first find is selected; a port without servos cannot be connected to here.
         QSignalSpy requests(fixture.dialog, &ui::FindServosDialog::connectRequested);
@@ -86,15 +86,38 @@ private Q_SLOTS:
         QTRY_VERIFY(!fixture.dialog);
     }
 
+    void everyProtocolIsNamed()
+    {
+        const QString port = QStringLiteral("sim:sts3215@1:115200,lx16a@1,lx16a@2");
+        Fixture fixture({port});
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
+        QCOMPARE(fixture.result(port),
+                 QStringLiteral("3 servos · ID 1 (Feetech), ID 1–2 (LX) · %1 baud")
+                     .arg(ui::rateText(115'200)));
+    }
+
+    /// The adapter was unplugged meanwhile.
+    void searchingAgainForgetsTheResults()
+    {
+        Fixture fixture({arm});
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
+        QVERIFY(fixture.connectButton()->isEnabled());
+        fixture.portList.unplug(arm);
+        QTRY_VERIFY(fixture.ports.ports().empty());
+        fixture.find<QPushButton>("findAgain")->click();
+        QVERIFY(fixture.find<QLabel>("findEmpty")->isVisible());
+        QVERIFY(!fixture.connectButton()->isEnabled());
+    }
+
     void anotherRateIsFound()
     {
         Fixture fixture({QStringLiteral("sim:sts3215@7:57600")});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QCOMPARE(fixture.result(QStringLiteral("sim:sts3215@7:57600")),
-                 QStringLiteral("1 servo · ID 7 · Feetech · %1 baud").arg(ui::rateText(57'600)));
+                 QStringLiteral("1 servo · ID 7 (Feetech) · %1 baud").arg(ui::rateText(57'600)));
     }
 
-    /// Nobody would look for it there after connecting.
+    /// A search after connecting would leave LX out at this rate.
     void anLxServoAtAnotherRateIsConnectedToAsSuch()
     {
         const QString port = QStringLiteral("sim:lx16a@3:9600");
@@ -117,7 +140,7 @@ private Q_SLOTS:
         fixture.find<QPushButton>("findAgain")->click();
         QTRY_VERIFY(fixture.isDone());
         for (const QString& port : ports)
-            QCOMPARE(fixture.result(port), QStringLiteral("Not searched to the end"));
+            QCOMPARE(fixture.result(port), QStringLiteral("Search not finished"));
         fixture.find<QPushButton>("findAgain")->click(); // all of it anew
         QVERIFY(!fixture.isDone());
         fixture.dialog->close();

@@ -59,6 +59,8 @@ private Q_SLOTS:
     void untilFoundEndsWithTheFirstRate();
     void untilFoundEndsOnASilentBus();
     void untilFoundTriesLxEverywhereAtTheEnd();
+    void untilFoundTellsNeighboringRatesApart();
+    void untilFoundDoesNotEndWithBrokenReplies();
     void listsAServoSeenAtANeighboringRateOnce();
     void reportsRatesTheAdapterRefuses();
     void emergencyReachesTheServosAtTheirOwnRate();
@@ -369,6 +371,32 @@ void TestScan::untilFoundTriesLxEverywhereAtTheEnd()
     QCOMPARE(report->found.front().servo.protocol, base::Protocol::Lx);
     QCOMPARE(fixture.bus().baud(), fast);
     QVERIFY(fixture.onlyReadsSent());
+}
+
+void TestScan::untilFoundTellsNeighboringRatesApart()
+{
+    SimFixture fixture(QStringLiteral("smsmb@1:56000"));
+    jobs::ScanSpec spec;
+    spec.bauds = {57'600, 38'400, 56'000};
+    spec.untilFound = true;
+    const auto report = jobs::scan(fixture.context(), spec);
+    QVERIFY(report);
+    QCOMPARE(idsOf(*report), QList<int>({1}));
+    QCOMPARE(report->found.front().servo.baud, 56'000);
+    QCOMPARE(report->rates, (std::vector<int>{57'600, 56'000}));
+}
+
+/// Two servos with one ID give broken replies; so does noise.
+void TestScan::untilFoundDoesNotEndWithBrokenReplies()
+{
+    SimFixture fixture(QStringLiteral("sts3215@1,scs15@1,sts3215@5:500000"));
+    jobs::ScanSpec spec;
+    spec.bauds = {fast, 500'000, 38'400};
+    spec.untilFound = true;
+    const auto report = jobs::scan(fixture.context(), spec);
+    QVERIFY(report);
+    QCOMPARE(report->rates, (std::vector<int>{fast, 500'000}));
+    QVERIFY(find(*report, 5) != nullptr);
 }
 
 void TestScan::listsAServoSeenAtANeighboringRateOnce()
