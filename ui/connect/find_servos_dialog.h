@@ -37,7 +37,7 @@ private:
     void showProgress(const jobs::Progress& progress);
     void connectToSelected();
     void deleteWhenEnded();
-    const session::PortResult* selected() const; ///< null: none, or nobody replied there
+    const session::PortResult* selected() const; ///< null: none, or no servo there
     void retranslate();
 
     session::Session& m_session;

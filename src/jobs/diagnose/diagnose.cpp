@@ -250,7 +250,7 @@ private:
         return done;
     }
 
-    /// Where nobody else replies: a servo without a whole firmware.
+    /// Where no servo replies: one without complete firmware may.
     Result<void> askBootloader()
     {
         const base::Duration planned = bootloaderTime();
