@@ -6283,6 +6283,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>search not finished</source>
         <translation>搜索未完成</translation>
     </message>
+    <message>
+        <source>Six new servos: all have ID 1 and reply at the same time</source>
+        <translation>六个新舵机：ID 都是 1，同时应答</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

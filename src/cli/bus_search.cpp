@@ -3,6 +3,7 @@
 
 #include "cli/input/arguments.h"
 #include "cli/output/progress.h"
+#include "cli/output/report_text.h"
 #include "cli/translate.h"
 #include "transport/port_opener.h"
 
@@ -33,6 +34,23 @@ base::Result<jobs::ScanSpec> specOf(const Run& run, const Values& values)
         spec.protocols = {*run.globals().protocol};
     return spec;
 }
+
+Json jsonFound(const jobs::FoundServo& found)
+{
+    const catalog::Profile* profile = found.servo.profile.get();
+    Json json = Json::object();
+    json.add("id", found.servo.id)
+        .add("protocol", base::protocolName(found.servo.protocol))
+        .add("model", profile != nullptr ? Json(profile->modelName) : Json())
+        .add("model_id", profile != nullptr ? Json(profile->identity.modelId()) : Json())
+        .add("map", profile != nullptr ? Json(profile->mapKey) : Json())
+        .add("firmware", profile != nullptr ? Json(profile->identity.firmware()) : Json())
+        .add("baud", found.servo.baud)
+        .add("status", jsonAlarms(found.servo.status, profile));
+    if (found.duplicateSuspected)
+        json.add("twins_suspected", true);
+    return json;
+}
 } // namespace
 
 std::vector<Option> searchOptions()
@@ -56,6 +74,29 @@ base::Result<jobs::ScanReport> searchBus(Run& run, const Values& values)
                       [&line](const jobs::Progress& progress) { line.update(progress); });
 }
 
+Json jsonScan(const jobs::ScanReport& report)
+{
+    Json::Array servos;
+    for (const jobs::FoundServo& found : report.found)
+        servos.push_back(jsonFound(found));
+    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(report.elapsed);
+    Json json = Json::object();
+    json.add("port", report.port)
+        .add("elapsed_ms", std::int64_t{elapsed.count()})
+        .add("found", std::move(servos));
+    Json::Array refused(report.unsupportedRates.begin(), report.unsupportedRates.end());
+    if (!refused.empty())
+        json.add("rates_refused", std::move(refused));
+    Json::Array busy(report.busyRates.begin(), report.busyRates.end());
+    if (!busy.empty())
+        json.add("rates_busy", std::move(busy));
+    if (report.slowPassAdvised)
+        json.add("slow_pass_advised", true);
+    if (report.stopped)
+        json.add("stopped", true);
+    return json;
+}
+
 QString scanNote(const jobs::FoundServo& found)
 {
     if (found.duplicateSuspected)
@@ -64,20 +105,25 @@ QString scanNote(const jobs::FoundServo& found)
     return unclear ? translate("cli", "family unclear, so read-only") : QString();
 }
 
+QString notFoundText(const jobs::ScanReport& report)
+{
+    if (!report.found.empty())
+        return {};
+    QStringList rates;
+    for (const int rate : report.rates)
+        rates << QString::number(rate);
+    return translate("cli",
+                     "No servo replied. Check the power supply and wiring, and try --bauds all.") +
+           QLatin1Char('\n') +
+           translate("cli", "Searched at %1 baud. Only Feetech servos use 1000000 baud; LX, Modbus "
+                            "and most SMS servos use 115200.")
+               .arg(rates.join(QStringLiteral(", "))) +
+           QLatin1Char('\n');
+}
+
 QString scanRemarks(const jobs::ScanReport& report)
 {
     QStringList lines;
-    if (report.found.empty()) {
-        QStringList rates;
-        for (const int rate : report.rates)
-            rates << QString::number(rate);
-        lines << translate(
-                     "cli",
-                     "No servo replied. Check the power supply and wiring, and try --bauds all.")
-              << translate("cli", "Searched at %1 baud. Only Feetech servos use 1000000 baud; "
-                                  "LX, Modbus and most SMS servos use 115200.")
-                     .arg(rates.join(QStringLiteral(", ")));
-    }
     if (report.hasGarbledReplies)
         lines << translate(
             "cli", "Unreadable data was received, but no servo could be confirmed. Possible "

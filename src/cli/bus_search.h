@@ -11,7 +11,10 @@ std::vector<Option> searchOptions(); ///< --ids, --bauds, --slow
 /// Connects first.
 base::Result<jobs::ScanReport> searchBus(Run& run, const Values& values);
 
+Json jsonScan(const jobs::ScanReport& report);
 QString scanNote(const jobs::FoundServo& found); ///< empty: nothing to say
-/// Lines below the table, each with its end: what else may be there, and what to do.
+/// Both are lines below the table, each with its end: why nothing was found; what else may be
+/// there, and what to do.
+QString notFoundText(const jobs::ScanReport& report);
 QString scanRemarks(const jobs::ScanReport& report);
 } // namespace cli

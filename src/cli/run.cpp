@@ -71,14 +71,7 @@ base::Result<session::Connection*> Run::connect()
     if (!port)
         return tl::unexpected(port.error());
     m_port = *port;
-    session::PortRequest request;
-    request.name = m_port;
-    request.baud = m_globals.baud;
-    request.protocol = m_globals.protocol;
-    request.frameSilence = m_globals.frameSilence;
-    request.maxReplyLateness = m_globals.maxReplyLateness;
-    request.retries = m_globals.retries;
-    auto connection = session().connect(request);
+    auto connection = session().connect(requestFor(m_port));
     if (!connection)
         return tl::unexpected(connection.error());
     m_connection = std::move(*connection);
@@ -88,6 +81,18 @@ base::Result<session::Connection*> Run::connect()
     if (!m_listsOpenChanges)
         warnOfOpenChanges();
     return m_connection.get();
+}
+
+session::PortRequest Run::requestFor(const QString& port) const
+{
+    session::PortRequest request;
+    request.name = port;
+    request.baud = m_globals.baud;
+    request.protocol = m_globals.protocol;
+    request.frameSilence = m_globals.frameSilence;
+    request.maxReplyLateness = m_globals.maxReplyLateness;
+    request.retries = m_globals.retries;
+    return request;
 }
 
 QString Run::portName() const

@@ -29,6 +29,8 @@ public:
     session::Session& session();
 
     base::Result<session::Connection*> connect();
+    /// What the global options ask of this port.
+    session::PortRequest requestFor(const QString& port) const;
     /// For a command that lists unfinished changes itself; to be called before connect().
     void listsOpenChanges() { m_listsOpenChanges = true; }
     /// The canonical name of the port; empty before connect().

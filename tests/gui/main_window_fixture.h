@@ -3,6 +3,7 @@
 // window on a simulated bus, without a screen. One at a time; main thread.
 #pragma once
 
+#include "gui/fail_on_warnings.h"
 #include "gui/press_clock.h"
 #include "support/temporary_data_folder.h"
 #include "support/waiting.h"
@@ -19,12 +20,6 @@
 #include <optional>
 
 namespace gui {
-/// For init(): any warning fails, except those of the offscreen platform about itself.
-inline void failOnWarnings()
-{
-    QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
-}
-
 /// For a machine on which the program's own font is not what it gets: what every MainWindowFixture
 /// made from now on uses in its place.
 inline std::optional<QFont> fontOverride;

@@ -3,6 +3,7 @@
 // main thread.
 #pragma once
 
+#include "gui/fail_on_warnings.h"
 #include "session/port_watcher.h"
 #include "session/settings.h"
 #include "support/temporary_data_folder.h"
@@ -18,12 +19,6 @@
 #include <mutex>
 
 namespace gui {
-/// All except those of the offscreen platform about itself when a popup opens.
-inline void failOnWarnings()
-{
-    QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
-}
-
 /// What is plugged in. The watch's thread looks, the test plugs.
 class FakePortList {
 public:

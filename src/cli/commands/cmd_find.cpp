@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_search.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/output/progress.h"
@@ -28,34 +29,10 @@ QStringList portsToSearch(const Run& run, const Values& values)
     return ports;
 }
 
-Json jsonFound(const std::vector<jobs::FoundServo>& found)
-{
-    Json::Array servos;
-    for (const jobs::FoundServo& one : found) {
-        const catalog::Profile* profile = one.servo.profile.get();
-        Json servo = Json::object();
-        servo.add("id", one.servo.id)
-            .add("model", profile != nullptr ? Json(profile->modelName) : Json())
-            .add("protocol", base::protocolName(one.servo.protocol))
-            .add("baud", one.servo.baud);
-        if (one.duplicateSuspected)
-            servo.add("twins_suspected", true);
-        servos.push_back(std::move(servo));
-    }
-    return servos;
-}
-
 Json jsonPort(const QString& port, const base::Result<jobs::ScanReport>& report)
 {
-    Json json = Json::object().add("port", port);
-    if (!report) {
-        json.add("error", jsonError(report.error()));
-        return json;
-    }
-    json.add("found", jsonFound(report->found));
-    if (report->stopped)
-        json.add("stopped", true);
-    return json;
+    return report ? jsonScan(*report)
+                  : Json::object().add("port", port).add("error", jsonError(report.error()));
 }
 
 void addNote(Table& table, const QString& port, const QString& note)
@@ -85,6 +62,15 @@ void addLines(Table& table, const QString& port, const base::Result<jobs::ScanRe
     }
 }
 
+/// Each line names its port.
+QString remarksOn(const QString& port, const jobs::ScanReport& report)
+{
+    QString remarks;
+    for (const QString& line : scanRemarks(report).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+        remarks += port + QStringLiteral(": ") + line + QLatin1Char('\n');
+    return remarks;
+}
+
 base::Result<Exit> runFind(Run& run, const Values& values)
 {
     const QStringList ports = portsToSearch(run, values);
@@ -92,6 +78,7 @@ base::Result<Exit> runFind(Run& run, const Values& values)
     Table table({translate("cli", "Port"), translate("cli", "ID"), translate("cli", "Protocol"),
                  translate("cli", "Baud rate"), translate("cli", "Note")});
     std::optional<base::Error> firstError;
+    QString remarks;
     bool hasServos = false;
     bool isSearched = false; ///< one port could be
     for (const QString& port : ports) {
@@ -99,12 +86,13 @@ base::Result<Exit> runFind(Run& run, const Values& values)
             break;
         ProgressLine progress(run.console(), translate("cli", "Searching %1").arg(port));
         const auto report =
-            session::findServos(run.session(), port, run.stop(),
+            session::findServos(run.session(), run.requestFor(port), run.stop(),
                                 [&](const jobs::Progress& now) { progress.update(now); });
         documents.push_back(jsonPort(port, report));
         addLines(table, port, report);
         hasServos |= report && !report->found.empty();
         isSearched |= report.has_value();
+        remarks += report ? remarksOn(port, *report) : QString();
         if (!report && !firstError)
             firstError = report.error();
     }
@@ -114,7 +102,7 @@ base::Result<Exit> runFind(Run& run, const Values& values)
     run.finish(std::move(document),
                ports.isEmpty()
                    ? translate("cli", "This computer has no serial port.") + QLatin1Char('\n')
-                   : table.text());
+                   : table.text() + remarks);
     if (run.stop().isRequested())
         return Exit::Failed;
     if (firstError && !isSearched)

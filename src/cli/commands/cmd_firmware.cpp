@@ -124,7 +124,7 @@ base::Result<Exit> runFirmwareList(Run& run, const Values& values)
     if (report->stopped)
         document.add("stopped", true);
     const QString table = rows.empty() ? QString() : tableOf(rows).text();
-    run.finish(document, table + remarks(rows) + scanRemarks(*report));
+    run.finish(document, table + remarks(rows) + notFoundText(*report) + scanRemarks(*report));
     return report->stopped ? Exit::Failed : rows.empty() ? Exit::NoReply : Exit::Success;
 }
 } // namespace

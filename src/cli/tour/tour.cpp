@@ -12,7 +12,7 @@ namespace cli {
 namespace {
 /// Time to read the output.
 constexpr auto readingTime = std::chrono::milliseconds(1200);
-constexpr int chapters = 8;
+constexpr int chapters = 9;
 constexpr int hexCells = 26;
 constexpr int meaningCells = 40;
 
@@ -57,17 +57,18 @@ base::Result<Exit> Tour::run()
 {
     if (const auto connected = m_run.connect(); !connected)
         return tl::unexpected(connected.error());
-    for (const auto step : {&Tour::search, &Tour::showMemory, &Tour::saveSnapshot,
-                            &Tour::changeSafely, &Tour::powerCycleServos, &Tour::restoreValues,
-                            &Tour::move, &Tour::explainAlarms, &Tour::summarize}) {
+    for (const auto step :
+         {&Tour::search, &Tour::showMemory, &Tour::saveSnapshot, &Tour::changeSafely,
+          &Tour::powerCycleServos, &Tour::restoreValues, &Tour::move, &Tour::explainAlarms,
+          &Tour::showNewServos, &Tour::summarize}) {
         if (m_run.stop().isRequested())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("tour"));
         if (const auto done = (this->*step)(); !done)
             return tl::unexpected(done.error());
     }
-    const bool allowPreviousValues = m_differing.isEmpty();
-    return m_persistentSurvived && m_temporaryReset && allowPreviousValues ? Exit::Success
-                                                                           : Exit::Failed;
+    const bool isAsShown =
+        m_persistentSurvived && m_temporaryReset && m_differing.isEmpty() && m_duplicatesSuspected;
+    return isAsShown ? Exit::Success : Exit::Failed;
 }
 
 base::Result<void> Tour::summarize()
@@ -100,6 +101,7 @@ base::Result<void> Tour::summarize()
                      .add("kept_survived", m_persistentSurvived)
                      .add("temporary_gone", m_temporaryReset)
                      .add("moves", m_moves)
+                     .add("twins_suspected", m_duplicatesSuspected)
                      .add("differing", m_differing)
                      .add("requests", std::int64_t(total.sent))
                      .add("answered", std::int64_t(total.ok)),

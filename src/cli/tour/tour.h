@@ -28,6 +28,7 @@ private:
     base::Result<void> restoreValues();
     base::Result<void> move();
     base::Result<void> explainAlarms();
+    base::Result<void> showNewServos();
     base::Result<void> summarize();
 
     base::Result<device::Context> context() { return m_run.context(); }
@@ -48,7 +49,8 @@ private:
     std::int64_t m_temporaryValue = 0;  ///< raw, written temporarily
     bool m_persistentSurvived = false;
     bool m_temporaryReset = false;
-    QStringList m_differing; ///< EPROM keys whose values have changed at the end
+    bool m_duplicatesSuspected = false; ///< among the new servos
+    QStringList m_differing;            ///< EPROM keys whose values have changed at the end
     Json::Array m_moves;
 };
 } // namespace cli

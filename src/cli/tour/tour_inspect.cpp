@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_search.h"
 #include "cli/output/report_text.h"
 #include "cli/tour/tour.h"
 #include "cli/translate.h"
@@ -10,6 +11,10 @@
 
 namespace cli {
 using catalog::Role;
+
+namespace {
+constexpr int lastNewId = 20; ///< the whole bus was searched in the first chapter
+} // namespace
 
 base::Result<void> Tour::search()
 {
@@ -118,6 +123,29 @@ base::Result<void> Tour::explainAlarms()
     const QString lines = m_run.console().isJson() ? QString() : m_run.takeNotices();
     m_run.console().print(any ? lines
                               : translate("cli", "No servo reports an alarm.") + QLatin1Char('\n'));
+    return {};
+}
+
+/// The first day of a robot arm, on a bus of its own.
+base::Result<void> Tour::showNewServos()
+{
+    chapter(translate("cli", "Six new servos: all have ID 1 and reply at the same time"));
+    session::PortRequest request;
+    request.name = QStringLiteral("sim:new-arm");
+    const auto connection = m_run.session().connect(request);
+    if (!connection)
+        return tl::unexpected(connection.error());
+    device::Notices notices;
+    jobs::ScanSpec spec;
+    spec.lastId = lastNewId;
+    const auto report = jobs::scan((*connection)->context(m_run.stop(), notices), spec);
+    if (!report)
+        return tl::unexpected(report.error());
+    for (const jobs::FoundServo& found : report->found) {
+        m_duplicatesSuspected |= found.duplicateSuspected;
+        print(QStringLiteral("  ID %1: %2").arg(found.servo.id).arg(scanNote(found)));
+    }
+    m_run.console().print(scanRemarks(*report));
     return {};
 }
 } // namespace cli

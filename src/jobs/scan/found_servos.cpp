@@ -54,6 +54,16 @@ bool FoundServos::hasIdentifiedAt(int baud) const
     });
 }
 
+std::vector<FoundServo> FoundServos::unidentifiedAt(int baud) const
+{
+    std::vector<FoundServo> unidentified;
+    std::copy_if(m_servos.begin(), m_servos.end(), std::back_inserter(unidentified),
+                 [baud](const FoundServo& one) {
+                     return one.servo.profile == nullptr && one.servo.baud == baud;
+                 });
+    return unidentified;
+}
+
 int FoundServos::countAt(int baud, Protocol protocol) const
 {
     return int(std::count_if(m_servos.begin(), m_servos.end(), [&](const FoundServo& found) {

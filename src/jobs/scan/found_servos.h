@@ -19,6 +19,8 @@ public:
     bool isEmpty() const { return m_servos.empty(); }
     bool hasIdentified() const;
     bool hasIdentifiedAt(int baud) const;
+    /// Those whose replies collide, or cannot be read.
+    std::vector<FoundServo> unidentifiedAt(int baud) const;
     int countAt(int baud, base::Protocol protocol) const;
 
     /// What the search knows about this ID now. Errors of the link only: a servo that cannot be

@@ -90,6 +90,8 @@ base::Result<std::optional<int>> RateScan::pingBroadcast()
         if (outcome) {
             m_hasReply = true;
             onlyId = outcome->replies.front().id;
+            if (const auto dropped = i > 0 ? dropLateReplies() : base::Result<void>{}; !dropped)
+                return tl::unexpected(dropped.error());
         } else if (isGarbled(outcome.error().code) ||
                    outcome.error().code == base::ErrorCode::LineBusy) {
             m_hasReply = true; // the search itself decides about a busy line
@@ -103,6 +105,15 @@ base::Result<std::optional<int>> RateScan::pingBroadcast()
     if (const auto pinged = ping(*onlyId, atLeastBusPatience(m_context.bus, longTimeout)); !pinged)
         return tl::unexpected(pinged.error());
     return m_responsesById[*onlyId].replies > 0 ? onlyId : std::nullopt;
+}
+
+/// Through a slow adapter the reply to the first broadcast comes after the second. The one that
+/// still follows would look like a second servo on the ID.
+base::Result<void> RateScan::dropLateReplies()
+{
+    const auto listened = m_context.bus.listen(m_context.bus.maxReplyLateness());
+    m_context.bus.takeUnexpectedFrames();
+    return listened;
 }
 
 base::Result<void> RateScan::run()

@@ -72,6 +72,7 @@ private:
     base::Result<void> pingExpected();
     base::Result<void> pingSilent();
     base::Result<void> ping(int id, base::Duration timeout);
+    base::Result<void> dropLateReplies();
     base::Result<bus::Outcome> sendPing(int id, base::Duration timeout);
     base::Result<void> listen(base::Duration span);
     base::Result<void> handleBusyLine(IdResponse& response, const base::Error& error);

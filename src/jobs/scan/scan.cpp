@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/scan/scan.h"
 
+#include "device/transactions.h"
 #include "jobs/scan/found_servos.h"
 #include "jobs/scan/scan_list.h"
 #include "jobs/scan/scan_plan.h"
@@ -14,6 +15,8 @@ using base::ErrorCode;
 using base::Protocol;
 
 constexpr base::Duration settleTime = std::chrono::milliseconds(5);
+constexpr int collisionTries = 4;
+constexpr base::Duration collisionWait = std::chrono::milliseconds(60); ///< adapters may be slow
 
 class ScanRunner {
 public:
@@ -61,7 +64,7 @@ private:
     base::Result<void> searchFast()
     {
         for (const int baud : ratesToScan(m_spec, m_oldBaud)) {
-            if (m_spec.untilFound && m_found.hasIdentified() && !isNeighborOfFound(baud))
+            if (m_spec.untilFound && isRateFound() && !isNeighborOfFound(baud))
                 continue;
             const auto set = setBaud(baud);
             if (!set && set.error().code == ErrorCode::RateUnsupported) {
@@ -72,18 +75,57 @@ private:
             if (!set)
                 return set;
             m_report.rates.push_back(baud);
-            if (const auto done = ignoreBusyRate(searchRate()); !done)
+            const auto done =
+                ignoreBusyRate(searchRate().and_then([&] { return judgeRate(baud); }));
+            if (!done)
                 return done;
         }
         return {};
     }
 
+    bool isRateFound() const { return !m_foundRates.empty(); }
+
     /// A servo also replies at a rate a few percent off its own, which may come later.
     bool isNeighborOfFound(int baud) const
     {
-        return std::any_of(m_report.rates.begin(), m_report.rates.end(), [&](int searched) {
-            return m_found.hasIdentifiedAt(searched) && areNeighborRates(searched, baud);
-        });
+        return std::any_of(m_foundRates.begin(), m_foundRates.end(),
+                           [baud](int found) { return areNeighborRates(found, baud); });
+    }
+
+    /// Whether the servos have this rate. Several with one ID cannot be identified.
+    base::Result<void> judgeRate(int baud)
+    {
+        if (!m_spec.untilFound)
+            return {};
+        bool isFound = m_found.hasIdentifiedAt(baud);
+        for (const FoundServo& one : m_found.unidentifiedAt(baud)) {
+            const auto proven = isFound ? true : onlyThisIdReplies(one);
+            if (!proven)
+                return tl::unexpected(proven.error());
+            isFound = *proven;
+        }
+        if (isFound)
+            m_foundRates.push_back(baud);
+        return {};
+    }
+
+    /// Unlike noise, colliding replies follow each PING to their ID, and none to another.
+    base::Result<bool> onlyThisIdReplies(const FoundServo& one)
+    {
+        const auto ids = idsToScan(m_spec, one.servo.protocol);
+        const int otherId = one.servo.id == ids.last ? ids.first : ids.last;
+        for (int i = 0; i < collisionTries; ++i) {
+            for (const int id : {one.servo.id, otherId}) {
+                const auto reply =
+                    device::pingOnce(m_context, one.servo.protocol, id, collisionWait);
+                if (!reply && base::endsJob(reply.error().code))
+                    return tl::unexpected(reply.error());
+                const bool isSilent = !reply && reply.error().code == ErrorCode::NoReply;
+                if (isSilent != (id == otherId))
+                    return false;
+            }
+        }
+        return true;
     }
 
     base::Result<void> searchRate()
@@ -112,7 +154,7 @@ private:
     base::Result<void> searchSlow()
     {
         if (m_spec.untilFound)
-            return m_found.hasIdentified() ? base::Result<void>{} : searchLxElsewhere();
+            return m_found.isEmpty() ? searchLxElsewhere() : base::Result<void>{};
         m_slow.sort([](const Search& a, const Search& b) {
             return a.scan.protocol() == Protocol::Lx && b.scan.protocol() != Protocol::Lx;
         });
@@ -234,7 +276,8 @@ private:
     int m_oldBaud;
     ScanProgress m_progress;
     FoundServos m_found;
-    std::list<Search> m_slow; ///< put off
+    std::vector<int> m_foundRates; ///< the servos have these
+    std::list<Search> m_slow;      ///< put off
     ScanReport m_report;
 };
 } // namespace

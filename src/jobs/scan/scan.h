@@ -28,7 +28,8 @@ struct ScanSpec {
     bool slowPass = false;                   ///< ask silent IDs again with a long timeout
     bool identify = true;
     /// Only which rate the servos have: ends with the first rate at which one could be identified,
-    /// and does without the long searches of protocols to whose broadcast no servo replied.
+    /// or at which an ID, and it alone, brings colliding replies each time it is asked; and does
+    /// without the long searches of protocols to whose broadcast no servo replied.
     bool untilFound = false;
     /// Asked again, with a long timeout, before their silence counts.
     std::vector<ExpectedServo> expected{};

@@ -17,12 +17,15 @@ std::vector<int> likelyRatesFirst()
 }
 
 /// Broken replies at another rate are no servos where some were identified.
-void keepOneRate(std::vector<jobs::FoundServo>& found)
+void keepOneRate(jobs::ScanReport& report)
 {
+    auto& found = report.found;
     if (found.empty())
         return;
     const auto identified = std::find_if(
         found.begin(), found.end(), [](const auto& one) { return one.servo.profile != nullptr; });
+    if (identified != found.end())
+        report.hasGarbledReplies = false;
     const int baud = (identified == found.end() ? found.begin() : identified)->servo.baud;
     found.erase(std::remove_if(found.begin(), found.end(),
                                [baud](const auto& one) { return one.servo.baud != baud; }),
@@ -38,26 +41,27 @@ std::map<base::Protocol, std::vector<int>> idsByProtocol(const std::vector<jobs:
     return ids;
 }
 
-base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
+base::Result<jobs::ScanReport> findServos(Session& session, PortRequest request,
                                           const base::StopToken& stop,
                                           const jobs::ProgressFn& progress)
 {
-    PortRequest request;
-    request.name = port;
+    jobs::ScanSpec spec;
+    spec.bauds = request.baud ? std::vector{*request.baud} : likelyRatesFirst();
+    if (request.protocol)
+        spec.protocols = {*request.protocol};
+    spec.untilFound = true;
     auto connection = session.connect(request);
-    if (!connection && connection.error().code == base::ErrorCode::RateUnsupported) {
+    if (!connection && !request.baud &&
+        connection.error().code == base::ErrorCode::RateUnsupported) {
         request.baud = 115'200; // a computer's own port has no faster one
         connection = session.connect(request);
     }
     if (!connection)
         return tl::unexpected(connection.error());
-    jobs::ScanSpec spec;
-    spec.bauds = likelyRatesFirst();
-    spec.untilFound = true;
     device::Notices notices;
     auto report = jobs::scan((*connection)->context(stop, notices), spec, progress);
     if (report)
-        keepOneRate(report->found);
+        keepOneRate(*report);
     return report;
 }
 
@@ -110,7 +114,9 @@ void PortFinder::searchNext()
 /// On the thread of the search.
 void PortFinder::search(const QString& port, const base::StopToken& stop)
 {
-    auto report = findServos(m_session, port, stop, [this](const jobs::Progress& progress) {
+    PortRequest request;
+    request.name = port;
+    auto report = findServos(m_session, request, stop, [this](const jobs::Progress& progress) {
         m_mainQueue.post([this, progress] { Q_EMIT progressed(progress); });
     });
     m_mainQueue.post([this, report = std::move(report)] { searched(report); });

@@ -13,9 +13,10 @@
 #include <map>
 
 namespace session {
-/// One port: opens it, searches it, closes it. The servos in the report have one rate. Any thread.
-/// Errors: those of connect() and scan().
-base::Result<jobs::ScanReport> findServos(Session& session, const QString& port,
+/// One port: opens it, searches it, closes it. A rate or a protocol in the request is the only one
+/// tried. The servos in the report have one rate. Any thread. Errors: those of connect() and
+/// scan().
+base::Result<jobs::ScanReport> findServos(Session& session, PortRequest request,
                                           const base::StopToken& stop,
                                           const jobs::ProgressFn& progress);
 

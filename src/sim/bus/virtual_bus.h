@@ -33,7 +33,8 @@ struct WireConfig {
     base::Duration adapterLatency{}; ///< USB adapter: bytes reach the host this much later
     FaultPlan faults;
     std::uint64_t seed = 1;
-    bool exactTiming = false; ///< no clock error and no jitter of the servos, for tests of times
+    /// Without clock errors, jitter and differences at rest, for tests of figures.
+    bool identicalServos = false;
     base::Duration dt = std::chrono::milliseconds(1);
 };
 

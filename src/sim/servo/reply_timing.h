@@ -4,9 +4,9 @@
 // chosen: those of a microcontroller without a crystal. Owned by a VirtualServo; one thread.
 #pragma once
 
+#include "sim/servo/seeded_random.h"
+
 #include <chrono>
-#include <cstdint>
-#include <random>
 
 namespace sim {
 class ReplyTiming {
@@ -20,7 +20,7 @@ public:
     std::chrono::nanoseconds nextTurnAround();
 
 private:
-    std::mt19937_64 m_random;
+    SeededRandom m_random;
     double m_clockError = 0;
     std::chrono::nanoseconds m_turnAround{};
     std::chrono::nanoseconds m_jitter{};

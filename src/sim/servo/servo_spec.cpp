@@ -73,9 +73,27 @@ bool supportsId(const catalog::Profile& profile, int id)
     return reg != nullptr && id >= reg->min.value_or(0) && id <= reg->max.value_or(protocol::maxId);
 }
 
+/// How far servos of one model differ on a bench. No sheet states the figures; chosen.
+constexpr double restingDegrees = 30;
+constexpr double cableVolts = 0.1;
+constexpr double roomCelsius = 1.5;
+
+void setResting(ServoConfig& config, const ServoSpec& servoSpec, const catalog::Profile& profile,
+                std::optional<std::uint64_t> seed)
+{
+    SeededRandom random(seed.value_or(0));
+    const auto differing = [&](double most) { return seed ? random.within(most) : 0; };
+    config.initialDegrees =
+        servoSpec.initialDegrees.value_or(config.initialDegrees + differing(restingDegrees));
+    config.environment.supplyVolts =
+        servoSpec.supplyVolts.value_or(supplyOf(profile) + differing(cableVolts));
+    config.environment.ambientCelsius = servoSpec.ambientCelsius.value_or(
+        config.environment.ambientCelsius + differing(roomCelsius));
+}
+
 base::Result<VirtualServo> makeServo(const ServoSpec& servoSpec, const catalog::Catalog& catalog,
                                      std::optional<base::Duration> epromTime, std::uint64_t seed,
-                                     bool exactTiming)
+                                     bool identicalServos)
 {
     const QString item = QStringLiteral("%1@%2").arg(servoSpec.model).arg(servoSpec.id);
     const catalog::ModelEntry* model = findModel(catalog, servoSpec.model);
@@ -94,15 +112,12 @@ base::Result<VirtualServo> makeServo(const ServoSpec& servoSpec, const catalog::
     config.id = servoSpec.id;
     config.baud = servoSpec.baud;
     config.load = servoSpec.load;
-    config.environment.supplyVolts = servoSpec.supplyVolts.value_or(supplyOf(*profile));
+    setResting(config, servoSpec, *profile, identicalServos ? std::nullopt : std::optional(seed));
     config.environment.supplyOhms = servoSpec.supplyOhms.value_or(config.environment.supplyOhms);
-    config.environment.ambientCelsius =
-        servoSpec.ambientCelsius.value_or(config.environment.ambientCelsius);
     config.defects = servoSpec.defects;
-    config.initialDegrees = servoSpec.initialDegrees;
     config.epromTime = servoSpec.epromTime.value_or(epromTime.value_or(config.epromTime));
     config.behavior = servoSpec.behavior;
-    config.timing = exactTiming ? ReplyTiming() : ReplyTiming(seed);
+    config.timing = identicalServos ? ReplyTiming() : ReplyTiming(seed);
     config.seed = seed;
     VirtualServo servo(profile, config);
     if (servoSpec.prepare)
@@ -145,7 +160,7 @@ base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoSpec>& 
     auto bus = std::make_unique<VirtualBus>(wire);
     std::uint64_t seed = wire.seed;
     for (const ServoSpec& servoSpec : servoSpecs) {
-        auto servo = makeServo(servoSpec, catalog, epromTime, seed++, wire.exactTiming);
+        auto servo = makeServo(servoSpec, catalog, epromTime, seed++, wire.identicalServos);
         if (!servo)
             return tl::unexpected(servo.error());
         bus->add(std::move(*servo));

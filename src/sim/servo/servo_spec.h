@@ -14,9 +14,9 @@ namespace sim {
 struct ServoSpec {
     QString model;
     int id = 1;
-    std::optional<int> baud; ///< the model's factory rate if not given
-    std::optional<double> supplyVolts;
-    double initialDegrees = 180;
+    std::optional<int> baud;           ///< the model's factory rate if not given
+    std::optional<double> supplyVolts; ///< these three differ from servo to servo if not given
+    std::optional<double> initialDegrees{};
     Load load;
     std::function<void(VirtualServo&)> prepare{}; ///< may be empty
     Defects defects{};

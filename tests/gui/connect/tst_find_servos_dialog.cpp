@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finding out which port the servos are on: every port has its result, nothing is left open, and
 // one click connects to what was found.
+#include "gui/main_window_fixture.h"
 #include "gui/workbench_fixture.h"
 #include "support/test_main.h"
 #include "text/language.h"
@@ -145,6 +146,22 @@ private Q_SLOTS:
         QVERIFY(!fixture.isDone());
         fixture.dialog->close();
         QTRY_VERIFY(!fixture.dialog);
+    }
+
+    /// With what the port was used with before, at the rate that was found.
+    void theWindowConnectsToWhatWasFound()
+    {
+        gui::MainWindowFixture fixture;
+        fixture.action(ui::Command::FindServos)->trigger();
+        auto* dialog = fixture.window->findChild<ui::FindServosDialog*>();
+        QVERIFY(dialog != nullptr);
+        session::PortRequest found;
+        found.name = QStringLiteral("sim:sts3215@1:500000,sts3215@2:500000");
+        found.baud = 500'000;
+        Q_EMIT dialog->connectRequested(found);
+        dialog->close();
+        QTRY_COMPARE(fixture.workbench().registry().order().size(), std::size_t(2));
+        QCOMPARE(fixture.workbench().link().baud(), 500'000);
     }
 
     void withoutPortsItSaysWhatToDo()

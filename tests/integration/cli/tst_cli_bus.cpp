@@ -165,7 +165,7 @@ void TestCliBus::newRateIsUsed()
     QCOMPARE(cli.run("info 1 --baud 250000").exit, 0);
 }
 
-/// Whatever --baud says; each port is closed again.
+/// At any rate, unless --baud names one; each port is closed again.
 void TestCliBus::findNamesThePortOfTheServos()
 {
     CliProgram cli;
@@ -188,6 +188,9 @@ void TestCliBus::findNamesThePortOfTheServos()
     const ProgramResult text = cli.run(qPrintable(QStringLiteral("find %1").arg(sim.port())));
     QVERIFY2(text.out.contains(QStringLiteral("1–2, 5")), qPrintable(text.out));
     QCOMPARE(cli.run(qPrintable(QStringLiteral("find %1").arg(missing))).exit, 3);
+    const QString atOneRate = QStringLiteral("find %1 --protocol feetech --baud ").arg(sim.port());
+    QCOMPARE(cli.run(qPrintable(atOneRate + QStringLiteral("1000000"))).exit, 4);
+    QCOMPARE(cli.run(qPrintable(atOneRate + QStringLiteral("500000"))).exit, 0);
 }
 
 void TestCliBus::echoingAdapterIsSupported()

@@ -147,11 +147,11 @@ void TestCliInterrupt::tourEndsAtOnce()
 {
     CliProgram cli;
     cli.start(words("tour"));
-    QVERIFY(cli.waitForOutput("1/8"));
+    QVERIFY(cli.waitForOutput("1/9"));
     cli.signal(SIGINT);
     const ProgramResult result = cli.finish();
     QCOMPARE(result.exit, 1);
-    QVERIFY2(!result.out.contains(QStringLiteral("3/8")), qPrintable(result.out));
+    QVERIFY2(!result.out.contains(QStringLiteral("3/9")), qPrintable(result.out));
 }
 
 void TestCliInterrupt::secondSignalEndsAHungProgram()

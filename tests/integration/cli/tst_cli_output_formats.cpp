@@ -546,6 +546,7 @@ void TestCliOutputFormats::tourVerifiesItsClaims()
     QCOMPARE(json[QLatin1String("kept_survived")].toBool(), true);
     QCOMPARE(json[QLatin1String("temporary_gone")].toBool(), true);
     QVERIFY(json[QLatin1String("differing")].toArray().isEmpty());
+    QCOMPARE(json[QLatin1String("twins_suspected")].toBool(), true);
     QVERIFY(QFile::exists(named(json, "snapshot")));
 }
 

@@ -194,7 +194,7 @@ void TestFaults::lateRepliesAreNeverMismatched()
     QFETCH(int, retries);
     SimFixtureOptions options;
     options.wire.adapterLatency = milliseconds(latencyMs);
-    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    SimFixture fixture(QStringLiteral("sts3215@1+ambient=25,sts3215@2+ambient=25"), options);
     setDistinctValues(fixture, {1, 2});
     const QStringList equalLength = {QStringLiteral("max_temperature"),
                                      QStringLiteral("position_p"), QStringLiteral("max_voltage")};
@@ -212,7 +212,7 @@ void TestFaults::occasionalLateRepliesAreNeverMismatched()
 {
     SimFixtureOptions options;
     options.wire.seed = 5;
-    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    SimFixture fixture(QStringLiteral("sts3215@1+ambient=25,sts3215@2+ambient=25"), options);
     setDistinctValues(fixture, {1, 2});
     fixture.wireConfig().faults.late = 0.1;
     fixture.wireConfig().faults.lateBy = milliseconds(30);
@@ -227,7 +227,10 @@ void TestFaults::watchingANoisyLineShowsNoWrongValue()
     SimFixtureOptions options;
     options.wire.seed = 6;
     options.servoBaud = fast;
-    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2,sts3215@3,scs15@4"), options);
+    SimFixture fixture(
+        QStringLiteral(
+            "sts3215@1+ambient=25,sts3215@2+ambient=25,sts3215@3+ambient=25,scs15@4+ambient=25"),
+        options);
     setDistinctValues(fixture, {1, 2, 3});
     fixture.poke(4, QStringLiteral("max_temperature"), 54);
     fixture.poke(4, QStringLiteral("max_torque"), 904);
@@ -260,7 +263,7 @@ void TestFaults::watchingThroughASlowAdapterShowsNoWrongValue()
 {
     SimFixtureOptions options;
     options.wire.adapterLatency = milliseconds(16);
-    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    SimFixture fixture(QStringLiteral("sts3215@1+ambient=25,sts3215@2+ambient=25"), options);
     setDistinctValues(fixture, {1, 2});
     jobs::WatchSpec spec;
     for (const int id : {1, 2})

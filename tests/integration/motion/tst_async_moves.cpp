@@ -121,10 +121,17 @@ QByteArray messageFor(const base::Result<void>& result)
                         QByteArray::number(result.error().id);
 }
 
+support::SimFixtureOptions identical()
+{
+    support::SimFixtureOptions options;
+    options.wire.identicalServos = true;
+    return options;
+}
+
 /// Two servos at 180° with torque on, and a move of both: to 1024 (90°), or by 512 steps (45°).
 struct Pair {
     explicit Pair(bool relative)
-        : fixture(text("sts3215@1,sts3215@2"))
+        : fixture(text("sts3215@1,sts3215@2"), identical())
         , way(relative ? 45.0 : -90.0)
     {
         for (const int id : {1, 2}) {

@@ -60,7 +60,8 @@ private Q_SLOTS:
     void untilFoundEndsOnASilentBus();
     void untilFoundTriesLxEverywhereAtTheEnd();
     void untilFoundTellsNeighboringRatesApart();
-    void untilFoundDoesNotEndWithBrokenReplies();
+    void untilFoundEndsWithCollidingReplies();
+    void untilFoundDoesNotEndWithNoise();
     void listsAServoSeenAtANeighboringRateOnce();
     void reportsRatesTheAdapterRefuses();
     void emergencyReachesTheServosAtTheirOwnRate();
@@ -386,10 +387,29 @@ void TestScan::untilFoundTellsNeighboringRatesApart()
     QCOMPARE(report->rates, (std::vector<int>{57'600, 56'000}));
 }
 
-/// Two servos with one ID give broken replies; so does noise.
-void TestScan::untilFoundDoesNotEndWithBrokenReplies()
+/// Servos hear PINGs at their own rate only, so replies that collide each time prove it.
+void TestScan::untilFoundEndsWithCollidingReplies()
 {
-    SimFixture fixture(QStringLiteral("sts3215@1,scs15@1,sts3215@5:500000"));
+    SimFixture fixture(QStringLiteral("new-arm"));
+    jobs::ScanSpec spec;
+    spec.bauds = {500'000, fast, 115'200, 38'400};
+    spec.untilFound = true;
+    const auto report = jobs::scan(fixture.context(), spec);
+    QVERIFY(report);
+    QCOMPARE(report->rates, (std::vector<int>{500'000, fast}));
+    QVERIFY(find(*report, 1) != nullptr && find(*report, 1)->duplicateSuspected);
+    QVERIFY(fixture.onlyReadsSent());
+}
+
+/// Three broken replies, and then silence.
+void TestScan::untilFoundDoesNotEndWithNoise()
+{
+    SimFixture fixture(QStringLiteral("sts3215@40,sts3215@5:500000"));
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
+        sim::FaultPlan& faults = fixture.wireConfig().faults;
+        faults.muteIds = fixture.framesSentTo(40) > 3 ? std::vector<int>{40} : std::vector<int>{};
+        faults.truncate = frame[2] == 40 ? 1.0 : 0.0;
+    };
     jobs::ScanSpec spec;
     spec.bauds = {fast, 500'000, 38'400};
     spec.untilFound = true;

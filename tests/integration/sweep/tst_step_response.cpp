@@ -193,7 +193,7 @@ void TestStepResponse::metricsMatchTheReferenceServo()
     const std::vector<results::StepGain> gains{
         {text("position_p"), p}, {text("position_d"), d}, {text("position_i"), i}};
     support::SimFixtureOptions options;
-    options.wire.exactTiming = true; // as in groundTruth()
+    options.wire.identicalServos = true; // as in groundTruth()
     SimFixture fixture(text("sts3215@1"), options);
     jobs::StepRequest asked = order("400", gains);
     asked.spec.from = text("1800");

@@ -27,7 +27,7 @@ private Q_SLOTS:
 
 void TestWatchRows::joinsDistantRegistersInOneRow()
 {
-    SimFixture fixture(QStringLiteral("sts3215@1,sts3250@2"));
+    SimFixture fixture(QStringLiteral("sts3215@1+ambient=25,sts3250@2+ambient=25"));
     auto spec = specFor(fixture, {1, 2}, milliseconds(20), milliseconds(200));
     spec.keys = {QStringLiteral("present_temperature"), QStringLiteral("id"),
                  QStringLiteral("torque_switch")};
@@ -67,7 +67,7 @@ void TestWatchRows::joinsRowsWithMissedBlocks()
 {
     SimFixtureOptions options;
     options.wire.seed = 7;
-    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    SimFixture fixture(QStringLiteral("sts3215@1+ambient=25,sts3215@2+ambient=25"), options);
     auto spec = specFor(fixture, {1, 2}, milliseconds(100), seconds(60));
     spec.keys = {QStringLiteral("id"), QStringLiteral("present_temperature")};
     fixture.wireConfig().faults.drop = 0.3;

@@ -376,7 +376,9 @@ void TestAllFamilies::motorRunsAndStops()
 
 void TestAllFamilies::storedMovesStartTogether()
 {
-    SimFixture fixture(text("lx16a@1,lx224hv@2"), at(115'200));
+    auto options = at(115'200);
+    options.wire.identicalServos = true; // room for the move
+    SimFixture fixture(text("lx16a@1,lx224hv@2"), options);
     std::deque<device::Servo> servos{known(fixture, 1), known(fixture, 2)};
     std::vector<device::MovePlan> plans;
     for (device::Servo& servo : servos) {

@@ -259,6 +259,28 @@ private Q_SLOTS:
             QCOMPARE(bus->servos()[i]->baud(), rates[i]);
     }
 
+    /// As on a bench; the same seed gives the same servos.
+    void servosDifferAtRest()
+    {
+        const auto resting = [](bool identical) {
+            sim::WireConfig wire;
+            wire.identicalServos = identical;
+            const auto bus = sim::makeServos(QStringLiteral("sts3215@1,sts3215@1"), wire::models(),
+                                             std::nullopt, wire)
+                                 .value();
+            std::vector<std::array<double, 3>> states;
+            for (auto* servo : bus->servos())
+                states.push_back({servo->shaftDegrees(), servo->environment().supplyVolts,
+                                  servo->environment().ambientCelsius});
+            return states;
+        };
+        const auto states = resting(false);
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY(states[0][i] != states[1][i]);
+        QVERIFY(resting(false) == states);
+        QCOMPARE(resting(true)[0], resting(true)[1]);
+    }
+
     void refusesUnknownServos_data()
     {
         QTest::addColumn<QString>("list");

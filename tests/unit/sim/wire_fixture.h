@@ -18,7 +18,7 @@ inline const catalog::Catalog& models()
 inline std::unique_ptr<sim::VirtualBus> bus(const char* list, std::optional<int> baud = {},
                                             sim::WireConfig config = {})
 {
-    config.exactTiming = true;
+    config.identicalServos = true;
     auto made = sim::makeServos(QString::fromLatin1(list), models(), baud, config);
     if (!made)
         qFatal("%s", qPrintable(made.error().detail));
