@@ -168,6 +168,13 @@
             <numerusform>Settings of %n servos saved to %1 (ID %2)</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n setting(s) changed with the firmware:</source>
+        <translation>
+            <numerusform>%n setting changed with the firmware:</numerusform>
+            <numerusform>%n settings changed with the firmware:</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>text</name>

@@ -6287,6 +6287,100 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Six new servos: all have ID 1 and reply at the same time</source>
         <translation>六个新舵机：ID 都是 1，同时应答</translation>
     </message>
+    <message>
+        <source>the vendor&apos;s firmware file, *.bin</source>
+        <translation>厂家的固件文件，*.bin</translation>
+    </message>
+    <message>
+        <source>--accept takes %1, or all</source>
+        <translation>--accept 可以是 %1，或 all</translation>
+    </message>
+    <message>
+        <source>Servo %1 at %2 baud: firmware %3</source>
+        <translation>舵机 %1，波特率 %2：固件 %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 blocks were accepted.</source>
+        <translation>舵机接受了 %2 个数据块中的 %1 个。</translation>
+    </message>
+    <message>
+        <source>Not started. Correct what has failed, or accept the risk with --accept ITEM.</source>
+        <translation>未开始。请先解决未通过的项目，或用 --accept 项目 接受风险。</translation>
+    </message>
+    <message>
+        <source>Updating the firmware of servo %1</source>
+        <translation>正在更新舵机 %1 的固件</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>正在检查</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>详情</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>已接受风险</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>All settings are as before.</source>
+        <translation>所有设置与更新前相同。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) changed with the firmware:</source>
+        <translation>
+            <numerusform>固件更新后有 %n 项设置发生变化：</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>To restore the old values: servodesk-cli snapshot restore %1 %2</source>
+        <translation>恢复原值：servodesk-cli snapshot restore %1 %2</translation>
+    </message>
+    <message>
+        <source>Connect only the servo to rescue. Turn its supply off, then on again within the next 30 s.</source>
+        <translation>只连接要救援的舵机。请在 30 秒内断开它的电源，再重新接通。</translation>
+    </message>
+    <message>
+        <source>Waiting for a bootloader</source>
+        <translation>正在等待引导程序</translation>
+    </message>
+    <message>
+        <source>give Feetech servos the firmware in the vendor&apos;s file, after checks; not tried on real servos yet</source>
+        <translation>检查后，把厂家文件中的固件写入飞特舵机；尚未在真实舵机上试过</translation>
+    </message>
+    <message>
+        <source>IDs of the servos, one after the other</source>
+        <translation>舵机的 ID，逐个更新</translation>
+    </message>
+    <message>
+        <source>start although these checks have failed</source>
+        <translation>即使这些检查未通过也开始</translation>
+    </message>
+    <message>
+        <source>give a servo that is in its bootloader the firmware in the vendor&apos;s file; not tried on real servos yet</source>
+        <translation>把厂家文件中的固件写入停留在引导程序中的舵机；尚未在真实舵机上试过</translation>
+    </message>
+    <message>
+        <source>Rescue: servodesk-cli firmware rescue %1</source>
+        <translation>救援：servodesk-cli firmware rescue %1</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -8632,6 +8726,170 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>The bootloader of a servo replies at %1 baud.</source>
         <translation>有舵机的引导程序在波特率 %1 下应答。</translation>
+    </message>
+    <message>
+        <source>No other servo replies on this port.</source>
+        <translation>此端口上没有其他舵机应答。</translation>
+    </message>
+    <message>
+        <source>Other servos reply on this port: ID %1. They receive the firmware data too, and a second servo in its bootloader would store it.</source>
+        <translation>此端口上还有其他舵机应答：ID %1。它们也会收到固件数据；如果另一个舵机也在引导程序中，会把固件写入自身。</translation>
+    </message>
+    <message>
+        <source>The file name fits this model.</source>
+        <translation>文件名与此型号相符。</translation>
+    </message>
+    <message>
+        <source>No firmware file is known for this model, so the file name cannot be checked.</source>
+        <translation>没有此型号的固件文件资料，因此无法核对文件名。</translation>
+    </message>
+    <message>
+        <source>The file name does not fit this model; the vendor&apos;s file is named like %1.bin. Firmware for another model can make a servo unusable.</source>
+        <translation>文件名与此型号不符；厂家的文件名类似 %1.bin。其他型号的固件可能使舵机无法使用。</translation>
+    </message>
+    <message>
+        <source>The file has %1 bytes.</source>
+        <translation>文件大小为 %1 字节。</translation>
+    </message>
+    <message>
+        <source>Known servos have room for 29,696 bytes only.</source>
+        <translation>已知的舵机只能容纳 29,696 字节。</translation>
+    </message>
+    <message>
+        <source>The servo&apos;s supply voltage could not be measured.</source>
+        <translation>无法测量舵机的电源电压。</translation>
+    </message>
+    <message>
+        <source>The servo measures %1 V with torque off and on.</source>
+        <translation>卸力和打开扭矩时，舵机测得 %1 V。</translation>
+    </message>
+    <message>
+        <source>The servo measures %1 to %2 V with torque off and on.</source>
+        <translation>卸力和打开扭矩时，舵机测得 %1 至 %2 V。</translation>
+    </message>
+    <message>
+        <source>The supply must be steady and within the servo&apos;s limits.</source>
+        <translation>电源必须稳定，且在舵机的限值之内。</translation>
+    </message>
+    <message>
+        <source>The memory table is saved.</source>
+        <translation>内存表已保存。</translation>
+    </message>
+    <message>
+        <source>The memory table could not be saved (%1), so changed settings could not be restored.</source>
+        <translation>内存表未能保存（%1），因此无法恢复发生变化的设置。</translation>
+    </message>
+    <message>
+        <source>This computer has enough power.</source>
+        <translation>此计算机的电量充足。</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s battery has %1 % left. Connect the charger.</source>
+        <translation>此计算机的电池电量只剩 %1%。请接上充电器。</translation>
+    </message>
+    <message>
+        <source>Other servos</source>
+        <translation>其他舵机</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>文件名</translation>
+    </message>
+    <message>
+        <source>File size</source>
+        <translation>文件大小</translation>
+    </message>
+    <message>
+        <source>Power supply</source>
+        <translation>电源</translation>
+    </message>
+    <message>
+        <source>Memory table</source>
+        <translation>内存表</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>电池</translation>
+    </message>
+    <message>
+        <source>The servo runs the new firmware.</source>
+        <translation>舵机已运行新固件。</translation>
+    </message>
+    <message>
+        <source>The servo still has its old firmware.</source>
+        <translation>舵机仍是原来的固件。</translation>
+    </message>
+    <message>
+        <source>The servo has no complete firmware and is in its bootloader.</source>
+        <translation>舵机没有完整的固件，停留在引导程序中。</translation>
+    </message>
+    <message>
+        <source>The whole file was sent, but the servo does not reply.</source>
+        <translation>文件已全部发送，但舵机没有应答。</translation>
+    </message>
+    <message>
+        <source>Correct the cause, then update again.</source>
+        <translation>请排除原因，然后重新更新。</translation>
+    </message>
+    <message>
+        <source>We have not tried firmware updates on real servos yet; the steps are those published by others.</source>
+        <translation>我们尚未在真实舵机上试过固件更新；步骤取自他人公开的资料。</translation>
+    </message>
+    <message>
+        <source>the firmware of this servo cannot be updated here</source>
+        <translation>无法在此更新这个舵机的固件</translation>
+    </message>
+    <message>
+        <source>Only the bootloader of Feetech servos is known.</source>
+        <translation>已知的只有飞特舵机的引导程序。</translation>
+    </message>
+    <message>
+        <source>Use the manufacturer&apos;s software.</source>
+        <translation>请使用厂家的软件。</translation>
+    </message>
+    <message>
+        <source>this is not a firmware file for bus servos</source>
+        <translation>这不是总线舵机的固件文件</translation>
+    </message>
+    <message>
+        <source>Only *.bin files are for bus servos; *.hex, *.mbin, *.fbin and *.xbin are for other devices.</source>
+        <translation>只有 *.bin 文件用于总线舵机；*.hex、*.mbin、*.fbin 和 *.xbin 用于其他设备。</translation>
+    </message>
+    <message>
+        <source>Select the vendor&apos;s *.bin file for this model.</source>
+        <translation>请选择厂家用于此型号的 *.bin 文件。</translation>
+    </message>
+    <message>
+        <source>the size of this file is not that of a firmware</source>
+        <translation>此文件的大小不是固件应有的大小</translation>
+    </message>
+    <message>
+        <source>A firmware has 64 to 65,535 bytes.</source>
+        <translation>固件的大小为 64 至 65,535 字节。</translation>
+    </message>
+    <message>
+        <source>Download the file again.</source>
+        <translation>请重新下载文件。</translation>
+    </message>
+    <message>
+        <source>no bootloader has replied</source>
+        <translation>没有引导程序应答</translation>
+    </message>
+    <message>
+        <source>The servo&apos;s supply was not turned off and on in time, or the data wire is loose.</source>
+        <translation>舵机的电源没有及时断开并重新接通，或数据线松动。</translation>
+    </message>
+    <message>
+        <source>Start again, and turn the servo&apos;s supply off and on while the program waits.</source>
+        <translation>请重新开始，并在程序等待时断开并重新接通舵机的电源。</translation>
+    </message>
+    <message>
+        <source>Connect only this servo and rescue it with the same file.</source>
+        <translation>只连接这个舵机，用同一个文件救援它。</translation>
+    </message>
+    <message>
+        <source>Turn the servo&apos;s supply off and on, then search for it. If it does not reply, rescue it with the same file.</source>
+        <translation>断开并重新接通舵机的电源，然后搜索它。如果没有应答，请用同一个文件救援。</translation>
     </message>
 </context>
 <context>

@@ -12,4 +12,15 @@ std::uint16_t crc16Modbus(ByteView bytes)
     }
     return static_cast<std::uint16_t>(crc);
 }
+
+std::uint16_t crc16Xmodem(ByteView bytes)
+{
+    unsigned crc = 0;
+    for (const std::uint8_t byte : bytes) {
+        crc ^= unsigned(byte) << 8;
+        for (int bit = 0; bit < 8; ++bit)
+            crc = (crc & 0x8000U) != 0 ? (crc << 1) ^ 0x1021U : crc << 1;
+    }
+    return static_cast<std::uint16_t>(crc);
+}
 } // namespace base

@@ -94,7 +94,7 @@ Result<Attempt> Exchange::receiveAttempt(const protocol::Request& request, Pendi
     if (request.repeat == protocol::Repeat::Never)
         interruptible.caller = nullptr;
     const bool isReadable = raw || before != LineState::Unreadable;
-    const auto received = raw                         ? receiveRaw(pending, interruptible)
+    const auto received = raw                         ? receiveRaw(request, pending, interruptible)
                           : isReadable && replies > 0 ? receiveReplies(pending, interruptible)
                                                       : listenUntil(m_line.freeAt(), {});
     if (!received)
@@ -202,12 +202,15 @@ Result<void> Exchange::receiveReplies(PendingRequest& pending, const Interrupt& 
     return {};
 }
 
-Result<void> Exchange::receiveRaw(PendingRequest& pending, const Interrupt& interrupt)
+Result<void> Exchange::receiveRaw(const protocol::Request& request, PendingRequest& pending,
+                                  const Interrupt& interrupt)
 {
-    const auto received =
-        receiveUntil(pending, interrupt, [this] { return m_line.received() >= maxRawReply; });
+    const std::size_t wanted = request.count > 0 ? std::size_t(request.count) : maxRawReply;
+    const auto isComplete = [&] { return m_line.received() >= m_line.pendingEchoBytes() + wanted; };
+    const auto received = receiveUntil(pending, interrupt, isComplete);
     // It is not known which servos the bytes addressed, nor whether all replies are in.
-    m_lateReplyGuard.quietAll(m_clock.now());
+    if (!isComplete())
+        m_lateReplyGuard.quietAll(m_clock.now());
     m_line.discardEcho();
     base::Bytes bytes = m_line.takePending();
     if (!bytes.empty())

@@ -44,7 +44,8 @@ private:
     base::Result<void> receiveUntil(const PendingRequest& pending, const Interrupt& interrupt,
                                     Predicate&& isFinished);
     base::Result<void> receiveReplies(PendingRequest& pending, const Interrupt& interrupt);
-    base::Result<void> receiveRaw(PendingRequest& pending, const Interrupt& interrupt);
+    base::Result<void> receiveRaw(const protocol::Request& request, PendingRequest& pending,
+                                  const Interrupt& interrupt);
     base::Result<Attempt> sendFailed(PendingRequest& pending, const Interrupt& interrupt);
     enum class LineState : std::uint8_t {
         None,

@@ -76,6 +76,10 @@ public:
     /// Only for known versions and identities that were really read.
     std::optional<KnownFirmware> newerFirmware(const Profile& profile) const;
 
+    /// Any firmware of this model, or of its protocol where that has no model numbers: the vendor's
+    /// file for it is named in `source`.
+    std::optional<KnownFirmware> firmwareOf(const Profile& profile) const;
+
     /// The languages that can be met at this rate: Feetech always, then LX and Modbus if servos of
     /// theirs can be set to it or leave the factory with it.
     std::vector<base::Protocol> protocolsAt(int baud) const;

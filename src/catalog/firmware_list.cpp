@@ -53,6 +53,16 @@ std::optional<KnownFirmware> Catalog::newerFirmware(const Profile& profile) cons
                          newest->source};
 }
 
+std::optional<KnownFirmware> Catalog::firmwareOf(const Profile& profile) const
+{
+    for (const FirmwareDef& firmware : m_data->firmware) {
+        if (concerns(firmware, profile.identity, profile.byteOrder))
+            return KnownFirmware{firmware.version.major, firmware.version.minor, firmware.date,
+                                 firmware.source};
+    }
+    return std::nullopt;
+}
+
 std::vector<bool> differingFirmware(const std::vector<ProfilePtr>& servos)
 {
     std::map<QString, std::map<Version, int>> counts; // by model

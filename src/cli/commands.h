@@ -10,6 +10,8 @@ Command scanCommand();
 Command findCommand();
 Command infoCommand();
 Command firmwareListCommand();
+Command firmwareUpdateCommand();
+Command firmwareRescueCommand();
 Command dumpCommand();
 Command readCommand();
 Command writeCommand();

@@ -84,16 +84,6 @@ base::Result<base::Bytes> listenAfterPing(const Context& context, base::Duration
     return ping ? listenAfter(context, *ping, span) : tl::unexpected(ping.error());
 }
 
-base::Result<bool> askBootloader(const Context& context, base::Duration span)
-{
-    const base::Bytes preamble{'1', 'f', 'B', 'V', 'A'};
-    constexpr std::uint8_t accepted = 0x06;
-    constexpr std::uint8_t refused = 0x15; // it is there all the same
-    return listenAfter(context, preamble, span).map([](const base::Bytes& received) {
-        return received == base::Bytes{accepted} || received == base::Bytes{refused};
-    });
-}
-
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
                              int retries)
 {

@@ -30,13 +30,6 @@ base::Result<std::int64_t> readRegister(const Context& context, Servo& servo,
 /// each other, or what comes unasked.
 base::Result<base::Bytes> listenAfterPing(const Context& context, base::Duration span);
 
-/// The only rate of a servo's bootloader.
-constexpr int bootloaderBaud = 500'000;
-/// Whether a servo in its bootloader replies within `span` to the bytes that announce a new
-/// firmware, and nothing else comes. None is sent, so the bootloader goes on as before. To be
-/// called at bootloaderBaud. Source: kuterd/feetech-fw-util, 0o8o0-blip/sts3215-firmware.
-base::Result<bool> askBootloader(const Context& context, base::Duration span);
-
 struct RegisterValue {
     const catalog::Register* reg = nullptr;
     std::int64_t raw = 0;

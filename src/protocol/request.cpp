@@ -104,10 +104,11 @@ Request Request::syncWrite(int address, std::vector<Target> targets)
     return request;
 }
 
-Request Request::raw(base::Bytes bytes)
+Request Request::raw(base::Bytes bytes, int replyBytes)
 {
     Request request = simple(Op::Raw, -1, Repeat::Never);
     request.data = std::move(bytes);
+    request.count = replyBytes;
     return request;
 }
 } // namespace protocol

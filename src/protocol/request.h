@@ -32,7 +32,7 @@ enum class Op : std::uint8_t {
     Reboot,     ///< 0x08, Modbus 0x41: never answered
     SyncRead,
     SyncWrite,
-    Raw, ///< bytes as given; everything that comes back until the deadline is the answer
+    Raw, ///< bytes as given, and so is the answer
 };
 
 /// May this request be sent again when its answer was lost? A relative move, an ID write or a
@@ -49,7 +49,7 @@ struct Request {
     Op op = Op::Ping;
     int id = 0;
     int address = 0;
-    int count = 0;    ///< bytes to read, for Read and SyncRead
+    int count = 0;    ///< bytes to read, for Read and SyncRead; Raw: see raw()
     base::Bytes data; ///< for Write, RegWrite, Raw; the value of Calibrate (0 or 2 bytes)
     std::vector<Target> targets; ///< for SyncRead and SyncWrite
     Repeat repeat = Repeat::Never;
@@ -81,7 +81,8 @@ struct Request {
     static Request reboot(int id);
     static Request syncRead(int address, int count, const std::vector<int>& ids);
     static Request syncWrite(int address, std::vector<Target> targets);
-    static Request raw(base::Bytes bytes);
+    /// `replyBytes` 0: all bytes until the deadline are the answer; else it ends with so many.
+    static Request raw(base::Bytes bytes, int replyBytes = 0);
 };
 
 /// One servo's answer. `status` is the error byte as data (0 = no alarm).

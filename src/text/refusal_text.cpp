@@ -23,6 +23,19 @@ constexpr std::array notSupported{
     RefusalText{"no-reboot", QT_TRANSLATE_NOOP("text", "the servo has no reboot command"),
                 QT_TRANSLATE_NOOP("text", "This family has no such command."),
                 QT_TRANSLATE_NOOP("text", "Turn the power supply off and on.")},
+    RefusalText{"no-firmware-update",
+                QT_TRANSLATE_NOOP("text", "the firmware of this servo cannot be updated here"),
+                QT_TRANSLATE_NOOP("text", "Only the bootloader of Feetech servos is known."),
+                QT_TRANSLATE_NOOP("text", "Use the manufacturer's software.")},
+    RefusalText{"firmware-kind",
+                QT_TRANSLATE_NOOP("text", "this is not a firmware file for bus servos"),
+                QT_TRANSLATE_NOOP("text", "Only *.bin files are for bus servos; *.hex, *.mbin, "
+                                          "*.fbin and *.xbin are for other devices."),
+                QT_TRANSLATE_NOOP("text", "Select the vendor's *.bin file for this model.")},
+    RefusalText{"firmware-size",
+                QT_TRANSLATE_NOOP("text", "the size of this file is not that of a firmware"),
+                QT_TRANSLATE_NOOP("text", "A firmware has 64 to 65,535 bytes."),
+                QT_TRANSLATE_NOOP("text", "Download the file again.")},
     RefusalText{"no-restore",
                 QT_TRANSLATE_NOOP("text", "the servo cannot reset itself to factory defaults"),
                 QT_TRANSLATE_NOOP("text", "This family has no such command."),
@@ -269,6 +282,14 @@ constexpr std::array refused{
                 QT_TRANSLATE_NOOP("text", "Step in the opposite direction.")},
 };
 
+constexpr std::array noReply{
+    RefusalText{"no-bootloader", QT_TRANSLATE_NOOP("text", "no bootloader has replied"),
+                QT_TRANSLATE_NOOP("text", "The servo's supply was not turned off and on in time, "
+                                          "or the data wire is loose."),
+                QT_TRANSLATE_NOOP("text", "Start again, and turn the servo's supply off and on "
+                                          "while the program waits.")},
+};
+
 constexpr std::array uncertain{
     RefusalText{
         "restarted",
@@ -319,6 +340,8 @@ const RefusalText* refusalText(const base::Error& error)
         return entryFor(refused, heldGoals(error).isEmpty()
                                      ? error.detail
                                      : error.detail.section(QLatin1Char(' '), 0, 0));
+    if (error.code == base::ErrorCode::NoReply)
+        return entryFor(noReply, error.detail);
     if (error.code == base::ErrorCode::Uncertain)
         return entryFor(uncertain, error.detail);
     if (error.code == base::ErrorCode::Preempted)

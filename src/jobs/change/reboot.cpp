@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/late_reply_guard.h"
+#include "device/bootloader.h"
 #include "device/motion/motion.h"
 #include "device/motion/move_limits.h"
 #include "device/transactions.h"
@@ -17,9 +18,6 @@ using namespace std::chrono_literals;
 namespace {
 const QString rebootOperation = QStringLiteral("reboot");
 
-/// Every start passes a loader that listens at this rate for about 0.8 s; a PING there could be
-/// misread as the beginning of a firmware update (protocol sheet §2.5).
-constexpr int loaderBaud = 500'000;
 constexpr base::Duration quietTime = 700ms;
 constexpr base::Duration maxStartTime = 2s;
 constexpr base::Duration pingInterval = 25ms;
@@ -99,7 +97,9 @@ base::Result<RestartMarker> setMarker(const device::Context& context, device::Se
 /// True: it acknowledged a command that has no reply. Listens for as long as nothing may be sent.
 base::Result<bool> isAcknowledged(const device::Context& context, const device::Servo& servo)
 {
-    const base::Duration quiet = context.bus.baud() == loaderBaud ? maxStartTime : quietTime;
+    // A PING could be misread as the beginning of a firmware update (protocol sheet §2.5).
+    const bool isHeard = context.bus.baud() == device::bootloaderBaud;
+    const base::Duration quiet = isHeard ? maxStartTime : quietTime;
     const auto listened = context.bus.listen(std::max(quiet, context.bus.maxReplyLateness()));
     if (!listened)
         return tl::unexpected(listened.error());

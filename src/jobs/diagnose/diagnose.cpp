@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/diagnose/diagnose.h"
 
+#include "device/bootloader.h"
 #include "device/transactions.h"
 #include "jobs/diagnose/conclusion.h"
 #include "jobs/diagnose/line_content.h"
@@ -280,7 +281,11 @@ private:
             if (m_context.stop.isRequested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("diagnose"));
             report({.baud = device::bootloaderBaud}, bootloaderWait);
-            replied = device::askBootloader(m_context, bootloaderWait);
+            replied = device::askBootloader(m_context, bootloaderWait)
+                          .map([](device::BootloaderReply reply) {
+                              return reply == device::BootloaderReply::Accepted ||
+                                     reply == device::BootloaderReply::Refused;
+                          });
             endStep(bootloaderWait);
         }
         return replied;

@@ -83,7 +83,7 @@ void VirtualBus::State::updateReceivers(Nanos at)
         });
     });
     const bool boots = std::any_of(nodes.begin(), nodes.end(),
-                                   [](const BusNode& node) { return node.servo.isInBootloader(); });
+                                   [](const BusNode& node) { return node.servo.hearsFirmware(); });
     if (!boots)
         bootloaderReceiver.reset();
     else if (!bootloaderReceiver)
@@ -100,12 +100,12 @@ bool VirtualBus::State::dispatchBootloaderByte(Nanos to)
     advanceServos(byte->end);
     for (std::size_t nodeIndex = 0; nodeIndex < nodes.size(); ++nodeIndex) {
         VirtualServo& servo = nodes[nodeIndex].servo;
-        if (!byte->framed || !servo.isInBootloader())
+        if (!byte->framed || !servo.hearsFirmware())
             continue;
-        const auto reply = servo.bootloaderReply(byte->value);
+        const auto reply = servo.receiveInBootloader(byte->value);
         if (reply && !cut && !isMute(servo, servo.id()))
-            transmit(nodeIndex, {*reply}, Bootloader::baud,
-                     byte->end + toNanos(servo.replyDelay()));
+            transmit(nodeIndex, {reply->byte}, Bootloader::baud,
+                     byte->end + toNanos(servo.replyDelay() + reply->wait));
     }
     return true;
 }

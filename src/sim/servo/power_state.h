@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/clock.h"
+#include "sim/servo/bootloader.h"
 
 #include <algorithm>
 
@@ -15,7 +16,14 @@ public:
     bool isRebooting() const { return m_on && m_rebootLeft.count() > 0; }
     bool isDeaf() const { return !isRunning() || m_deafLeft.count() > 0; }
 
-    void setOn(bool on) { m_on = on; }
+    /// Its bootloader could still be reached.
+    bool hasJustComeOn() const { return m_on && m_windowLeft.count() > 0; }
+
+    void setOn(bool on)
+    {
+        m_windowLeft = on && !m_on ? Bootloader::window : base::Duration();
+        m_on = on;
+    }
     void stop() { m_deafLeft = m_rebootLeft = {}; } ///< ends both times
     void startReboot(base::Duration time) { m_rebootLeft = std::max(time, base::Duration(1)); }
     void startDeafTime(base::Duration time) { m_deafLeft = time; }
@@ -24,6 +32,7 @@ public:
     bool advance(base::Duration dt)
     {
         m_deafLeft = std::max(base::Duration(), m_deafLeft - dt);
+        m_windowLeft = std::max(base::Duration(), m_windowLeft - dt);
         if (m_rebootLeft.count() == 0) {
             return false;
         }
@@ -35,5 +44,6 @@ private:
     bool m_on = true;
     base::Duration m_rebootLeft{};
     base::Duration m_deafLeft{};
+    base::Duration m_windowLeft{};
 };
 } // namespace sim

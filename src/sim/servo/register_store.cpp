@@ -185,6 +185,13 @@ void RegisterStore::loadGains()
     }
 }
 
+void RegisterStore::setInitial(const catalog::Register& reg, std::int64_t raw)
+{
+    const base::Bytes bytes = encode(reg, raw);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        m_memory.setInitial(reg.offset + int(i), bytes[i]);
+}
+
 void RegisterStore::powerOn()
 {
     m_memory.powerOn();

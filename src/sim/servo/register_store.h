@@ -39,9 +39,10 @@ public:
 
     /// The servo itself changes a register; nothing where its family has none.
     void put(catalog::Role role, int value) { m_map.put(m_memory, role, value); }
-    void setTorque(int value); ///< register and setting
-    void reload();             ///< decodes the settings again
-    void loadGains();          ///< HLS: those of the present mode become the acting ones
+    void setInitial(const catalog::Register& reg, std::int64_t raw); ///< another factory value
+    void setTorque(int value);                                       ///< register and setting
+    void reload();                                                   ///< decodes the settings again
+    void loadGains(); ///< HLS: those of the present mode become the acting ones
 
     void powerOn();                                  ///< what survives, with its defaults
     void powerOff() { m_settings.torqueSwitch = 0; } ///< the registers stay readable

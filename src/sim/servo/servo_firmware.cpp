@@ -28,6 +28,7 @@ void ServoFirmware::switchOff()
     m_registers.powerOff();
     m_drive.powerOff();
     m_power.stop();
+    m_bootloader = {};
 }
 
 void ServoFirmware::switchOn()
@@ -60,6 +61,43 @@ bool ServoFirmware::isInBootloader() const
 {
     return !m_model.traits.lx &&
            (m_power.isRebooting() || (m_power.isOn() && m_config.defects.firmwareLost));
+}
+
+bool ServoFirmware::hearsFirmware() const
+{
+    return isInBootloader() || (!m_model.traits.lx && m_power.hasJustComeOn());
+}
+
+std::optional<Bootloader::Reply> ServoFirmware::receiveInBootloader(std::uint8_t byte)
+{
+    const auto reply = m_bootloader.receive(byte);
+    if (m_bootloader.isTransferring())
+        m_power.startReboot(std::chrono::hours(24)); // it waits for as long as it takes
+    if (m_bootloader.hasErased())
+        m_config.defects.firmwareLost = true;
+    if (m_bootloader.hasEnded()) {
+        const bool isComplete = m_bootloader.isComplete();
+        m_power.stop();
+        m_bootloader = {};
+        if (isComplete)
+            installFirmware();
+        if (!m_config.defects.firmwareLost)
+            switchOn();
+    }
+    return reply;
+}
+
+/// What is in the file is not known: its version is the next one, and two defaults have changed.
+void ServoFirmware::installFirmware()
+{
+    const auto change = [this](const catalog::Register* reg, int by) {
+        if (reg != nullptr)
+            m_registers.setInitial(*reg, m_registers.raw(*reg) + by);
+    };
+    m_config.defects.firmwareLost = false;
+    change(profile().byRole(Role::FirmwareMinor), 1);
+    change(profile().find(QStringLiteral("protection_time")), 50);
+    change(profile().find(QStringLiteral("overload_torque")), -5);
 }
 
 /// A family without a baud register has one rate.

@@ -4,6 +4,7 @@
 // handlers work on it. Owned by a VirtualServo; one thread. Nothing here can fail.
 #pragma once
 
+#include "sim/servo/bootloader.h"
 #include "sim/servo/power_state.h"
 #include "sim/servo/servo_feedback.h"
 
@@ -31,6 +32,10 @@ public:
     /// At a restart, and for good if there is no whole firmware. An LX servo is not known to have
     /// one.
     bool isInBootloader() const;
+    /// Also after power-up, although the firmware of a simulated servo runs at once then.
+    bool hearsFirmware() const;
+    /// What its bootloader replies to a byte at Bootloader::baud, which may change its firmware.
+    std::optional<Bootloader::Reply> receiveInBootloader(std::uint8_t byte);
     bool isRunning() const { return m_power.isRunning() && !isInBootloader(); }
 
     void advance(base::Duration dt);
@@ -55,6 +60,7 @@ private:
     void changeMode(DriveMode before);
     void switchTorque(int before);
     void resetFaults();
+    void installFirmware();
 
     ServoConfig m_config;
     const ServoModel m_model;
@@ -64,6 +70,7 @@ private:
     ServoHealth m_health;
     ServoFeedback m_feedback;
     PowerState m_power;
+    Bootloader m_bootloader;
     int m_baud;
     base::Duration m_pending{}; ///< time that is not yet a whole tick
 };

@@ -2,7 +2,6 @@
 #include "sim/servo/virtual_servo.h"
 
 #include "sim/requests/request_handler.h"
-#include "sim/servo/bootloader.h"
 
 #include <numbers>
 
@@ -15,12 +14,10 @@ struct VirtualServo::State {
     void switchOff()
     {
         handler->forgetStored();
-        bootloader = {};
         firmware.switchOff();
     }
 
     ServoFirmware firmware;
-    Bootloader bootloader;
     std::unique_ptr<RequestHandler> handler;
 };
 
@@ -61,9 +58,14 @@ bool VirtualServo::isInBootloader() const
     return m_state->firmware.isInBootloader();
 }
 
-std::optional<std::uint8_t> VirtualServo::bootloaderReply(std::uint8_t byte)
+bool VirtualServo::hearsFirmware() const
 {
-    return m_state->bootloader.receive(byte);
+    return m_state->firmware.hearsFirmware();
+}
+
+std::optional<Bootloader::Reply> VirtualServo::receiveInBootloader(std::uint8_t byte)
+{
+    return m_state->firmware.receiveInBootloader(byte);
 }
 
 base::Duration VirtualServo::writeTime() const

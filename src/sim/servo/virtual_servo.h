@@ -9,6 +9,7 @@
 #include "base/clock.h"
 #include "catalog/profile.h"
 #include "sim/faults/defects.h"
+#include "sim/servo/bootloader.h"
 #include "sim/servo/reply_timing.h"
 
 #include <cstdint>
@@ -113,8 +114,9 @@ public:
     /// Off, in its bootloader, or writing its EPROM if that makes it deaf.
     bool isDeaf() const;
     bool isInBootloader() const;
+    bool hearsFirmware() const; ///< in its bootloader, or within the window after power-up
     /// What its bootloader replies to a byte at Bootloader::baud.
-    std::optional<std::uint8_t> bootloaderReply(std::uint8_t byte);
+    std::optional<Bootloader::Reply> receiveInBootloader(std::uint8_t byte);
     /// How long the latest request delays the next one, because the servo writes its EPROM.
     base::Duration writeTime() const;
     base::Duration replyDelay() const;

@@ -32,6 +32,12 @@ QString portFor(const QString& line)
         return QStringLiteral("sim:line");
     if (line.startsWith(QLatin1String("restore-defaults")))
         return QStringLiteral("sim:sts3215@1");
+    if (line.startsWith(QLatin1String("firmware rescue")))
+        return QStringLiteral("sim:sts3215@1+firmware-lost=1");
+    if (line.startsWith(QLatin1String("firmware update")))
+        return line.contains(QLatin1String("other-servos"))
+                   ? QStringLiteral("sim:sts3215@1,sts3215@2")
+                   : QStringLiteral("sim:sts3215@1");
     if (line.contains(QLatin1String("tour")))
         return {}; // names its own
     return QStringLiteral("sim:demo");
@@ -41,6 +47,10 @@ QString portFor(const QString& line)
 void TestCliExamples::everyExampleRuns()
 {
     m_cli.setWorkingFolder(m_folder.path());
+    QFile image(m_folder.filePath(QStringLiteral("SCServo21-GD32-TTL-250306.bin")));
+    QVERIFY(image.open(QIODevice::WriteOnly));
+    image.write(QByteArray(1000, 'x'));
+    image.close();
     for (const cli::Examples& one : cli::allExamples()) {
         if (qstrcmp(one.command, "history sync") == 0)
             continue; // needs a server: tst_history_sender runs it

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of a firmware update: its checks, its outcome, and what to do next, in the language of
+// the interface. Pure; any thread.
+#pragma once
+
+#include "base/firmware_update.h"
+
+namespace text {
+QString firmwareCheckLabel(base::FirmwareCheck check);
+/// What was found, as one sentence; where the check has failed, also why it matters.
+QString firmwareCheckText(const base::FirmwareCheckResult& result);
+
+QString firmwareOutcomeText(base::FirmwareOutcome outcome);
+/// Empty: nothing to do.
+QString firmwareOutcomeRemedy(base::FirmwareOutcome outcome);
+
+/// That nobody of ours has tried it on a real servo.
+QString firmwareUntriedText();
+} // namespace text
