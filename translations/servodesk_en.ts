@@ -168,13 +168,6 @@
             <numerusform>Settings of %n servos saved to %1 (ID %2)</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n setting(s) changed with the firmware:</source>
-        <translation>
-            <numerusform>%n setting changed with the firmware:</numerusform>
-            <numerusform>%n settings changed with the firmware:</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>text</name>
@@ -204,6 +197,13 @@
         <translation>
             <numerusform>The reply to %n test query arrived undamaged.</numerusform>
             <numerusform>The replies to all %n test queries arrived undamaged.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) changed with the firmware:</source>
+        <translation>
+            <numerusform>%n setting changed with the firmware:</numerusform>
+            <numerusform>%n settings changed with the firmware:</numerusform>
         </translation>
     </message>
 </context>

@@ -437,6 +437,22 @@
         <source>Compare the firmware versions of the servos</source>
         <translation>比较各舵机的固件版本</translation>
     </message>
+    <message>
+        <source>&amp;Update firmware…</source>
+        <translation>更新固件(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Gives the selected servo the firmware in the vendor&apos;s file, after checks</source>
+        <translation>检查后，把厂家文件中的固件写入选中的舵机</translation>
+    </message>
+    <message>
+        <source>Rescue fir&amp;mware…</source>
+        <translation>救援固件(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Gives a servo that is in its bootloader a firmware</source>
+        <translation>给停留在引导程序中的舵机写入固件</translation>
+    </message>
 </context>
 <context>
     <name>CommissionText</name>
@@ -1121,6 +1137,18 @@
     <message>
         <source>check for motion</source>
         <translation>检查是否仍在运动</translation>
+    </message>
+    <message>
+        <source>check before the firmware update</source>
+        <translation>固件更新前检查</translation>
+    </message>
+    <message>
+        <source>update firmware</source>
+        <translation>更新固件</translation>
+    </message>
+    <message>
+        <source>rescue firmware</source>
+        <translation>救援固件</translation>
     </message>
 </context>
 <context>
@@ -2622,6 +2650,98 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     <message>
         <source>Some steps did not end as expected.</source>
         <translation>并非所有步骤都按预期完成。</translation>
+    </message>
+    <message>
+        <source>Select the firmware file</source>
+        <translation>选择固件文件</translation>
+    </message>
+    <message>
+        <source>Firmware for bus servos (*.bin)</source>
+        <translation>总线舵机固件 (*.bin)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>No file selected.</source>
+        <translation>尚未选择文件。</translation>
+    </message>
+    <message>
+        <source>Select file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>Selects the vendor&apos;s firmware file, *.bin</source>
+        <translation>选择厂家的固件文件，*.bin</translation>
+    </message>
+    <message>
+        <source>The old settings are saved; the Snapshots page restores them.</source>
+        <translation>原来的设置已保存，可在“快照”页面恢复。</translation>
+    </message>
+    <message>
+        <source>ID %1, firmware %2</source>
+        <translation>ID %1，固件 %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 blocks were accepted.</source>
+        <translation>舵机接受了 %2 个数据块中的 %1 个。</translation>
+    </message>
+    <message>
+        <source>Rescue firmware</source>
+        <translation>救援固件</translation>
+    </message>
+    <message>
+        <source>For a servo that no longer replies after an interrupted update. Connect only this servo: every servo whose supply comes on meanwhile receives the firmware. Turn the servo&apos;s supply off, press Start, then turn it on within 30 seconds.</source>
+        <translation>用于更新中断后不再应答的舵机。只连接这个舵机：在此期间接通电源的每个舵机都会收到固件。请断开舵机电源，按“开始”，然后在 30 秒内接通电源。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Waits for the servo&apos;s bootloader, then sends the firmware</source>
+        <translation>等待舵机的引导程序，然后发送固件</translation>
+    </message>
+    <message>
+        <source>Update firmware</source>
+        <translation>更新固件</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Sends the firmware to the servo</source>
+        <translation>把固件发送到舵机</translation>
+    </message>
+    <message>
+        <source>Checks the servo, its supply and the file</source>
+        <translation>检查舵机、电源和文件</translation>
+    </message>
+    <message>
+        <source>I accept this risk</source>
+        <translation>我接受此风险</translation>
+    </message>
+    <message>
+        <source>Accept: %1</source>
+        <translation>接受：%1</translation>
+    </message>
+    <message>
+        <source>Lets the update start although this check has failed</source>
+        <translation>即使此项检查未通过，也允许开始更新</translation>
+    </message>
+    <message>
+        <source>The servo, its supply and the file are checked first. Torque is turned on at the present position for a moment, then off, so a load held by the servo will drop.
+
+The first block erases the old firmware. Until the whole file has been sent, keep the supply on and the cable plugged in; Stop has no effect then.</source>
+        <translation>首先检查舵机、电源和文件。检查时会在当前位置短暂打开扭矩，然后卸力，因此舵机支撑的负载会落下。
+
+第一个数据块会擦除原来的固件。在文件全部发送完之前，请保持供电并且不要拔线；此时“停止”不起作用。</translation>
     </message>
 </context>
 <context>
@@ -6340,16 +6460,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>现在</translation>
     </message>
     <message>
-        <source>All settings are as before.</source>
-        <translation>所有设置与更新前相同。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n setting(s) changed with the firmware:</source>
-        <translation>
-            <numerusform>固件更新后有 %n 项设置发生变化：</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>To restore the old values: servodesk-cli snapshot restore %1 %2</source>
         <translation>恢复原值：servodesk-cli snapshot restore %1 %2</translation>
     </message>
@@ -8720,10 +8830,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>有舵机停留在引导程序（bootloader）中，没有完整的固件。</translation>
     </message>
     <message>
-        <source>Its firmware update was probably interrupted. Connect only this servo and repeat the update with the vendor&apos;s FD software.</source>
-        <translation>固件升级很可能曾被中断。请只接这一个舵机，用厂家的 FD 软件重新升级。</translation>
-    </message>
-    <message>
         <source>The bootloader of a servo replies at %1 baud.</source>
         <translation>有舵机的引导程序在波特率 %1 下应答。</translation>
     </message>
@@ -8890,6 +8996,20 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Turn the servo&apos;s supply off and on, then search for it. If it does not reply, rescue it with the same file.</source>
         <translation>断开并重新接通舵机的电源，然后搜索它。如果没有应答，请用同一个文件救援。</translation>
+    </message>
+    <message>
+        <source>Its firmware update was probably interrupted. Connect only this servo and rescue it with the vendor&apos;s firmware file (Servo menu, Rescue firmware; servodesk-cli firmware rescue FILE).</source>
+        <translation>可能是固件更新中断所致。只连接这个舵机，用厂家的固件文件救援（“舵机”菜单中的“救援固件”；servodesk-cli firmware rescue FILE）。</translation>
+    </message>
+    <message>
+        <source>All settings are as before.</source>
+        <translation>所有设置与更新前相同。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) changed with the firmware:</source>
+        <translation>
+            <numerusform>固件更新后有 %n 项设置发生变化：</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10511,6 +10631,14 @@ Retries: %9</source>
         <source>Result</source>
         <translation>结果</translation>
     </message>
+    <message>
+        <source>Rescue firmware…</source>
+        <translation>救援固件…</translation>
+    </message>
+    <message>
+        <source>Gives this servo the firmware in the vendor&apos;s file</source>
+        <translation>把厂家文件中的固件写入这个舵机</translation>
+    </message>
 </context>
 <context>
     <name>ui::DryRunDialog</name>
@@ -10814,10 +10942,6 @@ Retries: %9</source>
         <translation>列表中还没有舵机，请搜索总线。</translation>
     </message>
     <message>
-        <source>Newer versions are listed in the vendor&apos;s firmware catalog; they may not be the latest. The vendor&apos;s FD software updates a servo.</source>
-        <translation>新版本来自厂家的固件目录，不一定是最新的。可用厂家的 FD 软件升级舵机。</translation>
-    </message>
-    <message>
         <source>Firmware versions</source>
         <translation>固件版本</translation>
     </message>
@@ -10832,6 +10956,10 @@ Retries: %9</source>
     <message>
         <source>Saves the versions as a table for spreadsheets</source>
         <translation>将版本保存为电子表格</translation>
+    </message>
+    <message>
+        <source>Newer versions are listed in the vendor&apos;s firmware catalog; they may not be the latest.</source>
+        <translation>较新的版本取自厂家的固件目录，不一定是最新的。</translation>
     </message>
 </context>
 <context>

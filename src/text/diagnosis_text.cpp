@@ -101,7 +101,8 @@ constexpr std::array causes{
         QT_TRANSLATE_NOOP("text", "A servo is in its bootloader and has no complete firmware."),
         QT_TRANSLATE_NOOP(
             "text", "Its firmware update was probably interrupted. Connect only this servo and "
-                    "repeat the update with the vendor's FD software.")},
+                    "rescue it with the vendor's firmware file (Servo menu, Rescue firmware; "
+                    "servodesk-cli firmware rescue FILE).")},
 };
 
 QString counted(const char* words, const Evidence& evidence)

@@ -142,6 +142,13 @@ QString firmwareOutcomeRemedy(FirmwareOutcome outcome)
     return {};
 }
 
+QString firmwareChangesText(int count)
+{
+    return count == 0
+               ? translate("text", "All settings are as before.")
+               : translate("text", "%n setting(s) changed with the firmware:", nullptr, count);
+}
+
 QString firmwareUntriedText()
 {
     return translate("text", "We have not tried firmware updates on real servos yet; the steps are "

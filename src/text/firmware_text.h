@@ -14,6 +14,9 @@ QString firmwareOutcomeText(base::FirmwareOutcome outcome);
 /// Empty: nothing to do.
 QString firmwareOutcomeRemedy(base::FirmwareOutcome outcome);
 
+/// How many settings differ afterwards; a list may follow.
+QString firmwareChangesText(int count);
+
 /// That nobody of ours has tried it on a real servo.
 QString firmwareUntriedText();
 } // namespace text

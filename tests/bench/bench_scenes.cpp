@@ -13,9 +13,12 @@
 #include "ui/connect/find_servos_dialog.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QDialog>
 #include <QDir>
+#include <QFileDialog>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QTableView>
 #include <QTableWidget>
@@ -395,7 +398,60 @@ void diagnose(gui::MainWindowFixture& fixture)
     (void)QTest::qWaitFor([&] { return !fixture.workbench().search().isDiagnosing(); }, 120'000);
 }
 
+void chooseFirmware(QDialog* dialog)
+{
+    QFile image(QDir::temp().filePath(QStringLiteral("SCServo21-GD32-485-250306.bin")));
+    if (!image.open(QIODevice::WriteOnly) || image.write(QByteArray(29'000, 'x')) < 0)
+        return;
+    image.close();
+    dialog->findChild<QPushButton*>(QStringLiteral("firmwareChoose"))->click();
+    auto* files = dialog->findChild<QFileDialog*>(QStringLiteral("firmwareFileDialog"));
+    Q_EMIT files->fileSelected(image.fileName());
+    files->close();
+}
+
+QDialog* checkFirmware(gui::MainWindowFixture& fixture)
+{
+    fixture.choose(1);
+    fixture.action(ui::Command::PageFirmware)->trigger();
+    fixture.action(ui::Command::UpdateFirmware)->trigger();
+    auto* dialog = fixture.find<QDialog>("firmwareUpdateDialog");
+    chooseFirmware(dialog);
+    dialog->findChild<QPushButton*>(QStringLiteral("taskAction"))->click();
+    fixture.waitUntilIdle();
+    runEventLoop(300);
+    return dialog;
+}
+
+void checkFirmwareScene(gui::MainWindowFixture& fixture)
+{
+    checkFirmware(fixture);
+}
+
+void updateFirmware(gui::MainWindowFixture& fixture)
+{
+    QDialog* dialog = checkFirmware(fixture);
+    for (QCheckBox* accept : dialog->findChildren<QCheckBox*>())
+        accept->click();
+    dialog->findChild<QPushButton*>(QStringLiteral("taskAction"))->click();
+    fixture.waitUntilIdle();
+    runEventLoop(300);
+}
+
+void rescueFirmware(gui::MainWindowFixture& fixture)
+{
+    fixture.action(ui::Command::RescueFirmware)->trigger();
+    auto* dialog = fixture.find<QDialog>("firmwareRescueDialog");
+    chooseFirmware(dialog);
+    dialog->findChild<QPushButton*>(QStringLiteral("taskAction"))->click();
+    runEventLoop(1500);
+}
+
 constexpr ErrorScene troubleScenes[] = {
+    {"firmware-checks", "sim:sts3215@1,sts3215@2,scs15@3", checkFirmwareScene,
+     "firmwareUpdateDialog"},
+    {"firmware-updated", "sim:sts3215@1", updateFirmware, "firmwareUpdateDialog"},
+    {"firmware-rescue", "sim:sts3215@1", rescueFirmware, "firmwareRescueDialog"},
     {"find-servos", "sim:sts3215@1", findServos, "findServosDialog"},
     {"diagnosis-rate", "sim:sts3215@1:500000,sts3215@2", diagnose, "diagnosisDialog"},
     {"diagnosis-bootloader", "sim:sts3215@1+firmware-lost=1", diagnose, "diagnosisDialog"},

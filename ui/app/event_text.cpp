@@ -362,6 +362,9 @@ QString taskLabel(const QString& task)
     static const std::pair<const char*, const char*> eventText[] = {
         {"center", QT_TRANSLATE_NOOP("EventText", "set midpoint")},
         {"reboot", QT_TRANSLATE_NOOP("EventText", "reboot")},
+        {"check-firmware", QT_TRANSLATE_NOOP("EventText", "check before the firmware update")},
+        {"update-firmware", QT_TRANSLATE_NOOP("EventText", "update firmware")},
+        {"rescue-firmware", QT_TRANSLATE_NOOP("EventText", "rescue firmware")},
         {"restore-defaults", QT_TRANSLATE_NOOP("EventText", "reset to factory defaults")},
         {"identify", QT_TRANSLATE_NOOP("EventText", "blink LED")},
         {"move", QT_TRANSLATE_NOOP("EventText", "move")},

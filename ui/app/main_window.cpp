@@ -27,6 +27,8 @@
 #include "ui/search/diagnosis_dialog.h"
 #include "ui/search/search_panel.h"
 #include "ui/sweep/runs_dialog.h"
+#include "ui/tasks/firmware_rescue_dialog.h"
+#include "ui/tasks/firmware_update_dialog.h"
 #include "ui/tasks/servo_tasks.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/floating_overlay.h"
@@ -219,6 +221,15 @@ void MainWindow::connectCommands()
         showSingle<DiagnosisDialog>(*this, [this] {
             return new DiagnosisDialog(m_workbench.search(), m_workbench.link(), m_commands, this);
         });
+    });
+    on(Command::UpdateFirmware, [this] {
+        const session::ServoRef servo = m_context.selection.current();
+        if (m_workbench.registry().servo(servo) != nullptr)
+            (new FirmwareUpdateDialog(m_workbench, servo, m_settings, this))->open();
+    });
+    on(Command::RescueFirmware, [this] {
+        showSingle<FirmwareRescueDialog>(
+            *this, [this] { return new FirmwareRescueDialog(m_workbench, m_settings, this); });
     });
     on(Command::StopTask, [this] { m_workbench.tasks().stop(); });
     on(Command::ReadTable,

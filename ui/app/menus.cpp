@@ -78,7 +78,8 @@ void Menus::addServoCommands(QMenu& menu, const Commands& commands)
     add(menu, commands,
         {Command::ReadTable, Command::TakeSnapshot, line, Command::Identify, Command::SetId,
          Command::SetBaud, Command::Center, Command::ClearAlarm, line, Command::CloseLock,
-         Command::Reboot, Command::RestoreDefaults, line, Command::TorqueOffAll});
+         Command::Reboot, Command::RestoreDefaults, Command::UpdateFirmware,
+         Command::RescueFirmware, line, Command::TorqueOffAll});
 }
 
 void Menus::retranslate()

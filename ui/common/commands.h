@@ -35,6 +35,8 @@ enum class Command : std::uint8_t {
     Center,
     RestoreDefaults,
     Reboot,
+    UpdateFirmware,
+    RescueFirmware,
     Identify,
     ClearAlarm,
     OpenIntents,

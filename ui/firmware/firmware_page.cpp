@@ -9,6 +9,7 @@
 #include "ui/common/widget_text.h"
 #include "ui/widgets/banner.h"
 
+#include <QAction>
 #include <QDir>
 #include <QHeaderView>
 #include <QLabel>
@@ -41,6 +42,7 @@ QString orDash(const QString& text)
 } // namespace
 
 struct FirmwarePage::Row {
+    session::ServoRef ref = 0;
     int id = 0;
     QString model;   ///< empty: not identified
     QString number;  ///< of the model
@@ -53,12 +55,16 @@ FirmwarePage::FirmwarePage(AppContext& context, session::Settings& settings, QWi
     : QWidget(parent)
     , m_workbench(context.workbench)
     , m_settings(settings)
+    , m_selection(context.selection)
+    , m_commands(context.commands)
     , m_title(new QLabel(this))
     , m_summary(new QLabel(this))
     , m_banner(new Banner(this))
     , m_table(new QTableWidget(0, columns, this))
     , m_emptyLabel(new QLabel(this))
     , m_source(new QLabel(this))
+    , m_rescue(new QPushButton(this))
+    , m_update(new QPushButton(this))
     , m_save(new QPushButton(this))
 {
     setObjectName(QStringLiteral("firmwarePage"));
@@ -71,6 +77,18 @@ FirmwarePage::FirmwarePage(AppContext& context, session::Settings& settings, QWi
     connect(&registry, &session::ServoRegistry::servosCleared, this, &FirmwarePage::update);
     connect(&registry, &session::ServoRegistry::orderChanged, this, &FirmwarePage::update);
     connect(m_save, &QPushButton::clicked, this, &FirmwarePage::save);
+    for (const auto& [button, command] : {std::pair{m_rescue, Command::RescueFirmware},
+                                          std::pair{m_update, Command::UpdateFirmware}}) {
+        QAction* action = m_commands.action(command);
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
+        connect(action, &QAction::changed, this, [button = button, action] {
+            button->setEnabled(action->isEnabled());
+            button->setToolTip(action->toolTip());
+        });
+        button->setEnabled(action->isEnabled());
+    }
+    connect(&m_selection, &Selection::changed, this, &FirmwarePage::update);
+    connect(m_table, &QTableWidget::cellClicked, this, &FirmwarePage::selectServo);
     followLanguage(this, [this] { retranslate(); });
 }
 
@@ -82,7 +100,7 @@ void FirmwarePage::build()
     m_summary->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("firmwareTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionMode(QAbstractItemView::NoSelection);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setFrameShape(QFrame::NoFrame);
     styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -93,8 +111,12 @@ void FirmwarePage::build()
     m_source->setWordWrap(true);
     m_source->setForegroundRole(QPalette::PlaceholderText);
     m_save->setObjectName(QStringLiteral("firmwareSave"));
+    m_update->setObjectName(QStringLiteral("firmwareUpdate"));
+    m_rescue->setObjectName(QStringLiteral("firmwareRescue"));
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
+    head->addWidget(m_rescue);
+    head->addWidget(m_update);
     head->addWidget(m_save);
     auto* inCard = new QVBoxLayout(card);
     inCard->addLayout(head);
@@ -122,6 +144,7 @@ std::vector<FirmwarePage::Row> FirmwarePage::rows() const
     for (const session::ServoRef ref : m_workbench.registry().order()) {
         const device::Servo& servo = m_workbench.registry().servo(ref)->servo;
         Row row;
+        row.ref = ref;
         row.id = servo.id;
         if (const catalog::Profile* profile = servo.profile.get()) {
             row.model = profile->modelName;
@@ -158,6 +181,7 @@ void FirmwarePage::update()
 void FirmwarePage::showRows(const std::vector<Row>& rows)
 {
     m_table->setRowCount(static_cast<int>(rows.size()));
+    m_table->clearSelection();
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Row& row = rows[static_cast<std::size_t>(i)];
         const QString newer =
@@ -176,9 +200,19 @@ void FirmwarePage::showRows(const std::vector<Row>& rows)
             item->setToolTip(cells[column]);
             m_table->setItem(i, column, item);
         }
+        if (row.ref == m_selection.current())
+            m_table->setCurrentCell(i, IdColumn);
         if (row.differs)
             m_table->item(i, NoteColumn)->setForeground(tone(Tone::Warn, palette()));
     }
+}
+
+/// The servo of the window is that of the row.
+void FirmwarePage::selectServo(int row)
+{
+    const auto& order = m_workbench.registry().order();
+    if (row >= 0 && row < static_cast<int>(order.size()))
+        m_selection.select(order[static_cast<std::size_t>(row)]);
 }
 
 /// What it means for the robot's own software: LeRobot compares all servos, whatever their model.
@@ -243,10 +277,15 @@ void FirmwarePage::retranslate()
     m_title->setText(tr("Firmware"));
     m_emptyLabel->setText(tr("No servos in the list yet. Search the bus."));
     m_source->setText(tr("Newer versions are listed in the vendor's firmware catalog; they may not "
-                         "be the latest. The vendor's FD software updates a servo."));
+                         "be the latest."));
     m_table->setHorizontalHeaderLabels({tr("ID"), tr("Model"), tr("Model number"), tr("Firmware"),
                                         tr("Newer version known"), tr("Note")});
     setAccessText(m_table, tr("Firmware versions"), tr("One row per servo of the list"));
+    for (const auto& [button, command] : {std::pair{m_rescue, Command::RescueFirmware},
+                                          std::pair{m_update, Command::UpdateFirmware}}) {
+        const QAction* action = m_commands.action(command);
+        setButtonText(button, action->iconText(), action->toolTip());
+    }
     setButtonText(m_save, tr("Save list…"), tr("Saves the versions as a table for spreadsheets"));
     update();
 }

@@ -15,6 +15,7 @@ class QTableWidget;
 
 namespace ui {
 class Banner;
+class Selection;
 
 class FirmwarePage final : public QWidget {
     Q_OBJECT
@@ -34,16 +35,21 @@ private:
     void showRows(const std::vector<Row>& rows);
     QString summary(const std::vector<Row>& rows) const;
     void save();
+    void selectServo(int row);
     void retranslate();
 
     session::Workbench& m_workbench;
     session::Settings& m_settings;
+    Selection& m_selection;
+    const Commands& m_commands;
     QLabel* m_title;
     QLabel* m_summary;
     Banner* m_banner;
     QTableWidget* m_table;
     QLabel* m_emptyLabel;
     QLabel* m_source;
+    QPushButton* m_rescue;
+    QPushButton* m_update;
     QPushButton* m_save;
 };
 } // namespace ui

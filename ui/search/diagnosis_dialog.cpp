@@ -287,6 +287,10 @@ void DiagnosisDialog::showAction()
         words = tr("Connect and detect the protocol");
         tip = tr("Opens the port again and detects the protocol");
     }
+    if (cause == Cause::Bootloader) {
+        words = tr("Rescue firmware…");
+        tip = tr("Gives this servo the firmware in the vendor's file");
+    }
     if (!words.isEmpty())
         setButtonText(m_action, words, tip);
     m_action->setVisible(isDone && !words.isEmpty());
@@ -299,6 +303,9 @@ void DiagnosisDialog::act()
     switch (diagnosis.cause) {
     case Cause::TwoServosOneId:
         m_commands.action(Command::PageCommission)->trigger();
+        break;
+    case Cause::Bootloader:
+        m_commands.action(Command::RescueFirmware)->trigger();
         break;
     case Cause::WrongBaudRate:
         request.baud = rateToConnectAt(diagnosis);

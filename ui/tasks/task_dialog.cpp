@@ -103,7 +103,7 @@ void TaskDialog::buildButtons(QVBoxLayout* column)
     connect(m_stop, &QPushButton::clicked, &m_workbench.tasks(), &session::TaskQueue::stop);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_action, &QPushButton::clicked, this, [this] {
-        if (m_ready && !m_running && entry() != nullptr)
+        if (m_ready && !m_running && isServoThere())
             runAction();
     });
 }
@@ -147,6 +147,7 @@ void TaskDialog::retranslateCommon()
 {
     if (entry() != nullptr)
         m_servoLabel->setText(servoTitle(*entry()));
+    m_servoLabel->setVisible(m_ref != 0);
     setButtonText(
         m_stop, translate("ServoTasks", "Stop"),
         translate("ServoTasks", "Stops as soon as the current step has been safely completed"));
@@ -210,7 +211,7 @@ void TaskDialog::run(session::Task task, std::function<void(const session::TaskC
     task.guard = this;
     task.done = [this, done = std::move(done)](const session::TaskCompletion& end) {
         setRunning(false);
-        if (entry() != nullptr)
+        if (isServoThere())
             done(end);
     };
     m_workbench.tasks().perform(m_ref, std::move(task));
@@ -222,7 +223,7 @@ void TaskDialog::runInBackground(session::Task task,
     task.quiet = true;
     task.guard = this;
     task.done = [this, done = std::move(done)](const session::TaskCompletion& end) {
-        if (entry() != nullptr)
+        if (isServoThere())
             done(end);
     };
     m_workbench.tasks().perform(m_ref, std::move(task));

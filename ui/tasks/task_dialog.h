@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The base of the dialogs of the servo menu: the servo, what will happen, a button that does it,
 // Stop while it runs, and the result. Never blocks; deletes itself when closed. Closes when the
-// servo leaves the list. A task continues when its dialog is closed, and its result goes to the
-// message log. Main thread.
+// servo leaves the list; a dialog that concerns none has servo 0. A task continues when its dialog
+// is closed, and its result goes to the message log. Main thread.
 #pragma once
 
 #include "session/workbench.h"
@@ -68,6 +68,7 @@ protected:
 private:
     void buildButtons(QVBoxLayout* column);
     void connectWorkbench();
+    bool isServoThere() const { return m_ref == 0 || entry() != nullptr; }
     void retranslateCommon();
     void fitToContents();
     void updateButtons();

@@ -12,7 +12,6 @@
 #include "jobs/restore/take_snapshot.h"
 #include "session/battery.h"
 #include "session/snapshot/safety_snapshot.h"
-#include "snapshot/snapshot_compare.h"
 #include "text/error_text.h"
 #include "text/firmware_text.h"
 
@@ -52,19 +51,6 @@ Json jsonCheck(const FirmwareCheckResult& result, bool isAccepted)
         .add("passed", result.isPassed)
         .add("accepted", !result.isPassed && isAccepted)
         .add("text", text::firmwareCheckText(result));
-}
-
-/// The settings that are not what they were.
-std::vector<snapshot::CompareRow> changedRows(const snapshot::Snapshot& before,
-                                              const snapshot::Snapshot& after)
-{
-    std::vector<snapshot::CompareRow> changed;
-    for (const snapshot::CompareRow& row : snapshot::compareSnapshots({&before, &after}).rows) {
-        if (row.verdict == snapshot::RowVerdict::Different && row.area != catalog::Area::Feedback &&
-            row.area != catalog::Area::Sram)
-            changed.push_back(row);
-    }
-    return changed;
 }
 
 Json jsonReport(const jobs::FirmwareReport& report)
@@ -213,7 +199,7 @@ private:
         m_servo.add("update", jsonReport(report));
         m_servo.add("outcome", base::firmwareOutcomeName(report.outcome));
         if (report.table) {
-            const auto changed = changedRows(before, *report.table);
+            const auto changed = jobs::changedSettings(before, *report.table);
             Table table(
                 {translate("cli", "Key"), translate("cli", "Before"), translate("cli", "Now")});
             Json::Array rows;
@@ -227,16 +213,14 @@ private:
                            formatNumber(row.cells[1].raw, row.cells[1].value, row.cells[1].unit)});
             }
             m_servo.add("changed", std::move(rows));
-            m_text += changed.empty()
-                          ? translate("cli", "All settings are as before.") + QLatin1Char('\n')
-                          : translate("cli", "%n setting(s) changed with the firmware:", nullptr,
-                                      int(changed.size())) +
-                                QLatin1Char('\n') + table.text() +
-                                translate("cli", "To restore the old values: servodesk-cli "
-                                                 "snapshot restore %1 %2")
-                                    .arg(before.servo.id)
-                                    .arg(m_run.savedTable(before.servo.id)) +
-                                QLatin1Char('\n');
+            m_text += text::firmwareChangesText(int(changed.size())) + QLatin1Char('\n');
+            if (!changed.empty())
+                m_text += table.text() +
+                          translate("cli", "To restore the old values: servodesk-cli snapshot "
+                                           "restore %1 %2")
+                              .arg(before.servo.id)
+                              .arg(m_run.savedTable(before.servo.id)) +
+                          QLatin1Char('\n');
         }
         m_servos.push_back(std::move(m_servo));
     }

@@ -245,6 +245,17 @@ base::Result<void> requireBootloader(const device::Servo& servo)
     return {};
 }
 
+std::vector<snapshot::CompareRow> changedSettings(const snapshot::Snapshot& before,
+                                                  const snapshot::Snapshot& after)
+{
+    auto rows = snapshot::compareSnapshots({&before, &after}).rows;
+    std::erase_if(rows, [](const snapshot::CompareRow& row) {
+        return row.verdict != snapshot::RowVerdict::Different ||
+               row.area == catalog::Area::Feedback || row.area == catalog::Area::Sram;
+    });
+    return rows;
+}
+
 base::Result<FirmwareReport> updateFirmware(const device::Context& outer, device::Servo& servo,
                                             const FirmwareFile& file, const QString& program,
                                             const ProgressFn& progress)

@@ -12,7 +12,7 @@
 #include "device/servo.h"
 #include "jobs/firmware/firmware_file.h"
 #include "jobs/job.h"
-#include "snapshot/snapshot.h"
+#include "snapshot/snapshot_compare.h"
 
 namespace jobs {
 struct FirmwareReport {
@@ -30,6 +30,10 @@ constexpr base::Duration rescueTime = std::chrono::seconds(30);
 
 /// NotSupported ("no-firmware-update"): nothing is known of this family's bootloader.
 base::Result<void> requireBootloader(const device::Servo& servo);
+
+/// The kept settings that differ between the two tables of a servo.
+std::vector<snapshot::CompareRow> changedSettings(const snapshot::Snapshot& before,
+                                                  const snapshot::Snapshot& after);
 
 /// Torque off, restart into the bootloader, the blocks, and wait for the servo at its old address.
 /// Errors: what ends it before the restart; everything later is in the report.

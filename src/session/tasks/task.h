@@ -41,6 +41,8 @@ struct Task {
     /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
     /// with NoReply before the first byte.
     std::vector<ServoRef> otherServos{};
+    /// What answers in the end under another firmware is still this servo.
+    bool changesFirmware = false;
     bool quiet = false; ///< no Event unless it failed
     /// A test of minutes or hours. While it runs the wire is its own: others are read once a
     /// second, tables when it has ended, and what writes or searches is refused (Held, "test").

@@ -345,6 +345,8 @@ void TaskQueue::partEnded(const Work& work, const Work::Part& part)
     }
     if (resetsTurns(work.task.name))
         known->turns.reset();
+    if (work.task.changesFirmware && !work.error)
+        known->servo.profile = part.servo.profile;
     m_bench.registry().merge(*known, part.servo, work.startedAt);
 }
 

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Updating a servo's firmware from the window, and rescuing one that hangs in its bootloader, with
+// mouse clicks only: nothing starts while a check has failed, and the result is the servo's state.
+#include "gui/dialogs.h"
+#include "gui/main_window_fixture.h"
+#include "gui/servo_tasks_fixture.h"
+#include "support/test_main.h"
+#include "ui/tasks/firmware_rescue_dialog.h"
+#include "ui/tasks/firmware_update_dialog.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+using ui::Command;
+
+namespace {
+struct Fixture : gui::MainWindowFixture {
+    explicit Fixture(const QString& port, const QString& language = QStringLiteral("en"))
+        : MainWindowFixture(language)
+    {
+        page = QStringLiteral("firmware");
+        if (!connectTo(port))
+            qFatal("no bus");
+    }
+
+    QString makeFile(const QString& name)
+    {
+        QFile file(m_files.filePath(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(QByteArray(1500, 'x')) != 1500)
+            qFatal("no file");
+        return file.fileName();
+    }
+
+    /// By the button of the page.
+    template <typename Dialog>
+    Dialog* open(const char* button)
+    {
+        if (!support::waitFor([&] { return find<QPushButton>(button)->isEnabled(); }))
+            return nullptr;
+        find<QPushButton>(button)->click();
+        return window->findChild<Dialog*>();
+    }
+    static void chooseFile(QDialog* dialog, const QString& path)
+    {
+        gui::click(dialog, "firmwareChoose");
+        auto* files = dialog->findChild<QFileDialog*>(QStringLiteral("firmwareFileDialog"));
+        QVERIFY(files != nullptr);
+        Q_EMIT files->fileSelected(path);
+        files->close();
+    }
+    int minorVersion(int id)
+    {
+        return workbench().link().connection()->simulation()->with([id](sim::VirtualBus& wire) {
+            return int(wire.servo(id)->raw(QStringLiteral("firmware_minor")));
+        });
+    }
+
+private:
+    QTemporaryDir m_files;
+};
+
+const QString image = QStringLiteral("SCServo21-GD32-TTL-250306.bin");
+} // namespace
+
+class TestFirmwareDialogs : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { gui::failOnWarnings(); }
+
+    void aServoIsUpdated()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.choose(1));
+        const session::ServoRef servo = fixture.selection().current();
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
+        Fixture::chooseFile(dialog, fixture.makeFile(image));
+        QCOMPARE(gui::button(dialog, "taskAction")->text(), QStringLiteral("Check"));
+        gui::click(dialog, "taskAction");
+        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
+                                  QStringLiteral("Update"), 60'000);
+        QVERIFY(dialog->findChildren<QCheckBox*>().isEmpty()); // nothing to accept
+        gui::click(dialog, "taskAction");
+        QVERIFY(gui::ended(dialog));
+        const QString result = gui::resultOf(dialog);
+        QVERIFY2(result.startsWith(QStringLiteral("✓ The servo runs the new firmware.")),
+                 qPrintable(result));
+        QVERIFY2(result.contains(QStringLiteral("firmware 3.11")), qPrintable(result));
+        QVERIFY2(result.contains(QStringLiteral("2 settings changed")), qPrintable(result));
+        QCOMPARE(fixture.minorVersion(1), 11);
+        QTRY_COMPARE(fixture.find<QTableWidget>("firmwareTable")->item(0, 3)->text(),
+                     QStringLiteral("3.11"));
+        QCOMPARE(fixture.selection().current(), servo); // it is the same one
+        QVERIFY(dialog->isVisible());
+        QCOMPARE(gui::button(dialog, "taskAction")->text(), QStringLiteral("Check"));
+        dialog->close();
+    }
+
+    /// One of six: the others are a risk that has to be accepted.
+    void aRiskIsAccepted()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3,sts3215@4,sts3215@5,"
+                                       "sts3215@6"));
+        auto* table = fixture.find<QTableWidget>("firmwareTable");
+        QTRY_COMPARE(table->rowCount(), 6);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                          table->visualItemRect(table->item(2, 0)).center());
+        QCOMPARE(fixture.entry().servo.id, 3);
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        Fixture::chooseFile(dialog, fixture.makeFile(QStringLiteral("renamed.bin")));
+        gui::click(dialog, "taskAction");
+        QTRY_COMPARE_WITH_TIMEOUT(dialog->findChildren<QCheckBox*>().size(), 2, 60'000);
+        QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
+        const QString others =
+            dialog->findChild<QLabel*>(QStringLiteral("firmwareCheck-other-servos"))->text();
+        QVERIFY2(others.contains(QStringLiteral("ID 1–2, 4–6")), qPrintable(others));
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-other-servos"))->click();
+        QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-file-name"))->click();
+        QVERIFY(gui::button(dialog, "taskAction")->isEnabled());
+        fixture.setLanguage(QStringLiteral("zh_CN"));
+        QVERIFY(gui::button(dialog, "taskAction")->isEnabled()); // what was accepted stays
+        fixture.setLanguage(QStringLiteral("en"));
+        gui::click(dialog, "taskAction");
+        QVERIFY(gui::ended(dialog));
+        QCOMPARE(fixture.minorVersion(3), 11);
+        QCOMPARE(fixture.minorVersion(2), 10);
+        dialog->close();
+    }
+
+    void anotherFileIsCheckedAgain()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.choose(1));
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        Fixture::chooseFile(dialog, fixture.makeFile(image));
+        gui::click(dialog, "taskAction");
+        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
+                                  QStringLiteral("Update"), 60'000);
+        Fixture::chooseFile(dialog, fixture.makeFile(QStringLiteral("SMServo3.40-485.mbin")));
+        QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
+        QVERIFY2(gui::resultOf(dialog).contains(QStringLiteral("not a firmware file")),
+                 qPrintable(gui::resultOf(dialog)));
+        Fixture::chooseFile(dialog, fixture.makeFile(image));
+        QCOMPARE(gui::button(dialog, "taskAction")->text(), QStringLiteral("Check"));
+        dialog->close();
+    }
+
+    void lxServosAreRefused()
+    {
+        Fixture fixture(QStringLiteral("sim:lx16a@1"));
+        QVERIFY(fixture.choose(1));
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        QVERIFY(gui::resultOf(dialog).contains(QStringLiteral("cannot be updated here")));
+        Fixture::chooseFile(dialog, fixture.makeFile(image));
+        QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
+        dialog->close();
+    }
+
+    /// Cut off at a block: the window says so, and the rescue completes it.
+    void aKilledUpdateIsRescued()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.choose(1));
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        Fixture::chooseFile(dialog, fixture.makeFile(image));
+        gui::click(dialog, "taskAction");
+        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
+                                  QStringLiteral("Update"), 60'000);
+        // No reply comes any more as soon as the servo has lost its firmware.
+        const auto shared = fixture.workbench().link().connection()->simulation();
+        shared->with([](sim::VirtualBus& wire) {
+            wire.config().faults.muteWhen = [](const sim::VirtualServo& servo) {
+                return servo.isInBootloader();
+            };
+        });
+        gui::click(dialog, "taskAction");
+        QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(dialog).startsWith(QStringLiteral("✗")), 60'000);
+        dialog->close();
+        shared->with([](sim::VirtualBus& wire) {
+            wire.config().faults.muteWhen = {};
+            wire.config().faults.muteIds.clear();
+        });
+
+        auto* rescue = fixture.open<ui::FirmwareRescueDialog>("firmwareRescue");
+        QVERIFY(rescue != nullptr);
+        QVERIFY(!gui::button(rescue, "taskAction")->isEnabled());
+        Fixture::chooseFile(rescue, fixture.makeFile(image));
+        gui::click(rescue, "taskAction");
+        shared->with([](sim::VirtualBus& wire) { wire.powerCycle(); });
+        QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(rescue).startsWith(QStringLiteral("✓")), 60'000);
+        QVERIFY(gui::resultOf(rescue).contains(QStringLiteral("ID 1, firmware")));
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.workbench().link().baud(), 1'000'000);
+        rescue->close();
+    }
+
+    void aRescueIsStopped()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1"));
+        auto* rescue = fixture.open<ui::FirmwareRescueDialog>("firmwareRescue");
+        QVERIFY(rescue != nullptr);
+        Fixture::chooseFile(rescue, fixture.makeFile(image));
+        gui::click(rescue, "taskAction");
+        QTRY_VERIFY(gui::button(rescue, "taskStop")->isVisible());
+        gui::click(rescue, "taskStop");
+        QVERIFY(gui::ended(rescue));
+        QCOMPARE(fixture.minorVersion(1), 10);
+        QVERIFY(fixture.choose(1)); // the port is as it was
+        rescue->close();
+    }
+};
+
+SERVODESK_TEST(TestFirmwareDialogs)
+#include "tst_firmware_dialogs.moc"
