@@ -442,15 +442,15 @@
         <translation>更新固件(&amp;U)…</translation>
     </message>
     <message>
-        <source>Gives the selected servo the firmware in the vendor&apos;s file, after checks</source>
-        <translation>检查后，把厂家文件中的固件写入选中的舵机</translation>
-    </message>
-    <message>
         <source>Rescue fir&amp;mware…</source>
         <translation>救援固件(&amp;M)…</translation>
     </message>
     <message>
-        <source>Gives a servo that is in its bootloader a firmware</source>
+        <source>Writes the vendor&apos;s firmware file to the selected servo, after checks</source>
+        <translation>检查后，把厂家的固件文件写入选中的舵机</translation>
+    </message>
+    <message>
+        <source>Writes firmware to a servo that is in its bootloader</source>
         <translation>给停留在引导程序中的舵机写入固件</translation>
     </message>
 </context>
@@ -6460,20 +6460,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>现在</translation>
     </message>
     <message>
-        <source>To restore the old values: servodesk-cli snapshot restore %1 %2</source>
-        <translation>恢复原值：servodesk-cli snapshot restore %1 %2</translation>
-    </message>
-    <message>
         <source>Connect only the servo to rescue. Turn its supply off, then on again within the next 30 s.</source>
         <translation>只连接要救援的舵机。请在 30 秒内断开它的电源，再重新接通。</translation>
     </message>
     <message>
         <source>Waiting for a bootloader</source>
         <translation>正在等待引导程序</translation>
-    </message>
-    <message>
-        <source>give Feetech servos the firmware in the vendor&apos;s file, after checks; not tried on real servos yet</source>
-        <translation>检查后，把厂家文件中的固件写入飞特舵机；尚未在真实舵机上试过</translation>
     </message>
     <message>
         <source>IDs of the servos, one after the other</source>
@@ -6484,12 +6476,20 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>即使这些检查未通过也开始</translation>
     </message>
     <message>
-        <source>give a servo that is in its bootloader the firmware in the vendor&apos;s file; not tried on real servos yet</source>
-        <translation>把厂家文件中的固件写入停留在引导程序中的舵机；尚未在真实舵机上试过</translation>
+        <source>Rescue: servodesk-cli firmware rescue &quot;%1&quot;</source>
+        <translation>救援：servodesk-cli firmware rescue "%1"</translation>
     </message>
     <message>
-        <source>Rescue: servodesk-cli firmware rescue %1</source>
-        <translation>救援：servodesk-cli firmware rescue %1</translation>
+        <source>To restore the old values: servodesk-cli snapshot restore %1 &quot;%2&quot;</source>
+        <translation>恢复原值：servodesk-cli snapshot restore %1 "%2"</translation>
+    </message>
+    <message>
+        <source>write the vendor&apos;s firmware file to Feetech servos, after checks; not tried on real servos yet</source>
+        <translation>检查后，把厂家的固件文件写入飞特舵机；尚未在真实舵机上试过</translation>
+    </message>
+    <message>
+        <source>write the vendor&apos;s firmware file to a servo that is in its bootloader; not tried on real servos yet</source>
+        <translation>把厂家的固件文件写入停留在引导程序中的舵机；尚未在真实舵机上试过</translation>
     </message>
 </context>
 <context>
@@ -8930,10 +8930,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>舵机没有完整的固件，停留在引导程序中。</translation>
     </message>
     <message>
-        <source>The whole file was sent, but the servo does not reply.</source>
-        <translation>文件已全部发送，但舵机没有应答。</translation>
-    </message>
-    <message>
         <source>Correct the cause, then update again.</source>
         <translation>请排除原因，然后重新更新。</translation>
     </message>
@@ -8966,14 +8962,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>请选择厂家用于此型号的 *.bin 文件。</translation>
     </message>
     <message>
-        <source>the size of this file is not that of a firmware</source>
-        <translation>此文件的大小不是固件应有的大小</translation>
-    </message>
-    <message>
-        <source>A firmware has 64 to 65,535 bytes.</source>
-        <translation>固件的大小为 64 至 65,535 字节。</translation>
-    </message>
-    <message>
         <source>Download the file again.</source>
         <translation>请重新下载文件。</translation>
     </message>
@@ -8994,10 +8982,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>只连接这个舵机，用同一个文件救援它。</translation>
     </message>
     <message>
-        <source>Turn the servo&apos;s supply off and on, then search for it. If it does not reply, rescue it with the same file.</source>
-        <translation>断开并重新接通舵机的电源，然后搜索它。如果没有应答，请用同一个文件救援。</translation>
-    </message>
-    <message>
         <source>Its firmware update was probably interrupted. Connect only this servo and rescue it with the vendor&apos;s firmware file (Servo menu, Rescue firmware; servodesk-cli firmware rescue FILE).</source>
         <translation>可能是固件更新中断所致。只连接这个舵机，用厂家的固件文件救援（“舵机”菜单中的“救援固件”；servodesk-cli firmware rescue FILE）。</translation>
     </message>
@@ -9010,6 +8994,50 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>
             <numerusform>固件更新后有 %n 项设置发生变化：</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>It is not known whether the servo runs the new firmware.</source>
+        <translation>无法确定舵机是否已运行新固件。</translation>
+    </message>
+    <message>
+        <source>Turn the servo&apos;s supply off and on, search for it, and compare the versions. If it does not reply, rescue it with the same file.</source>
+        <translation>断开并重新接通舵机的电源，然后搜索它并比较版本。如果没有应答，请用同一个文件救援。</translation>
+    </message>
+    <message>
+        <source>several servos reply after the rescue</source>
+        <translation>救援后有多个舵机应答</translation>
+    </message>
+    <message>
+        <source>Compare the firmware versions of these servos.</source>
+        <translation>请比较这些舵机的固件版本。</translation>
+    </message>
+    <message>
+        <source>The memory table could not be read afterwards, so changed settings are not listed.</source>
+        <translation>更新后未能读取内存表，因此没有列出发生变化的设置。</translation>
+    </message>
+    <message>
+        <source>a servo replies, so the rescue cannot start</source>
+        <translation>有舵机应答，因此救援无法开始</translation>
+    </message>
+    <message>
+        <source>Another servo is connected, or the servo to rescue has its firmware.</source>
+        <translation>还连接了其他舵机，或要救援的舵机固件完好。</translation>
+    </message>
+    <message>
+        <source>Connect only the servo to rescue, and turn its supply off first.</source>
+        <translation>只连接要救援的舵机，并先断开它的电源。</translation>
+    </message>
+    <message>
+        <source>Their supply came on together.</source>
+        <translation>它们的电源同时接通。</translation>
+    </message>
+    <message>
+        <source>this file does not have the size of a firmware file</source>
+        <translation>此文件的大小不是固件文件应有的大小</translation>
+    </message>
+    <message>
+        <source>A firmware file has 64 to 65,535 bytes.</source>
+        <translation>固件文件的大小为 64 至 65,535 字节。</translation>
     </message>
 </context>
 <context>
@@ -10636,8 +10664,8 @@ Retries: %9</source>
         <translation>救援固件…</translation>
     </message>
     <message>
-        <source>Gives this servo the firmware in the vendor&apos;s file</source>
-        <translation>把厂家文件中的固件写入这个舵机</translation>
+        <source>Writes the vendor&apos;s firmware file to this servo</source>
+        <translation>把厂家的固件文件写入这个舵机</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@ constexpr EnumName<FirmwareOutcome> outcomeNames[] = {
     {FirmwareOutcome::Updated, "updated"},
     {FirmwareOutcome::Unchanged, "unchanged"},
     {FirmwareOutcome::Incomplete, "incomplete"},
-    {FirmwareOutcome::Silent, "silent"},
+    {FirmwareOutcome::Unknown, "unknown"},
 };
 } // namespace
 

@@ -37,7 +37,7 @@ enum class FirmwareOutcome : std::uint8_t {
     Updated,    ///< the servo has answered, and its version was read
     Unchanged,  ///< no block was accepted: the servo has its old firmware
     Incomplete, ///< it has none, and stays in its bootloader
-    Silent,     ///< every block was sent, but the servo does not reply
+    Unknown,    ///< the servo does not reply any more, or it is not clear which one it is
 };
 QString firmwareOutcomeName(FirmwareOutcome outcome);
 } // namespace base

@@ -209,7 +209,7 @@ Result<void> Exchange::receiveRaw(const protocol::Request& request, PendingReque
     const auto isComplete = [&] { return m_line.received() >= m_line.pendingEchoBytes() + wanted; };
     const auto received = receiveUntil(pending, interrupt, isComplete);
     // It is not known which servos the bytes addressed, nor whether all replies are in.
-    if (!isComplete())
+    if (request.count == 0)
         m_lateReplyGuard.quietAll(m_clock.now());
     m_line.discardEcho();
     base::Bytes bytes = m_line.takePending();

@@ -297,13 +297,6 @@ base::Result<void> Run::backupTableAndReport(device::Servo& servo)
     return saved;
 }
 
-QString Run::savedTable(int id) const
-{
-    const auto saved = std::find_if(m_saved.begin(), m_saved.end(),
-                                    [id](const auto& one) { return one.first == id; });
-    return saved == m_saved.end() ? QString() : saved->second;
-}
-
 void Run::removeUnusedSnapshots()
 {
     if (m_saved.empty() || session().journal().intentCount() > 0)

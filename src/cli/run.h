@@ -59,8 +59,6 @@ public:
     /// For commands whose document is a separate file: prints the file name in JSON mode too.
     base::Result<void> backupTableAndReport(device::Servo& servo);
     base::Result<void> backupTable(const device::Context& context, device::Servo& servo);
-    /// The file with the table of this servo; empty: not saved in this run.
-    QString savedTable(int id) const;
     /// Prints the result: in JSON mode the document with the notices, else the text and the
     /// notices.
     void finish(Json document, const QString& text);

@@ -15,6 +15,11 @@ BootloaderReply replyOf(const base::Bytes& received)
                                                            : BootloaderReply::Other;
 }
 
+base::Bytes preamble()
+{
+    return {protocol::firmwarePreamble.begin(), protocol::firmwarePreamble.end()};
+}
+
 /// `replyBytes` 0: all that comes within the time.
 base::Result<BootloaderReply> send(const Context& context, base::Bytes bytes, int replyBytes,
                                    base::Duration timeout)
@@ -33,8 +38,12 @@ base::Result<BootloaderReply> send(const Context& context, base::Bytes bytes, in
 
 base::Result<BootloaderReply> askBootloader(const Context& context, base::Duration span)
 {
-    return send(context, {protocol::firmwarePreamble.begin(), protocol::firmwarePreamble.end()}, 0,
-                span);
+    return send(context, preamble(), 0, span);
+}
+
+base::Result<BootloaderReply> callBootloader(const Context& context, base::Duration span)
+{
+    return send(context, preamble(), 1, span);
 }
 
 base::Result<BootloaderReply> startTransfer(const Context& context)

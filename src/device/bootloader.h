@@ -23,6 +23,9 @@ enum class BootloaderReply : std::uint8_t {
 /// the bootloader goes on as before.
 base::Result<BootloaderReply> askBootloader(const Context& context, base::Duration span);
 
+/// The same, but returns with the first byte, and does not wait for late ones.
+base::Result<BootloaderReply> callBootloader(const Context& context, base::Duration span);
+
 /// After an accepted announcement: blocks follow. From here on it no longer starts the firmware on
 /// its own.
 base::Result<BootloaderReply> startTransfer(const Context& context);

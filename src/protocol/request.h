@@ -81,7 +81,8 @@ struct Request {
     static Request reboot(int id);
     static Request syncRead(int address, int count, const std::vector<int>& ids);
     static Request syncWrite(int address, std::vector<Target> targets);
-    /// `replyBytes` 0: all bytes until the deadline are the answer; else it ends with so many.
+    /// `replyBytes` 0: all bytes until the deadline are the answer; else it ends with so many, and
+    /// the next request does not wait for late ones.
     static Request raw(base::Bytes bytes, int replyBytes = 0);
 };
 

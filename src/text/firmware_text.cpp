@@ -120,8 +120,8 @@ QString firmwareOutcomeText(FirmwareOutcome outcome)
         return translate("text", "The servo still has its old firmware.");
     case FirmwareOutcome::Incomplete:
         return translate("text", "The servo has no complete firmware and is in its bootloader.");
-    case FirmwareOutcome::Silent:
-        return translate("text", "The whole file was sent, but the servo does not reply.");
+    case FirmwareOutcome::Unknown:
+        return translate("text", "It is not known whether the servo runs the new firmware.");
     }
     return {};
 }
@@ -135,9 +135,10 @@ QString firmwareOutcomeRemedy(FirmwareOutcome outcome)
         return translate("text", "Correct the cause, then update again.");
     case FirmwareOutcome::Incomplete:
         return translate("text", "Connect only this servo and rescue it with the same file.");
-    case FirmwareOutcome::Silent:
-        return translate("text", "Turn the servo's supply off and on, then search for it. If it "
-                                 "does not reply, rescue it with the same file.");
+    case FirmwareOutcome::Unknown:
+        return translate("text", "Turn the servo's supply off and on, search for it, and compare "
+                                 "the versions. If it does not reply, rescue it with the same "
+                                 "file.");
     }
     return {};
 }
@@ -147,6 +148,12 @@ QString firmwareChangesText(int count)
     return count == 0
                ? translate("text", "All settings are as before.")
                : translate("text", "%n setting(s) changed with the firmware:", nullptr, count);
+}
+
+QString firmwareTableUnreadText()
+{
+    return translate("text", "The memory table could not be read afterwards, so changed settings "
+                             "are not listed.");
 }
 
 QString firmwareUntriedText()

@@ -17,6 +17,9 @@ QString firmwareOutcomeRemedy(base::FirmwareOutcome outcome);
 /// How many settings differ afterwards; a list may follow.
 QString firmwareChangesText(int count);
 
-/// That nobody of ours has tried it on a real servo.
+/// The settings could not be read afterwards.
+QString firmwareTableUnreadText();
+
+/// Not tried on real hardware by us.
 QString firmwareUntriedText();
 } // namespace text

@@ -440,11 +440,12 @@ void updateFirmware(gui::MainWindowFixture& fixture)
 
 void rescueFirmware(gui::MainWindowFixture& fixture)
 {
+    onTheWire(fixture, [](sim::VirtualBus& wire) { wire.unplugAll(); });
     fixture.action(ui::Command::RescueFirmware)->trigger();
     auto* dialog = fixture.find<QDialog>("firmwareRescueDialog");
     chooseFirmware(dialog);
     dialog->findChild<QPushButton*>(QStringLiteral("taskAction"))->click();
-    runEventLoop(1500);
+    runEventLoop(4000);
 }
 
 constexpr ErrorScene troubleScenes[] = {

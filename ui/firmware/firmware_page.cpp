@@ -88,7 +88,7 @@ FirmwarePage::FirmwarePage(AppContext& context, session::Settings& settings, QWi
         button->setEnabled(action->isEnabled());
     }
     connect(&m_selection, &Selection::changed, this, &FirmwarePage::update);
-    connect(m_table, &QTableWidget::cellClicked, this, &FirmwarePage::selectServo);
+    connect(m_table, &QTableWidget::currentCellChanged, this, &FirmwarePage::selectServo);
     followLanguage(this, [this] { retranslate(); });
 }
 
@@ -180,8 +180,9 @@ void FirmwarePage::update()
 
 void FirmwarePage::showRows(const std::vector<Row>& rows)
 {
+    const QSignalBlocker blocker(m_table); // the user has selected nothing here
     m_table->setRowCount(static_cast<int>(rows.size()));
-    m_table->clearSelection();
+    m_table->setCurrentCell(-1, -1);
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Row& row = rows[static_cast<std::size_t>(i)];
         const QString newer =

@@ -289,7 +289,7 @@ void DiagnosisDialog::showAction()
     }
     if (cause == Cause::Bootloader) {
         words = tr("Rescue firmware…");
-        tip = tr("Gives this servo the firmware in the vendor's file");
+        tip = tr("Writes the vendor's firmware file to this servo");
     }
     if (!words.isEmpty())
         setButtonText(m_action, words, tip);

@@ -34,7 +34,7 @@ Tone toneOf(FirmwareOutcome outcome)
     case FirmwareOutcome::Unchanged:
         return Tone::Warn;
     case FirmwareOutcome::Incomplete:
-    case FirmwareOutcome::Silent:
+    case FirmwareOutcome::Unknown:
         break;
     }
     return Tone::Bad;
@@ -49,7 +49,9 @@ TaskText firmwareReportText(const jobs::FirmwareReport& report,
         result.details << translate("ServoTasks", "ID %1, firmware %2")
                               .arg(report.servo->id)
                               .arg(report.servo->profile->identity.firmware());
-        if (before && report.table)
+        if (!report.table)
+            result.details << text::firmwareTableUnreadText();
+        else if (before)
             result.details += changedLines(report, *before);
         return result;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gives a servo that hangs in its bootloader a firmware from the vendor's file: which servo it is,
-// nobody knows before. See TaskDialog.
+// Gives a servo that hangs in its bootloader a firmware from the vendor's file: its ID is
+// known only afterwards. See TaskDialog.
 #pragma once
 
 #include "ui/tasks/task_dialog.h"

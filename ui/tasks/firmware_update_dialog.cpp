@@ -39,8 +39,7 @@ FirmwareUpdateDialog::FirmwareUpdateDialog(session::Workbench& workbench, sessio
     connect(m_file, &FirmwareFileRow::changed, this, &FirmwareUpdateDialog::forgetChecks);
     connect(m_file, &FirmwareFileRow::failed, this, &FirmwareUpdateDialog::showError);
     finishSetup();
-    if (const auto possible = jobs::requireBootloader(entry()->servo); !possible)
-        showError(possible.error());
+    showRefusal();
 }
 
 void FirmwareUpdateDialog::forgetChecks()
@@ -48,9 +47,15 @@ void FirmwareUpdateDialog::forgetChecks()
     result()->clear();
     m_checks.clear();
     m_accepted.clear();
-    showChecks();
     retranslate();
     refresh();
+    showRefusal();
+}
+
+void FirmwareUpdateDialog::showRefusal()
+{
+    if (const auto possible = jobs::requireBootloader(entry()->servo); !possible)
+        showError(possible.error());
 }
 
 void FirmwareUpdateDialog::retranslate()
@@ -87,19 +92,19 @@ void FirmwareUpdateDialog::runAction()
         check();
 }
 
-/// The table is saved before, or the task ends with the reason why it could not be.
 void FirmwareUpdateDialog::check()
 {
     const auto results = std::make_shared<std::vector<FirmwareCheckResult>>();
     session::Task task;
     task.name = QStringLiteral("check-firmware");
-    task.savesTable = true;
     task.effect = session::Effect::Moves;
     task.work = [results,
                  file = *m_file->file()](session::TaskContext& context) -> base::Result<void> {
-        auto checked =
-            jobs::checkFirmwareUpdate(context.device, context.servo,
-                                      {file, {}, session::lowBatteryPercent()}, context.progress);
+        const auto saved = session::saveSafetySnapshot(context.device, context.servo);
+        auto checked = jobs::checkFirmwareUpdate(
+            context.device, context.servo,
+            {file, saved.map([](const QString&) {}), session::lowBatteryPercent()},
+            context.progress);
         if (!checked)
             return tl::unexpected(checked.error());
         *results = std::move(*checked);

@@ -29,6 +29,7 @@ private:
     void check();
     void update();
     void forgetChecks();
+    void showRefusal();
     void showChecks();
     void addCheck(int row, const base::FirmwareCheckResult& result);
     bool isChecked() const { return !m_checks.empty(); }

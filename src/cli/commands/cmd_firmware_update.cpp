@@ -88,8 +88,8 @@ QString reportText(const jobs::FirmwareReport& report, const QString& path)
     const QString remedy = text::firmwareOutcomeRemedy(report.outcome);
     if (!remedy.isEmpty())
         lines << remedy;
-    if (report.outcome == FirmwareOutcome::Incomplete || report.outcome == FirmwareOutcome::Silent)
-        lines << translate("cli", "Rescue: servodesk-cli firmware rescue %1").arg(path);
+    if (report.outcome == FirmwareOutcome::Incomplete || report.outcome == FirmwareOutcome::Unknown)
+        lines << translate("cli", "Rescue: servodesk-cli firmware rescue \"%1\"").arg(path);
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -97,7 +97,7 @@ Exit exitOf(const jobs::FirmwareReport& report)
 {
     if (report.outcome == FirmwareOutcome::Updated)
         return Exit::Success;
-    return report.outcome == FirmwareOutcome::Silent ? Exit::NoReply : Exit::Failed;
+    return report.outcome == FirmwareOutcome::Unknown ? Exit::NoReply : Exit::Failed;
 }
 
 /// One servo after the other.
@@ -111,17 +111,23 @@ public:
 
     base::Result<Exit> run(const std::vector<int>& ids)
     {
+        m_run.console().printMessage(text::firmwareUntriedText());
         Exit exit = Exit::Success;
-        for (std::size_t i = 0; i < ids.size() && exit == Exit::Success; ++i) {
-            const auto done = update(ids[i]);
-            if (!done && m_servos.empty())
+        for (const int id : ids) {
+            m_servo = Json::object().add("id", id);
+            if (exit != Exit::Success) {
+                addNotStarted();
+                continue;
+            }
+            const auto done = update(id);
+            if (!done && ids.size() == 1 && m_text.isEmpty())
                 return done;
             if (!done)
-                addFailed(ids[i], done.error());
+                addFailed(done.error());
             exit = done ? *done : exitCode(done.error().code);
         }
         m_run.finish(Json::object().add("file", m_file.path).add("servos", std::move(m_servos)),
-                     m_text + text::firmwareUntriedText() + QLatin1Char('\n'));
+                     m_text);
         return exit;
     }
 
@@ -142,7 +148,7 @@ private:
         if (!may)
             return tl::unexpected(may.error());
         if (!*may) {
-            m_servos.push_back(m_servo.add("outcome", QStringLiteral("not-started")));
+            addNotStarted();
             m_text += translate("cli", "Not started. Correct what has failed, or accept the risk "
                                        "with --accept ITEM.") +
                       QLatin1Char('\n');
@@ -167,11 +173,17 @@ private:
     {
         if (const auto possible = jobs::requireBootloader(servo); !possible)
             return tl::unexpected(possible.error());
-        const auto saved = m_run.backupTable(context, servo);
+        const auto saved = session::saveSafetySnapshot(context, servo);
+        m_savedTable = saved.value_or(QString());
+        if (saved)
+            m_run.console().printNote(
+                translate("cli", "Present settings saved to %1").arg(m_savedTable));
+        m_servo.add("snapshot", saved ? Json(m_savedTable) : Json());
         ProgressLine progress(m_run.console(), translate("cli", "Checking"));
-        const auto checks =
-            jobs::checkFirmwareUpdate(context, servo, {m_file, saved, session::lowBatteryPercent()},
-                                      [&](const jobs::Progress& now) { progress.update(now); });
+        const auto checks = jobs::checkFirmwareUpdate(
+            context, servo,
+            {m_file, saved.map([](const QString&) {}), session::lowBatteryPercent()},
+            [&](const jobs::Progress& now) { progress.update(now); });
         if (!checks)
             return tl::unexpected(checks.error());
         Table table(
@@ -215,22 +227,28 @@ private:
             m_servo.add("changed", std::move(rows));
             m_text += text::firmwareChangesText(int(changed.size())) + QLatin1Char('\n');
             if (!changed.empty())
-                m_text += table.text() +
-                          translate("cli", "To restore the old values: servodesk-cli snapshot "
-                                           "restore %1 %2")
+                m_text += table.text();
+            if (!changed.empty() && !m_savedTable.isEmpty())
+                m_text += translate("cli", "To restore the old values: servodesk-cli snapshot "
+                                           "restore %1 \"%2\"")
                               .arg(before.servo.id)
-                              .arg(m_run.savedTable(before.servo.id)) +
+                              .arg(m_savedTable) +
                           QLatin1Char('\n');
+        } else if (report.outcome == FirmwareOutcome::Updated) {
+            m_text += text::firmwareTableUnreadText() + QLatin1Char('\n');
         }
         m_servos.push_back(std::move(m_servo));
     }
 
-    void addFailed(int id, const base::Error& error)
+    void addNotStarted()
     {
-        m_servos.push_back(Json::object()
-                               .add("id", id)
-                               .add("outcome", QStringLiteral("not-started"))
-                               .add("error", jsonError(error)));
+        m_servos.push_back(std::move(m_servo.add("outcome", QStringLiteral("not-started"))));
+    }
+
+    void addFailed(const base::Error& error)
+    {
+        m_servo.add("error", jsonError(error));
+        addNotStarted();
         m_text += errorText(error);
     }
 
@@ -238,6 +256,7 @@ private:
     const jobs::FirmwareFile& m_file;
     const std::set<FirmwareCheck> m_accepted;
     Json m_servo = Json::object(); ///< the present one
+    QString m_savedTable;          ///< its file; empty: not saved
     Json::Array m_servos;
     QString m_text;
 };
@@ -264,6 +283,7 @@ base::Result<Exit> runFirmwareRescue(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
+    run.console().printMessage(text::firmwareUntriedText());
     run.console().printMessage(
         translate("cli", "Connect only the servo to rescue. Turn its supply off, then on again "
                          "within the next 30 s."));
@@ -275,8 +295,7 @@ base::Result<Exit> runFirmwareRescue(Run& run, const Values& values)
     }
     if (!report)
         return tl::unexpected(report.error());
-    run.finish(jsonReport(*report).add("file", file->path),
-               reportText(*report, file->path) + text::firmwareUntriedText() + QLatin1Char('\n'));
+    run.finish(jsonReport(*report).add("file", file->path), reportText(*report, file->path));
     return exitOf(*report);
 }
 } // namespace
@@ -284,7 +303,7 @@ base::Result<Exit> runFirmwareRescue(Run& run, const Values& values)
 Command firmwareUpdateCommand()
 {
     return {"firmware update",
-            QT_TRANSLATE_NOOP("cli", "give Feetech servos the firmware in the vendor's file, after "
+            QT_TRANSLATE_NOOP("cli", "write the vendor's firmware file to Feetech servos, after "
                                      "checks; not tried on real servos yet"),
             {firmwareFileArgument,
              {"ID", QT_TRANSLATE_NOOP("cli", "IDs of the servos, one after the other"), 1, many}},
@@ -296,8 +315,8 @@ Command firmwareUpdateCommand()
 Command firmwareRescueCommand()
 {
     return {"firmware rescue",
-            QT_TRANSLATE_NOOP("cli", "give a servo that is in its bootloader the firmware in the "
-                                     "vendor's file; not tried on real servos yet"),
+            QT_TRANSLATE_NOOP("cli", "write the vendor's firmware file to a servo that is in its "
+                                     "bootloader; not tried on real servos yet"),
             {firmwareFileArgument},
             {},
             runFirmwareRescue};

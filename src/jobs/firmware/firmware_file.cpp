@@ -38,13 +38,9 @@ base::Result<FirmwareFile> loadFirmwareFile(const QString& path)
 
 FirmwareName firmwareNameOf(const QString& path)
 {
-    static const QRegularExpression lines(
-        QStringLiteral("^(SCServo|SMServo|STServo|FT-[A-Z]+)(?![A-Za-z])"));
-    static const QRegularExpression buses(QStringLiteral("(?<![A-Z0-9])(TTL|485)(?![A-Z0-9])"));
-    const QString name = QFileInfo(path).fileName();
-    FirmwareName found{lines.match(name).captured(1), buses.match(name).captured(1)};
-    if (name.contains(QLatin1String("MODBUS")))
-        found.bus = QStringLiteral("MODBUS");
-    return found;
+    static const QRegularExpression form(QStringLiteral(
+        "^(FT-[A-Z]+|S[CMT]Servo[0-9.]+)-(GD32|STM32)-(TTL|485(?:-MODBUS)?)(?![A-Za-z])"));
+    const QRegularExpressionMatch name = form.match(QFileInfo(path).fileName());
+    return {name.captured(1), name.captured(2), name.captured(3)};
 }
 } // namespace jobs

@@ -15,9 +15,10 @@ struct FirmwareFile {
 base::Result<FirmwareFile> loadFirmwareFile(const QString& path);
 
 /// What the vendor's names tell of a file; empty: nothing. "SCServo21-GD32-TTL-250306": line
-/// "SCServo", bus "TTL".
+/// "SCServo21", chip "GD32", bus "TTL". SCServo21 and SCServo2.20 are of two families.
 struct FirmwareName {
     QString line;
+    QString chip;
     QString bus;
     bool operator==(const FirmwareName&) const = default;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/firmware/firmware_preflight.h"
 
+#include "device/bootloader.h"
 #include "device/motion/motion.h"
 #include "device/reader.h"
 #include "jobs/firmware/firmware_update.h"
@@ -27,6 +28,8 @@ base::Result<FirmwareCheckResult> checkOtherServos(const device::Context& contex
 {
     ScanSpec spec;
     spec.identify = false;
+    // At the bootloader's rate the blocks could look like packets to a servo.
+    spec.bauds = {context.bus.baud(), device::bootloaderBaud};
     const auto report = scan(context, spec, progress);
     if (!report)
         return tl::unexpected(report.error());
@@ -99,8 +102,8 @@ public:
         return FirmwareCheckResult{.check = FirmwareCheck::Supply,
                                    .isPassed = measured && m_high - m_low <= steadyVolts &&
                                                isWithinLimits(),
-                                   .low = m_low,
-                                   .high = m_high};
+                                   .low = measured ? m_low : 0,
+                                   .high = measured ? m_high : 0};
     }
 
 private:

@@ -30,19 +30,30 @@ constexpr int maxRepeats = 10; ///< of one block
 constexpr base::Duration startTime = 2s;
 constexpr base::Duration startInterval = 50ms;
 
-/// The port is at the bootloader's rate while it lives.
+/// The port is at the bootloader's rate while it lives. An emergency stop meanwhile reached none of
+/// the other servos: it is sent once more at the old rate.
 class BootloaderRate {
 public:
     explicit BootloaderRate(const device::Context& context)
         : m_context(context)
         , m_oldBaud(context.bus.baud())
+        , m_emergencyCount(context.bus.emergencyCount())
     {}
     ~BootloaderRate() { (void)restore(); }
     BootloaderRate(const BootloaderRate&) = delete;
     BootloaderRate& operator=(const BootloaderRate&) = delete;
 
+    bool isOld() const { return m_oldBaud == device::bootloaderBaud; }
     base::Result<void> set() { return setBaud(device::bootloaderBaud); }
-    base::Result<void> restore() { return setBaud(m_oldBaud); }
+    base::Result<void> restore()
+    {
+        const auto restored = setBaud(m_oldBaud);
+        if (m_context.bus.emergencyCount() != m_emergencyCount) {
+            m_context.bus.emergency();
+            m_emergencyCount = m_context.bus.emergencyCount();
+        }
+        return restored;
+    }
 
 private:
     base::Result<void> setBaud(int baud)
@@ -52,6 +63,7 @@ private:
 
     const device::Context& m_context;
     const int m_oldBaud;
+    std::uint64_t m_emergencyCount;
 };
 
 base::Error errorOf(BootloaderReply reply)
@@ -89,7 +101,9 @@ public:
         for (int i = 0; i < announcements; ++i) {
             if (m_context.stop.isRequested())
                 return base::fail(ErrorCode::Stopped, firmwareOperation);
-            reply = device::askBootloader(m_context, wait);
+            reply = device::callBootloader(m_context, wait);
+            if (reply && *reply == BootloaderReply::Accepted && i > 0)
+                return awaitLateReplies();
             if (!reply || *reply == BootloaderReply::Accepted)
                 break;
         }
@@ -104,12 +118,11 @@ public:
         for (base::Duration passed{}; passed < rescueTime; passed = clock.now() - start) {
             if (m_context.stop.isRequested())
                 return base::fail(ErrorCode::Stopped, firmwareOperation);
-            const auto reply = device::askBootloader(m_context, rescueInterval);
+            const auto reply = device::callBootloader(m_context, rescueInterval);
             if (!reply)
                 return tl::unexpected(reply.error());
-            // Through a slow adapter the replies to several calls come together.
-            if (*reply != BootloaderReply::Silence)
-                return m_context.bus.listen(m_context.bus.maxReplyLateness());
+            if (*reply == BootloaderReply::Accepted)
+                return awaitLateReplies();
             report(0, rescueTime - passed);
         }
         return base::fail(ErrorCode::NoReply, firmwareOperation, QStringLiteral("no-bootloader"));
@@ -119,6 +132,7 @@ public:
     {
         if (m_context.stop.isRequested())
             return base::fail(ErrorCode::Stopped, firmwareOperation);
+        m_isStarted = true;
         if (const auto started = requireAccepted(device::startTransfer(m_context)); !started)
             return started;
         for (int index = 0; index < m_report.blocks; ++index) {
@@ -131,8 +145,29 @@ public:
     }
 
     FirmwareReport& result() { return m_report; }
+    /// What is known of the servo before it is asked. A block whose reply is missing may have been
+    /// accepted; after the start byte the old firmware does not start on its own.
+    void end(const base::Result<void>& done, const base::Result<void>& restored)
+    {
+        if (!done)
+            m_report.error = done.error();
+        else if (!restored)
+            m_report.error = restored.error();
+        const bool isRefused = !done && done.error().code == ErrorCode::Refused;
+        const int maybeAccepted = isRefused ? m_report.acceptedBlocks : m_report.sentBlocks;
+        if (maybeAccepted > 0 && maybeAccepted < m_report.blocks)
+            m_report.outcome = FirmwareOutcome::Incomplete;
+        else if (m_isStarted)
+            m_report.outcome = FirmwareOutcome::Unknown;
+    }
 
 private:
+    /// Through a slow adapter those to the calls before would be taken for those to the blocks.
+    base::Result<void> awaitLateReplies()
+    {
+        return m_context.bus.listen(m_context.bus.maxReplyLateness());
+    }
+
     base::Result<void> sendBlock(int index)
     {
         for (int repeats = 0;; ++repeats) {
@@ -157,43 +192,28 @@ private:
     const FirmwareFile& m_file;
     const ProgressFn& m_progress;
     FirmwareReport m_report;
+    bool m_isStarted = false;
 };
 
-/// What is known of the servo before it is asked. A block whose reply is missing may have been
-/// accepted.
-void end(FirmwareReport& report, const base::Result<void>& done, const base::Result<void>& restored)
-{
-    if (!done)
-        report.error = done.error();
-    else if (!restored)
-        report.error = restored.error();
-    const bool isRefused = !done && done.error().code == ErrorCode::Refused;
-    const int maybeAccepted = isRefused ? report.acceptedBlocks : report.sentBlocks;
-    if (maybeAccepted == report.blocks)
-        report.outcome = FirmwareOutcome::Silent;
-    else if (maybeAccepted > 0)
-        report.outcome = FirmwareOutcome::Incomplete;
-}
-
-/// A servo whose bootloader accepted no block comes back as well.
+/// What answers has the new firmware if every block was sent, else its old one.
 template <typename Find>
 void lookAfterwards(const device::Context& context, FirmwareReport& report, Find&& find,
                     const QString& program)
 {
-    if (report.error && base::endsJob(report.error->code))
+    if (report.outcome == FirmwareOutcome::Incomplete ||
+        (report.error && base::endsJob(report.error->code)))
         return;
     auto found = find();
     if (!found) {
         report.error = report.error.value_or(found.error());
-        report.outcome = FirmwareOutcome::Silent;
+        report.outcome = FirmwareOutcome::Unknown;
         return;
     }
     report.servo = std::move(*found);
-    const auto table = takeSnapshot(context, *report.servo, program);
-    if (table)
-        report.table = *table;
-    if (report.outcome == FirmwareOutcome::Silent)
-        report.outcome = FirmwareOutcome::Updated;
+    report.outcome =
+        report.sentBlocks == report.blocks ? FirmwareOutcome::Updated : FirmwareOutcome::Unchanged;
+    if (auto table = takeSnapshot(context, *report.servo, program))
+        report.table = std::move(*table);
 }
 
 /// The application begins as soon as the last block is in.
@@ -209,6 +229,26 @@ base::Result<device::Servo> awaitServo(const device::Context& context, const dev
     }
 }
 
+/// The rescued servo could not be told from others, and they would take the firmware too.
+base::Result<void> requireSilence(const device::Context& context)
+{
+    ScanSpec spec;
+    spec.protocols = {base::Protocol::Feetech};
+    const auto report = scan(context, spec);
+    if (!report)
+        return tl::unexpected(report.error());
+    if (report->stopped)
+        return base::fail(ErrorCode::Stopped, firmwareOperation);
+    // Broken replies may be those of a bootloader to bytes it takes for a block.
+    const bool isSilent =
+        std::all_of(report->found.begin(), report->found.end(),
+                    [](const FoundServo& one) { return one.servo.profile == nullptr; });
+    return isSilent ? base::Result<void>{}
+                    : base::fail(ErrorCode::NotSupported, firmwareOperation,
+                                 QStringLiteral("rescue-not-alone"));
+}
+
+/// With a second one on the bus it is not clear which of them has taken the firmware.
 base::Result<device::Servo> searchServo(const device::Context& context)
 {
     ScanSpec spec;
@@ -221,20 +261,20 @@ base::Result<device::Servo> searchServo(const device::Context& context)
     const auto report = scan(context, spec);
     if (!report)
         return tl::unexpected(report.error());
-    const auto it =
-        std::find_if(report->found.begin(), report->found.end(),
-                     [](const FoundServo& one) { return one.servo.profile != nullptr; });
-    if (it == report->found.end())
+    const device::Servo* found = nullptr;
+    for (const FoundServo& one : report->found) {
+        if (one.servo.profile == nullptr)
+            continue;
+        if (found != nullptr)
+            return base::fail(ErrorCode::NotSupported, firmwareOperation,
+                              QStringLiteral("several-rescued"));
+        found = &one.servo;
+    }
+    if (found == nullptr)
         return base::fail(ErrorCode::NoReply, firmwareOperation);
-    return it->servo;
+    return *found;
 }
 
-/// An emergency stop sent at the bootloader's rate reached none of the other servos.
-void repeatEmergency(const device::Context& context, const FirmwareReport& report)
-{
-    if (report.error && report.error->code == ErrorCode::Preempted)
-        context.bus.emergency();
-}
 } // namespace
 
 base::Result<void> requireBootloader(const device::Servo& servo)
@@ -285,11 +325,12 @@ base::Result<FirmwareReport> updateFirmware(const device::Context& outer, device
                           .and_then([&] { return context.bus.listen(ratePause); })
                           .and_then([&] { return transfer.announce(); })
                           .and_then([&] { return transfer.sendBlocks(); });
-    end(report, done, rate.restore());
-    if (report.outcome != FirmwareOutcome::Incomplete)
-        lookAfterwards(
-            context, report, [&] { return awaitServo(context, servo); }, program);
-    repeatEmergency(context, report);
+    transfer.end(done, rate.restore());
+    // A PING could be taken for the start byte by a bootloader that is still waiting.
+    if (rate.isOld() && report.sentBlocks == 0)
+        (void)context.bus.listen(startTime);
+    lookAfterwards(
+        context, report, [&] { return awaitServo(context, servo); }, program);
     return std::move(report);
 }
 
@@ -298,6 +339,8 @@ base::Result<FirmwareReport> rescueFirmware(const device::Context& outer, const 
 {
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
+    if (const auto silent = requireSilence(context); !silent)
+        return tl::unexpected(silent.error());
     FirmwareTransfer transfer(context, file, progress);
     FirmwareReport& report = transfer.result();
     BootloaderRate rate(context);
@@ -305,11 +348,11 @@ base::Result<FirmwareReport> rescueFirmware(const device::Context& outer, const 
     if (!called)
         return tl::unexpected(called.error());
     const auto done = transfer.sendBlocks();
-    end(report, done, rate.restore());
-    if (report.outcome != FirmwareOutcome::Incomplete)
-        lookAfterwards(
-            context, report, [&] { return searchServo(context); }, program);
-    repeatEmergency(context, report);
+    transfer.end(done, rate.restore());
+    if (report.sentBlocks < report.blocks) // it had none before
+        report.outcome = FirmwareOutcome::Incomplete;
+    lookAfterwards(
+        context, report, [&] { return searchServo(context); }, program);
     return std::move(report);
 }
 } // namespace jobs

@@ -44,7 +44,8 @@ base::Result<FirmwareReport> updateFirmware(const device::Context& context, devi
 /// For a servo that hangs in its bootloader, or has its supply switched off: calls for rescueTime
 /// or until a bootloader answers, which any servo does whose supply comes on meanwhile, and then
 /// goes on as above. Afterwards the servo is searched for: its ID and rate are not known here.
-/// Errors: NoReply, no bootloader has answered.
+/// Errors: NoReply ("no-bootloader"), NotSupported ("rescue-not-alone": a servo answers as ever, so
+/// that it could not be told from the rescued one).
 base::Result<FirmwareReport> rescueFirmware(const device::Context& context,
                                             const FirmwareFile& file, const QString& program,
                                             const ProgressFn& progress = {});

@@ -154,7 +154,7 @@ private:
     base::Result<void> searchSlow()
     {
         if (m_spec.untilFound)
-            return m_found.isEmpty() ? searchLxElsewhere() : base::Result<void>{};
+            return isRateFound() ? base::Result<void>{} : searchLxElsewhere();
         m_slow.sort([](const Search& a, const Search& b) {
             return a.scan.protocol() == Protocol::Lx && b.scan.protocol() != Protocol::Lx;
         });

@@ -13,7 +13,8 @@ namespace {
 bool resetsTurns(const QString& task)
 {
     return task == QLatin1StringView("reboot") || task == QLatin1StringView("center") ||
-           task == QLatin1StringView("restore-defaults");
+           task == QLatin1StringView("restore-defaults") ||
+           task == QLatin1StringView("update-firmware");
 }
 
 /// What may be read during a test; see Task::isLongRunning.

@@ -165,8 +165,8 @@ private Q_SLOTS:
         dialog->close();
     }
 
-    /// Cut off at a block: the window says so, and the rescue completes it.
-    void aKilledUpdateIsRescued()
+    /// Its firmware is gone: the window says that the update failed, and the rescue brings it back.
+    void aServoWithoutFirmwareIsRescued()
     {
         Fixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.choose(1));
@@ -176,27 +176,17 @@ private Q_SLOTS:
         gui::click(dialog, "taskAction");
         QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
                                   QStringLiteral("Update"), 60'000);
-        // No reply comes any more as soon as the servo has lost its firmware.
         const auto shared = fixture.workbench().link().connection()->simulation();
-        shared->with([](sim::VirtualBus& wire) {
-            wire.config().faults.muteWhen = [](const sim::VirtualServo& servo) {
-                return servo.isInBootloader();
-            };
-        });
+        shared->with([](sim::VirtualBus& wire) { wire.servo(1)->defects().firmwareLost = true; });
         gui::click(dialog, "taskAction");
         QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(dialog).startsWith(QStringLiteral("✗")), 60'000);
         dialog->close();
-        shared->with([](sim::VirtualBus& wire) {
-            wire.config().faults.muteWhen = {};
-            wire.config().faults.muteIds.clear();
-        });
 
         auto* rescue = fixture.open<ui::FirmwareRescueDialog>("firmwareRescue");
         QVERIFY(rescue != nullptr);
         QVERIFY(!gui::button(rescue, "taskAction")->isEnabled());
         Fixture::chooseFile(rescue, fixture.makeFile(image));
         gui::click(rescue, "taskAction");
-        shared->with([](sim::VirtualBus& wire) { wire.powerCycle(); });
         QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(rescue).startsWith(QStringLiteral("✓")), 60'000);
         QVERIFY(gui::resultOf(rescue).contains(QStringLiteral("ID 1, firmware")));
         QVERIFY(fixture.waitUntilIdle());
@@ -207,6 +197,8 @@ private Q_SLOTS:
     void aRescueIsStopped()
     {
         Fixture fixture(QStringLiteral("sim:sts3215@1"));
+        const auto shared = fixture.workbench().link().connection()->simulation();
+        shared->with([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
         auto* rescue = fixture.open<ui::FirmwareRescueDialog>("firmwareRescue");
         QVERIFY(rescue != nullptr);
         Fixture::chooseFile(rescue, fixture.makeFile(image));
@@ -214,6 +206,7 @@ private Q_SLOTS:
         QTRY_VERIFY(gui::button(rescue, "taskStop")->isVisible());
         gui::click(rescue, "taskStop");
         QVERIFY(gui::ended(rescue));
+        shared->with([](sim::VirtualBus& wire) { wire.powerCycle(); });
         QCOMPARE(fixture.minorVersion(1), 10);
         QVERIFY(fixture.choose(1)); // the port is as it was
         rescue->close();

@@ -83,7 +83,7 @@ private Q_SLOTS:
         QCOMPARE(servo[QLatin1String("checks")].toArray().size(), 6);
         QCOMPARE(servo[QLatin1String("changed")][0][QLatin1String("key")].toString(),
                  QStringLiteral("protection_time"));
-        QVERIFY(QFile::exists(result.json()[QLatin1String("snapshot")].toString()));
+        QVERIFY(QFile::exists(servo[QLatin1String("snapshot")].toString()));
         QCOMPARE(cli.run(words("info 1")).exit, 0); // the port is as it was
 
         // The old values, with the command that was named.
@@ -131,9 +131,13 @@ private Q_SLOTS:
                                      QStringLiteral("--json")});
         QCOMPARE(result.exit, 4);
         const QJsonArray servos = result.json()[QLatin1String("servos")].toArray();
-        QCOMPARE(servos.size(), 2);
+        QCOMPARE(servos.size(), 3);
         QCOMPARE(servos[0][QLatin1String("outcome")].toString(), QStringLiteral("updated"));
-        QCOMPARE(servos[1][QLatin1String("outcome")].toString(), QStringLiteral("not-started"));
+        QCOMPARE(servos[1][QLatin1String("error")][QLatin1String("code")].toString(),
+                 QStringLiteral("no-answer"));
+        for (const int later : {1, 2})
+            QCOMPARE(servos[later][QLatin1String("outcome")].toString(),
+                     QStringLiteral("not-started"));
     }
 
     void otherFilesAreRefused()
