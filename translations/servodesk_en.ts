@@ -47,6 +47,20 @@
             <numerusform>%n other servos stay at %1 baud. A program that uses only one baud rate can no longer reach all servos.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n servo(s) run the new firmware.</source>
+        <translation>
+            <numerusform>%n servo runs the new firmware.</numerusform>
+            <numerusform>%n servos run the new firmware.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n servo(s), one after the other: ID %1</source>
+        <translation>
+            <numerusform>%n servo: ID %1</numerusform>
+            <numerusform>%n servos, one after the other: ID %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SnapshotRow</name>

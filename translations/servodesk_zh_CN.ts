@@ -2743,6 +2743,34 @@ The first block erases the old firmware. Until the whole file has been sent, kee
 
 第一个数据块会擦除原来的固件。在文件全部发送完之前，请保持供电并且不要拔线；此时“停止”不起作用。</translation>
     </message>
+    <message>
+        <source>Servo %1: %2</source>
+        <translation>舵机 %1：%2</translation>
+    </message>
+    <message>
+        <source>Not updated yet: ID %1</source>
+        <translation>尚未更新：ID %1</translation>
+    </message>
+    <message>
+        <source>Turn the servo&apos;s supply on now (%1 left).</source>
+        <translation>请现在接通舵机电源（剩余 %1）。</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1（第 %2 个，共 %3 个）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n servo(s) run the new firmware.</source>
+        <translation>
+            <numerusform>%n 个舵机已运行新固件。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n servo(s), one after the other: ID %1</source>
+        <translation>
+            <numerusform>依次更新 %n 个舵机：ID %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>SnapshotReport</name>
@@ -6477,11 +6505,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Rescue: servodesk-cli firmware rescue &quot;%1&quot;</source>
-        <translation>救援：servodesk-cli firmware rescue "%1"</translation>
+        <translation>救援：servodesk-cli firmware rescue &quot;%1&quot;</translation>
     </message>
     <message>
         <source>To restore the old values: servodesk-cli snapshot restore %1 &quot;%2&quot;</source>
-        <translation>恢复原值：servodesk-cli snapshot restore %1 "%2"</translation>
+        <translation>恢复原值：servodesk-cli snapshot restore %1 &quot;%2&quot;</translation>
     </message>
     <message>
         <source>write the vendor&apos;s firmware file to Feetech servos, after checks; not tried on real servos yet</source>

@@ -32,7 +32,9 @@ base::Result<BootloaderReply> send(const Context& context, base::Bytes bytes, in
     transaction.hold = context.hold;
     transaction.epoch = context.epoch;
     const auto outcome = context.bus.transact(transaction);
-    return outcome.map([](const bus::Outcome& result) { return replyOf(result.data()); });
+    return outcome.map([](const bus::Outcome& result) {
+        return result.replies.empty() ? BootloaderReply::Silence : replyOf(result.data());
+    });
 }
 } // namespace
 
@@ -49,11 +51,6 @@ base::Result<BootloaderReply> callBootloader(const Context& context, base::Durat
 base::Result<BootloaderReply> startTransfer(const Context& context)
 {
     return send(context, {protocol::firmwareStart}, 1, blockTimeout);
-}
-
-int firmwareBlocks(std::size_t fileSize)
-{
-    return protocol::firmwareBlocks(fileSize);
 }
 
 base::Result<BootloaderReply> sendFirmwareBlock(const Context& context, base::ByteView file,

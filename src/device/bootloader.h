@@ -30,9 +30,8 @@ base::Result<BootloaderReply> callBootloader(const Context& context, base::Durat
 /// its own.
 base::Result<BootloaderReply> startTransfer(const Context& context);
 
-int firmwareBlocks(std::size_t fileSize);
-/// Returns with the first byte of the reply. The first accepted block destroys the old firmware. Is
-/// not ended by a stop.
+/// Of protocol::firmwareBlocks(). Returns with the first byte of the reply. The first accepted
+/// block destroys the old firmware. Is not ended by a stop.
 base::Result<BootloaderReply> sendFirmwareBlock(const Context& context, base::ByteView file,
                                                 int index);
 } // namespace device

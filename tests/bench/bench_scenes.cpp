@@ -6,6 +6,7 @@
 // window as the benches do.
 #include "gui/five_register_write.h"
 #include "gui/main_window_fixture.h"
+#include "gui/servo_tasks_fixture.h"
 #include "session/motion/motion_controller.h"
 #include "session/sweep/sweep_test.h"
 #include "sim/host/sim_link.h"
@@ -412,7 +413,6 @@ void chooseFirmware(QDialog* dialog)
 
 QDialog* checkFirmware(gui::MainWindowFixture& fixture)
 {
-    fixture.choose(1);
     fixture.action(ui::Command::PageFirmware)->trigger();
     fixture.action(ui::Command::UpdateFirmware)->trigger();
     auto* dialog = fixture.find<QDialog>("firmwareUpdateDialog");
@@ -425,6 +425,7 @@ QDialog* checkFirmware(gui::MainWindowFixture& fixture)
 
 void checkFirmwareScene(gui::MainWindowFixture& fixture)
 {
+    fixture.choose(1);
     checkFirmware(fixture);
 }
 
@@ -434,8 +435,14 @@ void updateFirmware(gui::MainWindowFixture& fixture)
     for (QCheckBox* accept : dialog->findChildren<QCheckBox*>())
         accept->click();
     dialog->findChild<QPushButton*>(QStringLiteral("taskAction"))->click();
-    fixture.waitUntilIdle();
+    (void)support::waitFor([dialog] { return !gui::resultOf(dialog).isEmpty(); });
     runEventLoop(300);
+}
+
+void updateFirmwareOfList(gui::MainWindowFixture& fixture)
+{
+    fixture.selection().setSelected(fixture.workbench().registry().order());
+    updateFirmware(fixture);
 }
 
 void rescueFirmware(gui::MainWindowFixture& fixture)
@@ -452,6 +459,8 @@ constexpr ErrorScene troubleScenes[] = {
     {"firmware-checks", "sim:sts3215@1,sts3215@2,scs15@3", checkFirmwareScene,
      "firmwareUpdateDialog"},
     {"firmware-updated", "sim:sts3215@1", updateFirmware, "firmwareUpdateDialog"},
+    {"firmware-list", "sim:sts3215@1,sts3215@2,sts3215@3,sts3215@4", updateFirmwareOfList,
+     "firmwareUpdateDialog"},
     {"firmware-rescue", "sim:sts3215@1", rescueFirmware, "firmwareRescueDialog"},
     {"find-servos", "sim:sts3215@1", findServos, "findServosDialog"},
     {"diagnosis-rate", "sim:sts3215@1:500000,sts3215@2", diagnose, "diagnosisDialog"},

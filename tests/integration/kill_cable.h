@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cable between a program and the simulator's terminal, as a terminal of its own: what is said on
 // one side is heard on the other, at the rate it was said at. Kills the program (SIGKILL) at the
-// WRITE of one register, before the servo has heard it or after; or interrupts it there as Ctrl-C
-// does. A thread of its own; killAt(), interruptAt(), killed() and resetConnection() from the
-// test's, the last while no program is at it. POSIX only.
+// WRITE of one register or at a firmware block, before the servo has heard it or after; or
+// interrupts it at a WRITE as Ctrl-C does. A thread of its own; killAt(), interruptAt(), killed()
+// and resetConnection() from the test's, the last while no program is at it. POSIX only.
 #pragma once
 
 #include "support/port_endpoints.h"
@@ -22,6 +22,7 @@ namespace support {
 struct KillPoint {
     int address = -1; ///< first one of the frame
     bool delivered = false;
+    int block = -1; ///< instead: number of the firmware block, from 1
 };
 
 /// Ctrl-C at a WRITE of this register that the servo hears; `times`: again at the frames after it.
@@ -127,7 +128,10 @@ private:
         const bool writes =
             got > 5 && frame[0] == 0xFF && frame[1] == 0xFF && frame[4] == writeInstruction;
         interrupt(writes ? frame[5] : -1);
-        const bool here = m_point && writes && frame[5] == m_point->address;
+        constexpr ssize_t blockSize = 70;
+        const bool isBlock = got == blockSize && frame[1] == (frame[0] ^ 0xFF);
+        const bool here = m_point && ((writes && frame[5] == m_point->address) ||
+                                      (isBlock && frame[0] == m_point->block));
         if ((!here || m_point->delivered) && write(m_terminal, frame, std::size_t(got)) != got)
             qFatal("terminal");
         if (!here)

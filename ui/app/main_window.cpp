@@ -223,9 +223,14 @@ void MainWindow::connectCommands()
         });
     });
     on(Command::UpdateFirmware, [this] {
-        const session::ServoRef servo = m_context.selection.current();
-        if (m_workbench.registry().servo(servo) != nullptr)
-            (new FirmwareUpdateDialog(m_workbench, servo, m_settings, this))->open();
+        // In the order of the list, and only those that are still there.
+        std::vector<session::ServoRef> servos = m_workbench.registry().order();
+        const auto& selected = m_context.selection.selected();
+        std::erase_if(servos, [&](session::ServoRef ref) {
+            return std::find(selected.begin(), selected.end(), ref) == selected.end();
+        });
+        if (!servos.empty())
+            (new FirmwareUpdateDialog(m_workbench, std::move(servos), m_settings, this))->open();
     });
     on(Command::RescueFirmware, [this] {
         showSingle<FirmwareRescueDialog>(

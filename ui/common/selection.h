@@ -37,6 +37,16 @@ public:
             Q_EMIT changed(first);
         Q_EMIT selectedServosChanged();
     }
+    /// The selected rows of a list: the current one stays the first while it is among them, else
+    /// it is the one that was clicked.
+    void setSelectedRows(std::vector<session::ServoRef> rows, session::ServoRef clicked)
+    {
+        const bool isCurrentAmong = std::find(rows.begin(), rows.end(), m_current) != rows.end();
+        const session::ServoRef first = isCurrentAmong ? m_current : clicked;
+        std::stable_partition(rows.begin(), rows.end(),
+                              [first](session::ServoRef ref) { return ref == first; });
+        setSelected(std::move(rows));
+    }
     /// It is gone. With the current one all are let go: nothing is to move in its place.
     void remove(session::ServoRef ref)
     {

@@ -87,8 +87,8 @@ FirmwarePage::FirmwarePage(AppContext& context, session::Settings& settings, QWi
         });
         button->setEnabled(action->isEnabled());
     }
-    connect(&m_selection, &Selection::changed, this, &FirmwarePage::update);
-    connect(m_table, &QTableWidget::currentCellChanged, this, &FirmwarePage::selectServo);
+    connect(&m_selection, &Selection::selectedServosChanged, this, &FirmwarePage::update);
+    connect(m_table, &QTableWidget::itemSelectionChanged, this, &FirmwarePage::selectServos);
     followLanguage(this, [this] { retranslate(); });
 }
 
@@ -100,7 +100,7 @@ void FirmwarePage::build()
     m_summary->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("firmwareTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setFrameShape(QFrame::NoFrame);
     styleTable(m_table);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -182,7 +182,7 @@ void FirmwarePage::showRows(const std::vector<Row>& rows)
 {
     const QSignalBlocker blocker(m_table); // the user has selected nothing here
     m_table->setRowCount(static_cast<int>(rows.size()));
-    m_table->setCurrentCell(-1, -1);
+    m_table->clearSelection();
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Row& row = rows[static_cast<std::size_t>(i)];
         const QString newer =
@@ -201,19 +201,34 @@ void FirmwarePage::showRows(const std::vector<Row>& rows)
             item->setToolTip(cells[column]);
             m_table->setItem(i, column, item);
         }
+        using Flag = QItemSelectionModel;
+        const auto& selected = m_selection.selected();
         if (row.ref == m_selection.current())
-            m_table->setCurrentCell(i, IdColumn);
+            m_table->setCurrentCell(i, IdColumn, Flag::NoUpdate);
+        if (std::find(selected.begin(), selected.end(), row.ref) != selected.end())
+            m_table->selectionModel()->select(m_table->model()->index(i, IdColumn),
+                                              Flag::Select | Flag::Rows);
         if (row.differs)
             m_table->item(i, NoteColumn)->setForeground(tone(Tone::Warn, palette()));
     }
 }
 
-/// The servo of the window is that of the row.
-void FirmwarePage::selectServo(int row)
+/// The servos of the window are those of the selected rows.
+void FirmwarePage::selectServos()
 {
     const auto& order = m_workbench.registry().order();
-    if (row >= 0 && row < static_cast<int>(order.size()))
-        m_selection.select(order[static_cast<std::size_t>(row)]);
+    const auto refAt = [&](int row) {
+        return row >= 0 && row < static_cast<int>(order.size())
+                   ? order[static_cast<std::size_t>(row)]
+                   : session::ServoRef(0);
+    };
+    std::vector<session::ServoRef> rows;
+    for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) {
+        if (const session::ServoRef ref = refAt(index.row()); ref != 0)
+            rows.push_back(ref);
+    }
+    if (!rows.empty())
+        m_selection.setSelectedRows(std::move(rows), refAt(m_table->currentRow()));
 }
 
 /// What it means for the robot's own software: LeRobot compares all servos, whatever their model.

@@ -35,7 +35,7 @@ private:
     void showRows(const std::vector<Row>& rows);
     QString summary(const std::vector<Row>& rows) const;
     void save();
-    void selectServo(int row);
+    void selectServos();
     void retranslate();
 
     session::Workbench& m_workbench;

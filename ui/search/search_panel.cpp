@@ -168,13 +168,7 @@ void SearchPanel::onListSelectionChanged()
     }
     if (refs.empty())
         return followSelection(); // a click beside the rows selects nothing
-    const auto has = [&](ServoRef ref) {
-        return std::find(refs.begin(), refs.end(), ref) != refs.end();
-    };
-    const ServoRef now = m_model->refAt(m_list->currentIndex().row());
-    const ServoRef first = has(m_selection.current()) ? m_selection.current() : now;
-    std::stable_partition(refs.begin(), refs.end(), [&](ServoRef ref) { return ref == first; });
-    m_selection.setSelected(std::move(refs));
+    m_selection.setSelectedRows(std::move(refs), m_model->refAt(m_list->currentIndex().row()));
 }
 
 void SearchPanel::followSelection()

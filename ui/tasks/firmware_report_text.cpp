@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tasks/firmware_report_text.h"
 
+#include "text/bus_text.h"
 #include "text/error_text.h"
 #include "text/firmware_text.h"
 #include "text/translate.h"
@@ -10,20 +11,38 @@ using base::FirmwareOutcome;
 using text::translate;
 
 namespace {
-QStringList changedLines(const jobs::FirmwareReport& report, const snapshot::Snapshot& before)
+/// The settings that changed: "Protection time: 200 → 250".
+QStringList changesOf(const FirmwareUpdate& update)
 {
-    const auto changed = jobs::changedSettings(before, *report.table);
-    QStringList lines{text::firmwareChangesText(static_cast<int>(changed.size()))};
-    if (changed.empty())
+    QStringList lines;
+    if (!update.before || !update.report.table || !update.report.servo)
         return lines;
-    for (const snapshot::CompareRow& row : changed)
+    const device::Servo& servo = *update.report.servo;
+    for (const snapshot::CompareRow& row :
+         jobs::changedSettings(*update.before, *update.report.table))
         lines << QStringLiteral("%1: %2 → %3")
-                     .arg(registerText(*report.servo, row.key),
-                          valueText(*report.servo, row.key, row.cells[0].raw),
-                          valueText(*report.servo, row.key, row.cells[1].raw));
-    lines << translate("ServoTasks", "The old settings are saved; the Snapshots page restores "
-                                     "them.");
+                     .arg(registerText(servo, row.key), valueText(servo, row.key, row.cells[0].raw),
+                          valueText(servo, row.key, row.cells[1].raw));
     return lines;
+}
+
+QString savedText()
+{
+    return translate("ServoTasks", "The old settings are saved; the Snapshots page restores them.");
+}
+
+QString versionOf(const FirmwareUpdate& update)
+{
+    return update.report.servo ? update.report.servo->profile->identity.firmware() : QString();
+}
+
+/// Of one that is updated, in a list of servos.
+QString lineOf(const FirmwareUpdate& update)
+{
+    QStringList parts{
+        translate("ServoTasks", "ID %1, firmware %2").arg(update.id).arg(versionOf(update))};
+    parts += update.report.table ? changesOf(update) : QStringList{text::firmwareTableUnreadText()};
+    return parts.join(QStringLiteral(" · "));
 }
 
 Tone toneOf(FirmwareOutcome outcome)
@@ -41,18 +60,29 @@ Tone toneOf(FirmwareOutcome outcome)
 }
 } // namespace
 
-TaskText firmwareReportText(const jobs::FirmwareReport& report,
-                            const std::optional<snapshot::Snapshot>& before)
+bool isUpdated(const FirmwareUpdate& update)
 {
+    return !update.refusal && update.report.outcome == FirmwareOutcome::Updated;
+}
+
+TaskText firmwareReportText(const FirmwareUpdate& update)
+{
+    if (update.refusal)
+        return errorText(*update.refusal);
+    const jobs::FirmwareReport& report = update.report;
     TaskText result{toneOf(report.outcome), text::firmwareOutcomeText(report.outcome)};
-    if (report.outcome == FirmwareOutcome::Updated && report.servo) {
+    if (isUpdated(update)) {
         result.details << translate("ServoTasks", "ID %1, firmware %2")
-                              .arg(report.servo->id)
-                              .arg(report.servo->profile->identity.firmware());
+                              .arg(report.servo ? report.servo->id : update.id)
+                              .arg(versionOf(update));
+        const QStringList changes = changesOf(update);
         if (!report.table)
             result.details << text::firmwareTableUnreadText();
-        else if (before)
-            result.details += changedLines(report, *before);
+        else if (update.before)
+            result.details << text::firmwareChangesText(static_cast<int>(changes.size()))
+                           << changes;
+        if (!changes.isEmpty())
+            result.details << savedText();
         return result;
     }
     result.details << translate("ServoTasks", "%1 of %2 blocks were accepted.")
@@ -61,6 +91,38 @@ TaskText firmwareReportText(const jobs::FirmwareReport& report,
     if (report.error)
         result.details << text::describe(*report.error).message;
     result.details << text::firmwareOutcomeRemedy(report.outcome);
+    return result;
+}
+
+TaskText firmwareReportText(const std::vector<FirmwareUpdate>& updates,
+                            const std::vector<int>& notStarted)
+{
+    TaskText result;
+    QStringList lines;
+    bool isAnyChanged = false;
+    for (const FirmwareUpdate& update : updates) {
+        if (isUpdated(update)) {
+            lines << lineOf(update);
+            isAnyChanged |= !changesOf(update).isEmpty();
+            continue;
+        }
+        result = firmwareReportText(update);
+        if (!update.refusal) // which names its servo
+            result.message =
+                translate("ServoTasks", "Servo %1: %2").arg(update.id).arg(result.message);
+    }
+    if (result.message.isEmpty()) {
+        result.tone = notStarted.empty() ? Tone::Good : Tone::Warn;
+        const int count = static_cast<int>(updates.size());
+        result.message =
+            translate("ServoTasks", "%n servo(s) run the new firmware.", nullptr, count);
+    }
+    if (!notStarted.empty())
+        result.details << translate("ServoTasks", "Not updated yet: ID %1")
+                              .arg(text::idRangesText(notStarted));
+    result.details << lines;
+    if (isAnyChanged)
+        result.details << savedText();
     return result;
 }
 } // namespace ui

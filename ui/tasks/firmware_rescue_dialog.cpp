@@ -3,6 +3,7 @@
 
 #include "session/snapshot/safety_snapshot.h"
 #include "text/firmware_text.h"
+#include "text/progress_text.h"
 #include "text/translate.h"
 #include "ui/tasks/firmware_file_row.h"
 #include "ui/tasks/firmware_report_text.h"
@@ -44,6 +45,15 @@ void FirmwareRescueDialog::retranslate()
     m_untried->setText(text::firmwareUntriedText());
 }
 
+/// Until a bootloader replies, the estimate is the time that is left for it.
+QString FirmwareRescueDialog::progressText(const jobs::Progress& progress) const
+{
+    if (progress.fraction > 0 || !progress.remaining)
+        return TaskDialog::progressText(progress);
+    return translate("ServoTasks", "Turn the servo's supply on now (%1 left).")
+        .arg(text::durationText(*progress.remaining));
+}
+
 void FirmwareRescueDialog::refresh()
 {
     m_file->setEnabled(!isRunning());
@@ -55,6 +65,7 @@ void FirmwareRescueDialog::runAction()
     const auto done = std::make_shared<std::optional<jobs::FirmwareReport>>();
     session::Task task;
     task.name = QStringLiteral("rescue-firmware");
+    task.changesPortBaud = true;
     task.work = [done,
                  file = *m_file->file()](session::TaskContext& context) -> base::Result<void> {
         auto report =
@@ -69,7 +80,7 @@ void FirmwareRescueDialog::runAction()
     };
     run(std::move(task), [this, done](const session::TaskCompletion& end) {
         if (*done) {
-            showResult([done] { return firmwareReportText(**done, std::nullopt); });
+            showResult([done] { return firmwareReportText(FirmwareUpdate{.report = **done}); });
             if ((*done)->servo)
                 search(*(*done)->servo);
         } else if (end.error) {

@@ -16,6 +16,7 @@ public:
                          QWidget* parent);
 
 protected:
+    QString progressText(const jobs::Progress& progress) const override;
     void retranslate() override;
     void refresh() override;
     void runAction() override;

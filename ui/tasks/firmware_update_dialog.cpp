@@ -5,12 +5,12 @@
 #include "jobs/restore/take_snapshot.h"
 #include "session/battery.h"
 #include "session/snapshot/safety_snapshot.h"
+#include "text/bus_text.h"
 #include "text/firmware_text.h"
 #include "text/translate.h"
 #include "ui/common/theme.h"
 #include "ui/common/widget_text.h"
 #include "ui/tasks/firmware_file_row.h"
-#include "ui/tasks/firmware_report_text.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -21,11 +21,14 @@
 
 namespace ui {
 using base::FirmwareCheckResult;
+using session::ServoRef;
 using text::translate;
 
-FirmwareUpdateDialog::FirmwareUpdateDialog(session::Workbench& workbench, session::ServoRef servo,
+FirmwareUpdateDialog::FirmwareUpdateDialog(session::Workbench& workbench,
+                                           std::vector<ServoRef> servos,
                                            session::Settings& settings, QWidget* parent)
-    : TaskDialog(workbench, servo, "firmwareUpdateDialog", parent)
+    : TaskDialog(workbench, servos.front(), "firmwareUpdateDialog", parent)
+    , m_servos(std::move(servos))
     , m_file(new FirmwareFileRow(settings, this))
     , m_list(new QWidget(this))
     , m_untried(textLabel("firmwareUntried"))
@@ -36,15 +39,16 @@ FirmwareUpdateDialog::FirmwareUpdateDialog(session::Workbench& workbench, sessio
     body()->addWidget(m_file);
     body()->addWidget(m_list);
     body()->addWidget(m_untried);
-    connect(m_file, &FirmwareFileRow::changed, this, &FirmwareUpdateDialog::forgetChecks);
+    connect(m_file, &FirmwareFileRow::changed, this, &FirmwareUpdateDialog::startOver);
     connect(m_file, &FirmwareFileRow::failed, this, &FirmwareUpdateDialog::showError);
     finishSetup();
     showRefusal();
 }
 
-void FirmwareUpdateDialog::forgetChecks()
+void FirmwareUpdateDialog::startOver()
 {
     result()->clear();
+    m_done.clear();
     m_checks.clear();
     m_accepted.clear();
     retranslate();
@@ -54,8 +58,40 @@ void FirmwareUpdateDialog::forgetChecks()
 
 void FirmwareUpdateDialog::showRefusal()
 {
-    if (const auto possible = jobs::requireBootloader(entry()->servo); !possible)
+    if (next() == nullptr)
+        return;
+    if (const auto possible = jobs::requireBootloader(next()->servo); !possible)
         showError(possible.error());
+}
+
+const session::ServoEntry* FirmwareUpdateDialog::next() const
+{
+    return m_done.size() < m_servos.size() ? workbench().registry().servo(m_servos[m_done.size()])
+                                           : nullptr;
+}
+
+QString FirmwareUpdateDialog::servoText() const
+{
+    if (m_servos.size() == 1)
+        return TaskDialog::servoText();
+    if (isRunning() && next() != nullptr)
+        return translate("ServoTasks", "%1 (%2 of %3)")
+            .arg(servoTitle(*next()))
+            .arg(m_done.size() + 1)
+            .arg(m_servos.size());
+    const int count = static_cast<int>(m_servos.size());
+    return translate("ServoTasks", "%n servo(s), one after the other: ID %1", nullptr, count)
+        .arg(text::idRangesText(ids()));
+}
+
+std::vector<int> FirmwareUpdateDialog::ids(std::size_t first) const
+{
+    std::vector<int> all;
+    for (std::size_t i = first; i < m_servos.size(); ++i) {
+        if (const session::ServoEntry* entry = workbench().registry().servo(m_servos[i]))
+            all.push_back(entry->servo.id);
+    }
+    return all;
 }
 
 void FirmwareUpdateDialog::retranslate()
@@ -74,14 +110,20 @@ void FirmwareUpdateDialog::retranslate()
     showChecks();
 }
 
-void FirmwareUpdateDialog::refresh()
+bool FirmwareUpdateDialog::isGood() const
 {
-    const bool isGood = std::all_of(m_checks.begin(), m_checks.end(), [this](const auto& one) {
+    return std::all_of(m_checks.begin(), m_checks.end(), [this](const auto& one) {
         return one.isPassed || m_accepted.count(one.check) > 0;
     });
+}
+
+void FirmwareUpdateDialog::refresh()
+{
+    updateServoText();
     m_file->setEnabled(!isRunning());
     m_list->setEnabled(!isRunning());
-    setReady(m_file->file() && isGood && jobs::requireBootloader(entry()->servo));
+    setReady(m_file->file() && isGood() && next() != nullptr &&
+             jobs::requireBootloader(next()->servo));
 }
 
 void FirmwareUpdateDialog::runAction()
@@ -98,6 +140,7 @@ void FirmwareUpdateDialog::check()
     session::Task task;
     task.name = QStringLiteral("check-firmware");
     task.effect = session::Effect::Moves;
+    task.changesPortBaud = true;
     task.work = [results,
                  file = *m_file->file()](session::TaskContext& context) -> base::Result<void> {
         const auto saved = session::saveSafetySnapshot(context.device, context.servo);
@@ -110,26 +153,36 @@ void FirmwareUpdateDialog::check()
         *results = std::move(*checked);
         return {};
     };
-    run(std::move(task), [this, results](const session::TaskCompletion& end) {
-        m_checks = *results;
-        if (end.error)
-            showError(*end.error);
-        retranslate();
-        refresh();
-    });
+    run(m_servos[m_done.size()], std::move(task),
+        [this, results](const session::TaskCompletion& end) { checked(*results, end.error); });
+    retranslate();
+    refresh();
+}
+
+void FirmwareUpdateDialog::checked(const std::vector<FirmwareCheckResult>& results,
+                                   const std::optional<base::Error>& error)
+{
+    m_checks = results;
+    const bool isFirst = m_done.empty();
+    if (!error && !isFirst && isGood())
+        return update();
+    if (error && !isFirst)
+        return end({.refusal = error});
+    if (error)
+        showError(*error);
+    else if (!isFirst) // what was not accepted before has to be answered
+        showDone();
+    retranslate();
     refresh();
 }
 
 void FirmwareUpdateDialog::update()
 {
-    struct Update {
-        std::optional<snapshot::Snapshot> before;
-        jobs::FirmwareReport report;
-    };
-    const auto done = std::make_shared<Update>();
+    const auto done = std::make_shared<FirmwareUpdate>();
     session::Task task;
     task.name = QStringLiteral("update-firmware");
     task.changesFirmware = true;
+    task.changesPortBaud = true;
     task.work = [done,
                  file = *m_file->file()](session::TaskContext& context) -> base::Result<void> {
         const QString program = session::programName();
@@ -149,17 +202,47 @@ void FirmwareUpdateDialog::update()
                    : tl::unexpected(done->report.error.value_or(
                          base::Error{base::ErrorCode::NoReply, QStringLiteral("firmware")}));
     };
-    run(std::move(task), [this, done](const session::TaskCompletion& end) {
-        m_checks.clear();
-        m_accepted.clear();
-        if (done->before)
-            showResult([done] { return firmwareReportText(done->report, done->before); });
-        else if (end.error)
-            showError(*end.error);
-        retranslate();
-        refresh();
+    run(m_servos[m_done.size()], std::move(task), [this, done](const session::TaskCompletion& end) {
+        if (!done->before)
+            done->refusal = end.error;
+        updated(std::move(*done));
     });
+    retranslate();
     refresh();
+}
+
+/// Goes on with the next servo after an update that succeeded, and only then.
+void FirmwareUpdateDialog::updated(FirmwareUpdate done)
+{
+    m_checks.clear();
+    if (!isUpdated(done) || m_done.size() + 1 == m_servos.size())
+        return end(std::move(done));
+    done.id = next() != nullptr ? next()->servo.id : 0;
+    m_done.push_back(std::move(done));
+    check();
+}
+
+/// All are updated, or this one failed: a new start begins with it.
+void FirmwareUpdateDialog::end(FirmwareUpdate last)
+{
+    last.id = next() != nullptr ? next()->servo.id : 0;
+    m_done.push_back(std::move(last));
+    showDone();
+    if (m_done.size() == m_servos.size() && isUpdated(m_done.back()))
+        m_done.clear();
+    else
+        m_done.pop_back();
+    m_checks.clear();
+    m_accepted.clear();
+    retranslate();
+    refresh();
+}
+
+void FirmwareUpdateDialog::showDone()
+{
+    showResult([done = m_done, isList = m_servos.size() > 1, left = ids(m_done.size())] {
+        return isList ? firmwareReportText(done, left) : firmwareReportText(done.front());
+    });
 }
 
 void FirmwareUpdateDialog::showChecks()

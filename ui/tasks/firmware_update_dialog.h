@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gives the servo a new firmware from the vendor's file: first the checks, each of which must be
-// good or accepted, then the update. See TaskDialog.
+// Gives servos a new firmware from the vendor's file, one after the other: first the checks, each
+// of which must be good or accepted, then the update. What was accepted counts for the servos after
+// it too; a check that fails there is asked about, an update that fails ends the list. See
+// TaskDialog.
 #pragma once
 
 #include "base/firmware_update.h"
+#include "ui/tasks/firmware_report_text.h"
 #include "ui/tasks/task_dialog.h"
 
 #include <set>
+#include <vector>
 
 class QGridLayout;
 
@@ -17,27 +21,39 @@ class FirmwareUpdateDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    FirmwareUpdateDialog(session::Workbench& workbench, session::ServoRef servo,
+    /// `servos`: at least one; in this order.
+    FirmwareUpdateDialog(session::Workbench& workbench, std::vector<session::ServoRef> servos,
                          session::Settings& settings, QWidget* parent);
 
 protected:
+    QString servoText() const override;
     void retranslate() override;
     void refresh() override;
     void runAction() override;
 
 private:
     void check();
+    void checked(const std::vector<base::FirmwareCheckResult>& results,
+                 const std::optional<base::Error>& error);
     void update();
-    void forgetChecks();
+    void updated(FirmwareUpdate done);
+    void end(FirmwareUpdate last);
+    void showDone();
+    void startOver();
     void showRefusal();
     void showChecks();
     void addCheck(int row, const base::FirmwareCheckResult& result);
     bool isChecked() const { return !m_checks.empty(); }
+    bool isGood() const;
+    const session::ServoEntry* next() const; ///< null: it is gone
+    std::vector<int> ids(std::size_t first = 0) const;
 
+    const std::vector<session::ServoRef> m_servos;
+    std::vector<FirmwareUpdate> m_done; ///< as many of the first servos; all but the last updated
     FirmwareFileRow* m_file;
     QWidget* m_list;
     QLabel* m_untried;
-    std::vector<base::FirmwareCheckResult> m_checks; ///< of the selected file; empty: not done yet
+    std::vector<base::FirmwareCheckResult> m_checks; ///< of the next servo; empty: not done yet
     std::set<base::FirmwareCheck> m_accepted;        ///< although they have failed
 };
 } // namespace ui

@@ -145,8 +145,7 @@ bool TaskDialog::event(QEvent* event)
 
 void TaskDialog::retranslateCommon()
 {
-    if (entry() != nullptr)
-        m_servoLabel->setText(servoTitle(*entry()));
+    updateServoText();
     m_servoLabel->setVisible(m_ref != 0);
     setButtonText(
         m_stop, translate("ServoTasks", "Stop"),
@@ -156,6 +155,22 @@ void TaskDialog::retranslateCommon()
         translate("ServoTasks", "Closes this dialog; the operation in progress continues"));
     m_progress->setAccessibleName(translate("ServoTasks", "Progress"));
     m_progress->setToolTip(translate("ServoTasks", "Progress"));
+}
+
+void TaskDialog::updateServoText()
+{
+    if (entry() != nullptr)
+        m_servoLabel->setText(servoText());
+}
+
+QString TaskDialog::servoText() const
+{
+    return servoTitle(*entry());
+}
+
+QString TaskDialog::progressText(const jobs::Progress& progress) const
+{
+    return text::progressText(progress.fraction, progress.remaining);
 }
 
 void TaskDialog::setTexts(const QString& title, const QString& explanation,
@@ -202,10 +217,16 @@ void TaskDialog::showProgress(const jobs::Progress& progress)
         return;
     m_progress->setValue(static_cast<int>(progress.fraction * permille));
     m_progress->show();
-    m_state->setText(text::progressText(progress.fraction, progress.remaining));
+    m_state->setText(progressText(progress));
 }
 
 void TaskDialog::run(session::Task task, std::function<void(const session::TaskCompletion&)> done)
+{
+    run(m_ref, std::move(task), std::move(done));
+}
+
+void TaskDialog::run(session::ServoRef ref, session::Task task,
+                     std::function<void(const session::TaskCompletion&)> done)
 {
     setRunning(true);
     task.guard = this;
@@ -214,7 +235,7 @@ void TaskDialog::run(session::Task task, std::function<void(const session::TaskC
         if (isServoThere())
             done(end);
     };
-    m_workbench.tasks().perform(m_ref, std::move(task));
+    m_workbench.tasks().perform(ref, std::move(task));
 }
 
 void TaskDialog::runInBackground(session::Task task,

@@ -42,6 +42,9 @@ protected:
     bool isRunning() const { return m_running; }
     void setRunning(bool running);
 
+    virtual QString servoText() const; ///< the line above the explanation
+    void updateServoText();
+    virtual QString progressText(const jobs::Progress& progress) const;
     /// All texts. Called by finishSetup() and after a change of language.
     virtual void retranslate() = 0;
     /// The servo, the list or the link have changed.
@@ -53,6 +56,9 @@ protected:
     /// Runs it as this dialog's task, with Stop and progress. `done` is called on the main thread
     /// if the dialog still exists.
     void run(session::Task task, std::function<void(const session::TaskCompletion&)> done);
+    /// The same with another servo than that of the dialog.
+    void run(session::ServoRef ref, session::Task task,
+             std::function<void(const session::TaskCompletion&)> done);
     /// In the background, without a message; it only reads.
     void runInBackground(session::Task task,
                          std::function<void(const session::TaskCompletion&)> done);

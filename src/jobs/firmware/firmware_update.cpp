@@ -90,7 +90,7 @@ public:
         , m_file(file)
         , m_progress(progress)
     {
-        m_report.blocks = device::firmwareBlocks(file.bytes.size());
+        m_report.blocks = protocol::firmwareBlocks(file.bytes.size());
     }
 
     /// Its bootloader has just begun.
@@ -145,17 +145,15 @@ public:
     }
 
     FirmwareReport& result() { return m_report; }
-    /// What is known of the servo before it is asked. A block whose reply is missing may have been
-    /// accepted; after the start byte the old firmware does not start on its own.
+    /// What is known of the servo before it is asked. After the start byte the old firmware does
+    /// not start on its own.
     void end(const base::Result<void>& done, const base::Result<void>& restored)
     {
         if (!done)
             m_report.error = done.error();
         else if (!restored)
             m_report.error = restored.error();
-        const bool isRefused = !done && done.error().code == ErrorCode::Refused;
-        const int maybeAccepted = isRefused ? m_report.acceptedBlocks : m_report.sentBlocks;
-        if (maybeAccepted > 0 && maybeAccepted < m_report.blocks)
+        if (m_report.sentBlocks > 0 && m_report.sentBlocks < m_report.blocks)
             m_report.outcome = FirmwareOutcome::Incomplete;
         else if (m_isStarted)
             m_report.outcome = FirmwareOutcome::Unknown;
@@ -172,9 +170,9 @@ private:
     {
         for (int repeats = 0;; ++repeats) {
             const auto reply = device::sendFirmwareBlock(m_context, m_file.bytes, index);
-            if (reply || reply.error().attempts > 0)
-                m_report.sentBlocks = index + 1;
             const bool isRefused = reply && *reply == BootloaderReply::Refused;
+            if (!isRefused && (reply || reply.error().attempts > 0))
+                m_report.sentBlocks = index + 1;
             if (!isRefused || repeats == maxRepeats)
                 return requireAccepted(reply);
             ++m_report.repeats;

@@ -17,7 +17,7 @@
 namespace jobs {
 struct FirmwareReport {
     base::FirmwareOutcome outcome = base::FirmwareOutcome::Unchanged;
-    int sentBlocks = 0;
+    int sentBlocks = 0; ///< may have been accepted: also one whose reply is missing
     int acceptedBlocks = 0;
     int blocks = 0;
     int repeats = 0;                           ///< blocks that were refused and sent again

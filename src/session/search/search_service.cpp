@@ -190,7 +190,7 @@ void SearchService::leave()
     if (m_bench.link().connection())
         m_bench.presence().update(); // what the search has asked in vain does not count
     m_search.reset();
-    m_bench.emergencyStop().searchEnded();
+    m_bench.emergencyStop().baudRestored();
 }
 
 void SearchService::goOn()

@@ -28,9 +28,9 @@ void EmergencyStop::portOpened()
         m_bench.emitEvent({.kind = Event::Kind::StopNotSent, .isRepeated = true});
 }
 
-void EmergencyStop::searchEnded()
+void EmergencyStop::baudRestored()
 {
-    if (std::exchange(m_checkAfterSearch, false))
+    if (std::exchange(m_checkAtOldBaud, false))
         verify();
 }
 
@@ -56,10 +56,11 @@ void EmergencyStop::trigger()
         known.stoppedAt = m_bench.now();
     }
     m_bench.polling().mark(recording::MarkKind::Stop, nullptr, QStringLiteral("torque off"));
-    // A search at other rates puts the rate back when it has ended; who is asked must be known
-    // then.
-    m_checkAfterSearch = m_bench.search().isStarted() && !m_bench.search().keepsBaud();
-    if (!m_checkAfterSearch)
+    // Who is asked depends on the rate: it is known once it has been put back.
+    const auto& running = m_bench.tasks().running();
+    m_checkAtOldBaud = (m_bench.search().isStarted() && !m_bench.search().keepsBaud()) ||
+                       (running && running->task.changesPortBaud);
+    if (!m_checkAtOldBaud)
         verify();
     m_bench.emitEvent({.kind = Event::Kind::Stopped,
                        .isPending = m_bench.link().connection()->bus().isReconnecting()});

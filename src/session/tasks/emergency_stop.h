@@ -35,8 +35,8 @@ public:
                        const std::function<void(const TaskCompletion&)>& done);
 
     /// For the services of the workbench.
-    void portOpened();  ///< a stop that found no port is reported again
-    void searchEnded(); ///< the check that waited for it begins
+    void portOpened();   ///< a stop that found no port is reported again
+    void baudRestored(); ///< what changed the port's rate has ended: a check that waited begins
     std::optional<base::Error> refusal(const Work& work) const; ///< names the servos that are held
     void release(const Work& ended);
 
@@ -57,7 +57,7 @@ private:
 
     Workbench& m_bench;
     bool m_notSent = false; ///< a stop found no port
-    bool m_checkAfterSearch = false;
+    bool m_checkAtOldBaud = false;
     std::weak_ptr<StopVerification> m_verification; ///< of the latest stop
     QTimer m_unconfirmed;                           ///< when that has taken too long
 };

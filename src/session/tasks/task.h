@@ -41,8 +41,10 @@ struct Task {
     /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
     /// with NoReply before the first byte.
     std::vector<ServoRef> otherServos{};
-    /// What answers in the end under another firmware is still this servo.
+    /// What replies in the end with another firmware is still this servo.
     bool changesFirmware = false;
+    /// The port is at another rate for a while, which is put back in the end.
+    bool changesPortBaud = false;
     bool quiet = false; ///< no Event unless it failed
     /// A test of minutes or hours. While it runs the wire is its own: others are read once a
     /// second, tables when it has ended, and what writes or searches is refused (Held, "test").

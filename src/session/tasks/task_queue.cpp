@@ -280,6 +280,8 @@ void TaskQueue::workEnded(const std::shared_ptr<Work>& work)
     for (const Work::Part& other : work->others)
         partEnded(*work, other);
     m_bench.emergencyStop().release(*work);
+    if (work->task.changesPortBaud)
+        m_bench.emergencyStop().baudRestored();
     m_bench.closing().markMoved(*work);
     if (work->onMerged)
         work->onMerged(*work);

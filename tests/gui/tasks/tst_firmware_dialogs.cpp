@@ -17,6 +17,8 @@
 using ui::Command;
 
 namespace {
+const QString image = QStringLiteral("SCServo21-GD32-TTL-250306.bin");
+
 struct Fixture : gui::MainWindowFixture {
     explicit Fixture(const QString& port, const QString& language = QStringLiteral("en"))
         : MainWindowFixture(language)
@@ -43,6 +45,13 @@ struct Fixture : gui::MainWindowFixture {
         find<QPushButton>(button)->click();
         return window->findChild<Dialog*>();
     }
+    void clickRow(int row, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        auto* table = find<QTableWidget>("firmwareTable");
+        QTRY_VERIFY(table->rowCount() > row);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, modifiers,
+                          table->visualItemRect(table->item(row, 0)).center());
+    }
     static void chooseFile(QDialog* dialog, const QString& path)
     {
         gui::click(dialog, "firmwareChoose");
@@ -50,6 +59,15 @@ struct Fixture : gui::MainWindowFixture {
         QVERIFY(files != nullptr);
         Q_EMIT files->fileSelected(path);
         files->close();
+    }
+    /// With the image of the model, until all checks are done.
+    bool check(QDialog* dialog)
+    {
+        chooseFile(dialog, makeFile(image));
+        gui::click(dialog, "taskAction");
+        return support::waitFor([dialog] {
+            return gui::button(dialog, "taskAction")->text() == QLatin1String("Update");
+        });
     }
     int minorVersion(int id)
     {
@@ -62,7 +80,6 @@ private:
     QTemporaryDir m_files;
 };
 
-const QString image = QStringLiteral("SCServo21-GD32-TTL-250306.bin");
 } // namespace
 
 class TestFirmwareDialogs : public QObject {
@@ -79,11 +96,7 @@ private Q_SLOTS:
         const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
         QVERIFY(dialog);
         QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
-        Fixture::chooseFile(dialog, fixture.makeFile(image));
-        QCOMPARE(gui::button(dialog, "taskAction")->text(), QStringLiteral("Check"));
-        gui::click(dialog, "taskAction");
-        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
-                                  QStringLiteral("Update"), 60'000);
+        QVERIFY(fixture.check(dialog));
         QVERIFY(dialog->findChildren<QCheckBox*>().isEmpty()); // nothing to accept
         gui::click(dialog, "taskAction");
         QVERIFY(gui::ended(dialog));
@@ -106,10 +119,8 @@ private Q_SLOTS:
     {
         Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3,sts3215@4,sts3215@5,"
                                        "sts3215@6"));
-        auto* table = fixture.find<QTableWidget>("firmwareTable");
-        QTRY_COMPARE(table->rowCount(), 6);
-        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                          table->visualItemRect(table->item(2, 0)).center());
+        QTRY_COMPARE(fixture.find<QTableWidget>("firmwareTable")->rowCount(), 6);
+        fixture.clickRow(2);
         QCOMPARE(fixture.entry().servo.id, 3);
         const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
         QVERIFY(dialog);
@@ -134,16 +145,98 @@ private Q_SLOTS:
         dialog->close();
     }
 
+    /// The rows of the page that are selected, one after the other; what was accepted counts for
+    /// all of them.
+    void aListOfServosIsUpdated()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3,sts3215@4"));
+        fixture.clickRow(3);
+        fixture.clickRow(1, Qt::ControlModifier);
+        fixture.clickRow(0, Qt::ControlModifier);
+        QCOMPARE(fixture.selection().selected().size(), std::size_t(3));
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        QCOMPARE(dialog->findChild<QLabel*>(QStringLiteral("who"))->text(),
+                 QStringLiteral("3 servos, one after the other: ID 1–2, 4"));
+        QVERIFY(fixture.check(dialog));
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-other-servos"))->click();
+        gui::click(dialog, "taskAction");
+        QTRY_VERIFY_WITH_TIMEOUT(
+            gui::resultOf(dialog).startsWith(QStringLiteral("✓ 3 servos run the new firmware.")),
+            60'000);
+        for (const char* line : {"ID 1, firmware 3.11", "ID 2, firmware", "ID 4, firmware"})
+            QVERIFY2(gui::resultOf(dialog).contains(QLatin1String(line)),
+                     qPrintable(gui::resultOf(dialog)));
+        QCOMPARE(fixture.minorVersion(1), 11);
+        QCOMPARE(fixture.minorVersion(2), 11);
+        QCOMPARE(fixture.minorVersion(3), 10);
+        QCOMPARE(fixture.minorVersion(4), 11);
+        dialog->close();
+    }
+
+    /// The servo after it is not touched, and the next start begins with the one that failed.
+    void aListEndsWithTheFirstFailure()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3"));
+        for (const int row : {0, 1, 2})
+            fixture.clickRow(row, row == 0 ? Qt::NoModifier : Qt::ControlModifier);
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        QVERIFY(fixture.check(dialog));
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-other-servos"))->click();
+        const auto shared = fixture.workbench().link().connection()->simulation();
+        shared->with([](sim::VirtualBus& wire) { wire.servo(2)->powerOff(); });
+        gui::click(dialog, "taskAction");
+        QTRY_VERIFY_WITH_TIMEOUT(gui::resultOf(dialog).startsWith(QStringLiteral("✗ Servo 2: ")),
+                                 60'000);
+        QVERIFY2(gui::resultOf(dialog).contains(QStringLiteral("Not updated yet: ID 3")),
+                 qPrintable(gui::resultOf(dialog)));
+        QVERIFY(gui::resultOf(dialog).contains(QStringLiteral("ID 1, firmware 3.11")));
+        QCOMPARE(fixture.minorVersion(3), 10);
+
+        shared->with([](sim::VirtualBus& wire) { wire.powerCycle(); });
+        QTRY_VERIFY(gui::button(dialog, "taskAction")->isEnabled());
+        gui::click(dialog, "taskAction");
+        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
+                                  QStringLiteral("Update"), 60'000);
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-other-servos"))->click();
+        gui::click(dialog, "taskAction");
+        QTRY_VERIFY_WITH_TIMEOUT(
+            gui::resultOf(dialog).startsWith(QStringLiteral("✓ 3 servos run the new firmware.")),
+            60'000);
+        QCOMPARE(fixture.minorVersion(1), 11); // once
+        QCOMPARE(fixture.minorVersion(3), 11);
+        dialog->close();
+    }
+
+    /// One that needs another file: its check asks, and nothing has been sent to it.
+    void aRiskOfALaterServoIsAskedAbout()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,scs15@2"));
+        for (const int row : {0, 1})
+            fixture.clickRow(row, row == 0 ? Qt::NoModifier : Qt::ControlModifier);
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        QVERIFY(fixture.check(dialog));
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-other-servos"))->click();
+        const int before = fixture.minorVersion(2);
+        gui::click(dialog, "taskAction");
+        const QString accept = QStringLiteral("firmwareAccept-file-name");
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QCheckBox*>(accept) != nullptr, 60'000);
+        QTRY_VERIFY(gui::resultOf(dialog).contains(QStringLiteral("Not updated yet: ID 2")));
+        QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
+        QCOMPARE(fixture.minorVersion(1), 11);
+        QCOMPARE(fixture.minorVersion(2), before);
+        dialog->close();
+    }
+
     void anotherFileIsCheckedAgain()
     {
         Fixture fixture(QStringLiteral("sim:sts3215@1"));
         QVERIFY(fixture.choose(1));
         const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
         QVERIFY(dialog);
-        Fixture::chooseFile(dialog, fixture.makeFile(image));
-        gui::click(dialog, "taskAction");
-        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
-                                  QStringLiteral("Update"), 60'000);
+        QVERIFY(fixture.check(dialog));
         Fixture::chooseFile(dialog, fixture.makeFile(QStringLiteral("SMServo3.40-485.mbin")));
         QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
         QVERIFY2(gui::resultOf(dialog).contains(QStringLiteral("not a firmware file")),
@@ -172,10 +265,7 @@ private Q_SLOTS:
         QVERIFY(fixture.choose(1));
         const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
         QVERIFY(dialog);
-        Fixture::chooseFile(dialog, fixture.makeFile(image));
-        gui::click(dialog, "taskAction");
-        QTRY_COMPARE_WITH_TIMEOUT(gui::button(dialog, "taskAction")->text(),
-                                  QStringLiteral("Update"), 60'000);
+        QVERIFY(fixture.check(dialog));
         const auto shared = fixture.workbench().link().connection()->simulation();
         shared->with([](sim::VirtualBus& wire) { wire.servo(1)->defects().firmwareLost = true; });
         gui::click(dialog, "taskAction");

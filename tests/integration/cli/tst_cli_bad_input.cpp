@@ -55,6 +55,8 @@ private Q_SLOTS:
     void aClosedPipeIsNoError();
     void withoutAJournalNothingIsWritten_data();
     void withoutAJournalNothingIsWritten();
+    void withoutASavedTableNoFirmwareIsSent_data();
+    void withoutASavedTableNoFirmwareIsSent();
     void badSnapshotFiles_data();
     void badSnapshotFiles();
     void badModelFilesCauseAWarning_data();
@@ -307,6 +309,35 @@ void TestCliBadInput::withoutAJournalNothingIsWritten()
     QCOMPARE(after.exit, 0);
     QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(), 70);
     QCOMPARE(after.json()[QLatin1String("registers")][1][QLatin1String("raw")].toInt(), 1);
+}
+
+void TestCliBadInput::withoutASavedTableNoFirmwareIsSent_data()
+{
+    withoutAJournalNothingIsWritten_data();
+}
+
+/// Only a table that is saved can be restored: accepting it is the user's decision.
+void TestCliBadInput::withoutASavedTableNoFirmwareIsSent()
+{
+    QFETCH(QString, folder);
+    QFETCH(bool, full);
+    CliProgram cli;
+    const QString image = cli.dataFolder() + QStringLiteral("/SCServo21-GD32-TTL-250306.bin");
+    writeFile(image, QByteArray(640, 'x'));
+    cli.setPort(QStringLiteral("sim:sts3215@1"));
+    if (full)
+        cli.process().setChildProcessModifier(limitDiskSpace);
+    else
+        cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), folder);
+    const QStringList update{QStringLiteral("firmware"), QStringLiteral("update"), image,
+                             QStringLiteral("1"), QStringLiteral("--json")};
+    const ProgramResult refused = cli.run(update);
+    QCOMPARE(refused.exit, 1);
+    const QJsonValue servo = refused.json()[QLatin1String("servos")][0];
+    QCOMPARE(servo[QLatin1String("outcome")].toString(), QStringLiteral("not-started"));
+    QVERIFY(servo[QLatin1String("snapshot")].isNull());
+    const ProgramResult accepted = cli.run(update + words("--accept saved-table"));
+    QVERIFY2(accepted.exit == 0, qPrintable(accepted.out + accepted.err));
 }
 
 void TestCliBadInput::badSnapshotFiles_data()

@@ -13,19 +13,23 @@ using support::CliProgram;
 using support::SimProgram;
 using support::words;
 
+namespace {
+constexpr int imageSize = 1500;
+
+QString makeImage(const CliProgram& cli, const QString& name = {})
+{
+    QFile file(cli.dataFolder() + u'/' +
+               (name.isEmpty() ? QStringLiteral("SCServo21-GD32-TTL-250306.bin") : name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(QByteArray(imageSize, 'x')) != imageSize)
+        qFatal("no image");
+    return file.fileName();
+}
+} // namespace
+
 class TestCliFirmware : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    static QString makeImage(const CliProgram& cli, const QString& name = {}, int size = 1500)
-    {
-        QFile file(cli.dataFolder() + u'/' +
-                   (name.isEmpty() ? QStringLiteral("SCServo21-GD32-TTL-250306.bin") : name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(QByteArray(size, 'x')) != size)
-            qFatal("no image");
-        return file.fileName();
-    }
-
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void theOddOneIsNamed()

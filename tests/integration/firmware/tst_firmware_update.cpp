@@ -297,6 +297,25 @@ private Q_SLOTS:
         QCOMPARE(bench.fixture.bus().baud(), 1'000'000);
     }
 
+    /// Not even its only block was accepted: what replies afterwards is the old firmware.
+    void aRefusedFileIsNoUpdate()
+    {
+        Bench bench;
+        int refusals = 0;
+        bench.fixture.tap().replyOverride = [&](const Bytes& frame) -> std::optional<Bytes> {
+            if (frame.size() != blockSize)
+                return std::nullopt;
+            if (++refusals == 11)
+                bench.fixture.powerCycle();
+            return Bytes{0x15};
+        };
+        const auto report = bench.update(image(64));
+        QVERIFY(report);
+        QCOMPARE(refusals, 11);
+        QCOMPARE(report->outcome, FirmwareOutcome::Unchanged);
+        QCOMPARE(report->acceptedBlocks, 0);
+    }
+
     /// It restarts with the firmware it has.
     void withoutABootloaderNothingChanges()
     {

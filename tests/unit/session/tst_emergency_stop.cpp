@@ -141,6 +141,38 @@ private Q_SLOTS:
         QCOMPARE(fixture.unconfirmed.size(), std::size_t(1));
     }
 
+    /// A firmware update has the port at the bootloader's rate: the servos are asked at theirs,
+    /// when it has ended.
+    void aStopAtAnotherRateIsVerifiedAfterwards()
+    {
+        StopFixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        QVERIFY(fixture.search());
+        QVERIFY(fixture.write(fixture.at(2), torque, 1));
+        QVERIFY(fixture.waitUntilIdle());
+        std::atomic<bool> isAway = false;
+        std::atomic<bool> mayReturn = false;
+        Task task;
+        task.name = QStringLiteral("update-firmware");
+        task.changesPortBaud = true;
+        task.work = [&](TaskContext& context) -> base::Result<void> {
+            const auto away = context.device.bus.setBaud(500'000);
+            isAway = true;
+            while (!mayReturn)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return away ? context.device.bus.setBaud(1'000'000) : away;
+        };
+        fixture.workbench.tasks().perform(fixture.at(1), std::move(task));
+        const bool begun = support::waitFor([&] { return isAway.load(); });
+        fixture.workbench.emergencyStop().trigger();
+        mayReturn = true;
+        QVERIFY(begun);
+        QTRY_VERIFY(!fixture.checks.empty());
+        const session::StopResult& check = fixture.checks.back().stop;
+        QVERIFY(check.isConfirmed());
+        QCOMPARE(check.off.size(), std::size_t(2));
+        QCOMPARE(fixture.real(2, torque), 0);
+    }
+
     /// Also those whose check has ended already without an answer.
     void aStopWithoutRepliesNamesEveryServo()
     {
