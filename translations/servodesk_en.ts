@@ -182,6 +182,13 @@
             <numerusform>Settings of %n servos saved to %1 (ID %2)</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Press Enter to write offset and limits of %n joint(s).</source>
+        <translation>
+            <numerusform>Press Enter to write offset and limits of %n joint.</numerusform>
+            <numerusform>Press Enter to write offset and limits of %n joints.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>text</name>

@@ -6519,6 +6519,148 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>write the vendor&apos;s firmware file to a servo that is in its bootloader; not tried on real servos yet</source>
         <translation>把厂家的固件文件写入停留在引导程序中的舵机；尚未在真实舵机上试过</translation>
     </message>
+    <message>
+        <source>%1 (ID %2) does not reply.</source>
+        <translation>%1（ID %2）没有应答。</translation>
+    </message>
+    <message>
+        <source>%1 (ID %2) is a %3; LeRobot expects a %4 and refuses the bus.</source>
+        <translation>%1（ID %2）是 %3；LeRobot 要求 %4，会拒绝此总线。</translation>
+    </message>
+    <message>
+        <source>--arm takes %1, or a file</source>
+        <translation>--arm 可用 %1，或一个文件</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>位置校正</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>The firmware versions differ, and LeRobot refuses the bus. To see them: servodesk-cli firmware list</source>
+        <translation>固件版本不一致，LeRobot 会拒绝此总线。查看版本：servodesk-cli firmware list</translation>
+    </message>
+    <message>
+        <source>The EPROM lock is open (ID %1), as LeRobot leaves it. To close it: servodesk-cli write ID lock=1</source>
+        <translation>EPROM 锁未关闭（ID %1），LeRobot 会留下这种状态。关闭：servodesk-cli write ID lock=1</translation>
+    </message>
+    <message>
+        <source>so101 (default), lekiwi, koch, or a file with an arm</source>
+        <translation>so101（默认）、lekiwi、koch，或机械臂文件</translation>
+    </message>
+    <message>
+        <source>LeRobot&apos;s calibration file, *.json</source>
+        <translation>LeRobot 的校准文件，*.json</translation>
+    </message>
+    <message>
+        <source>LeRobot&apos;s calibration files on this computer:</source>
+        <translation>此计算机上的 LeRobot 校准文件：</translation>
+    </message>
+    <message>
+        <source>The file and the servos agree: LeRobot accepts the file.</source>
+        <translation>文件与舵机一致：LeRobot 接受此文件。</translation>
+    </message>
+    <message>
+        <source>LeRobot would ask for a new calibration. To write the file to the servos: servodesk-cli arm apply &quot;%1&quot;; to write the servos to the file: servodesk-cli arm export &quot;%1&quot;</source>
+        <translation>LeRobot 会要求重新校准。把文件写入舵机：servodesk-cli arm apply "%1"；把舵机的值保存到文件：servodesk-cli arm export "%1"</translation>
+    </message>
+    <message>
+        <source>the file has no joint %1 with the ID %2</source>
+        <translation>文件中没有 ID 为 %2 的关节 %1</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>已保存到 %1</translation>
+    </message>
+    <message>
+        <source>--format takes lerobot or arm</source>
+        <translation>--format 可用 lerobot 或 arm</translation>
+    </message>
+    <message>
+        <source>list the joints of a robot arm with position, offset and limits, and what LeRobot would refuse</source>
+        <translation>列出机械臂的关节及其位置、位置校正和限位，以及 LeRobot 会拒绝的问题</translation>
+    </message>
+    <message>
+        <source>compare LeRobot&apos;s calibration file with the servos</source>
+        <translation>将 LeRobot 的校准文件与舵机对比</translation>
+    </message>
+    <message>
+        <source>write offsets and limits of LeRobot&apos;s calibration file to the servos; torque is turned off</source>
+        <translation>把 LeRobot 校准文件中的位置校正和限位写入舵机；扭矩会关闭</translation>
+    </message>
+    <message>
+        <source>save what the servos hold as LeRobot&apos;s calibration file</source>
+        <translation>把舵机中的值保存为 LeRobot 的校准文件</translation>
+    </message>
+    <message>
+        <source>output file; other keys in an existing file are kept</source>
+        <translation>输出文件；已有文件中的其他键会保留</translation>
+    </message>
+    <message>
+        <source>lerobot (default): what the servos hold; arm: the joints, as a file for --arm</source>
+        <translation>lerobot（默认）：舵机中的值；arm：关节列表，可用于 --arm 的文件</translation>
+    </message>
+    <message>
+        <source>only these joints: NAME,NAME (default: all)</source>
+        <translation>仅这些关节：NAME,NAME（默认：全部）</translation>
+    </message>
+    <message>
+        <source>record for so long (default: until Enter)</source>
+        <translation>采集时长（默认：直到按回车）</translation>
+    </message>
+    <message>
+        <source>do not ask before torque off and writing</source>
+        <translation>卸力和写入前不询问</translation>
+    </message>
+    <message>
+        <source>the pose at the beginning becomes the middle, as in LeRobot (default: the middle of each range)</source>
+        <translation>以开始时的姿态作为中位，与 LeRobot 相同（默认：各范围的中点）</translation>
+    </message>
+    <message>
+        <source>Torque will be turned off, so the arm drops: hold it. Then move every joint through its whole range, in any order. Press Enter to begin.</source>
+        <translation>即将卸力，机械臂会落下：请扶住。然后以任意顺序把每个关节转过整个范围。按回车开始。</translation>
+    </message>
+    <message>
+        <source>no joint %1; the arm has %2</source>
+        <translation>没有关节 %1；机械臂有 %2</translation>
+    </message>
+    <message>
+        <source>the arm has no joint to calibrate</source>
+        <translation>机械臂没有可校准的关节</translation>
+    </message>
+    <message>
+        <source>Press Enter when every joint has been moved.</source>
+        <translation>转动完所有关节后按回车。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Press Enter to write offset and limits of %n joint(s).</source>
+        <translation>
+            <numerusform>按回车写入 %n 个关节的位置校正和限位。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>calibrate a robot arm by moving its joints by hand: torque off, record the ranges, write offsets and limits</source>
+        <translation>用手转动关节来校准机械臂：卸力、采集范围、写入位置校正和限位</translation>
+    </message>
+    <message>
+        <source>Robot arm:</source>
+        <translation>机械臂：</translation>
+    </message>
 </context>
 <context>
     <name>text</name>
@@ -9066,6 +9208,62 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>A firmware file has 64 to 65,535 bytes.</source>
         <translation>固件文件的大小为 64 至 65,535 字节。</translation>
+    </message>
+    <message>
+        <source>not moved yet</source>
+        <translation>尚未转动</translation>
+    </message>
+    <message>
+        <source>keep moving</source>
+        <translation>请继续转动</translation>
+    </message>
+    <message>
+        <source>range recorded</source>
+        <translation>范围已采集</translation>
+    </message>
+    <message>
+        <source>turns freely: no limits</source>
+        <translation>可连续转动：无限位</translation>
+    </message>
+    <message>
+        <source>lost track: move it again</source>
+        <translation>丢失圈数：请重新转动</translation>
+    </message>
+    <message>
+        <source>the range of this joint is not known</source>
+        <translation>此关节的范围未知</translation>
+    </message>
+    <message>
+        <source>The joint was not moved through its range.</source>
+        <translation>关节没有转过整个范围。</translation>
+    </message>
+    <message>
+        <source>Move the joint from stop to stop by hand.</source>
+        <translation>用手把关节从一端转到另一端。</translation>
+    </message>
+    <message>
+        <source>the range does not fit into one turn of the encoder</source>
+        <translation>范围超出编码器的一圈</translation>
+    </message>
+    <message>
+        <source>The middle shown is too far from the middle of the range.</source>
+        <translation>所示中位离范围中点太远。</translation>
+    </message>
+    <message>
+        <source>Show a pose nearer to the middle, or use the middle of the range.</source>
+        <translation>请摆出更接近中点的姿态，或使用范围中点。</translation>
+    </message>
+    <message>
+        <source>this servo has no position limits</source>
+        <translation>此舵机没有位置限位</translation>
+    </message>
+    <message>
+        <source>Its family has no such registers.</source>
+        <translation>该系列没有这些参数。</translation>
+    </message>
+    <message>
+        <source>Leave the joint out of the arm.</source>
+        <translation>请从机械臂中去掉此关节。</translation>
     </message>
 </context>
 <context>

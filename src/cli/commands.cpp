@@ -24,6 +24,9 @@ const std::vector<CommandGroup>& commandGroups()
          {snapshotSaveCommand(), snapshotShowCommand(), snapshotDiffCommand(),
           snapshotRestoreCommand(), bundleSaveCommand(), bundleRestoreCommand(),
           templateMakeCommand(), templateApplyCommand()}},
+        {QT_TRANSLATE_NOOP("cli", "Robot arm:"),
+         {armShowCommand(), armCalibrateCommand(), armExportCommand(), armCompareCommand(),
+          armApplyCommand()}},
         // "history" comes after its subcommands, because the first match is taken.
         {QT_TRANSLATE_NOOP("cli", "History:"),
          {historyShowCommand(), historyLabelCommand(), historySnapshotCommand(),

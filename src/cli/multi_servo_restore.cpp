@@ -33,14 +33,13 @@ jobs::ProgressFn MultiServoRestore::progress()
 }
 
 base::Result<Exit> MultiServoRestore::finish(const std::vector<jobs::ApplyResult>& all,
-                                             const QString& file)
+                                             const QString& file, Json document)
 {
     m_line.reset();
     Json::Array servos;
     QString text = appliedText(all);
     for (const jobs::ApplyResult& one : all)
         servos.push_back(jsonApplied(one));
-    Json document = Json::object();
     document.add("file", file)
         .add("dry_run", m_values.has("--dry-run"))
         .add("servos", std::move(servos));

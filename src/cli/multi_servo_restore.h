@@ -15,8 +15,9 @@ public:
     /// According to the options of the command. Valid while this object exists.
     jobs::ApplyOptions options();
     jobs::ProgressFn progress();
-    /// Prints the result and saves it to the file of --result.
-    base::Result<Exit> finish(const std::vector<jobs::ApplyResult>& all, const QString& file);
+    /// Prints the result and saves it to the file of --result. `document`: what it begins with.
+    base::Result<Exit> finish(const std::vector<jobs::ApplyResult>& all, const QString& file,
+                              Json document = Json::object());
 
 private:
     Run& m_run;

@@ -85,4 +85,15 @@ void Connection::unplugAll()
     if (m_simulation)
         m_simulation->with([](sim::VirtualBus& bus) { bus.unplugAll(); });
 }
+
+void Connection::moveSimulatedServosByHand(bool on)
+{
+    constexpr double handSpeed = 1.6; // rad/s: about 90 degrees
+    if (!m_simulation)
+        return;
+    m_simulation->with([on](sim::VirtualBus& bus) {
+        for (sim::VirtualServo* servo : bus.servos())
+            servo->load().handSpeed = on ? handSpeed : 0.0;
+    });
+}
 } // namespace session

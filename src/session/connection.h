@@ -57,6 +57,9 @@ public:
     std::size_t pendingServoCount() const; ///< simulated servos that have not been plugged in yet
     bool connectNext(); ///< unplugs the one before; false: the bag is empty, or there is none
     void unplugAll();
+    /// A simulated hand moves every shaft without torque from stop to stop, or no longer. Nothing
+    /// on a real port.
+    void moveSimulatedServosByHand(bool on);
     /// What is behind a simulated port, for trouble made on purpose; null on a real one.
     sim::SharedBus* simulation() const { return m_simulation.get(); }
 

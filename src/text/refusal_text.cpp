@@ -37,6 +37,20 @@ constexpr std::array notSupported{
                 QT_TRANSLATE_NOOP("text", "several servos reply after the rescue"),
                 QT_TRANSLATE_NOOP("text", "Their supply came on together."),
                 QT_TRANSLATE_NOOP("text", "Compare the firmware versions of these servos.")},
+    RefusalText{"joint-not-recorded",
+                QT_TRANSLATE_NOOP("text", "the range of this joint is not known"),
+                QT_TRANSLATE_NOOP("text", "The joint was not moved through its range."),
+                QT_TRANSLATE_NOOP("text", "Move the joint from stop to stop by hand.")},
+    RefusalText{
+        "joint-beyond-turn",
+        QT_TRANSLATE_NOOP("text", "the range does not fit into one turn of the encoder"),
+        QT_TRANSLATE_NOOP("text", "The middle shown is too far from the middle of the range."),
+        QT_TRANSLATE_NOOP("text", "Show a pose nearer to the middle, or use the middle of "
+                                  "the range.")},
+    RefusalText{"no-position-limits",
+                QT_TRANSLATE_NOOP("text", "this servo has no position limits"),
+                QT_TRANSLATE_NOOP("text", "Its family has no such registers."),
+                QT_TRANSLATE_NOOP("text", "Leave the joint out of the arm.")},
     RefusalText{"firmware-kind",
                 QT_TRANSLATE_NOOP("text", "this is not a firmware file for bus servos"),
                 QT_TRANSLATE_NOOP("text", "Only *.bin files are for bus servos; *.hex, *.mbin, "

@@ -31,12 +31,13 @@ QString text(const std::string& local)
 void describe(CLI::App& app, Raw& raw)
 {
     auto* preset =
-        app.add_option("--preset", raw.preset,
-                       "A ready-made bus: demo, trouble, modbus, lx, sweep, new-arm; line and "
-                       "line-trouble, a bag of six servos that are plugged in one after the other: "
-                       "SIGUSR1 or the line \"next\" on standard input puts the next one on the "
-                       "wire in place of the one before, \"unplug\" leaves the wire empty, "
-                       "\"plug N\" adds the Nth")
+        app.add_option(
+               "--preset", raw.preset,
+               "A ready-made bus: demo, trouble, modbus, lx, sweep, new-arm, so101; line and "
+               "line-trouble, a bag of six servos that are plugged in one after the other: "
+               "SIGUSR1 or the line \"next\" on standard input puts the next one on the "
+               "wire in place of the one before, \"unplug\" leaves the wire empty, "
+               "\"plug N\" adds the Nth")
             ->capture_default_str();
     app.add_option(
            "--servos", raw.servos,
@@ -44,7 +45,8 @@ void describe(CLI::App& app, Raw& raw)
            "defects stand behind them: sts3215@1+overshoot=5+rest-hysteresis=12. Known "
            "are rest-hysteresis and static-error (steps), overshoot (% of the way), speed "
            "(1 is healthy), speed-per-load, noise (steps), moving (0 or 1: stuck flag), "
-           "load-friction (N·m), stop (degrees), supply-ohms, ambient (°C), firmware-lost "
+           "load-friction (N·m), stop (degrees), hand (degrees/s: a hand turns the shaft "
+           "while torque is off), supply-ohms, ambient (°C), firmware-lost "
            "(0 or 1: stays in its bootloader, as after an interrupted update). Firmware that "
            "behaves differently, 1 for yes: deaf (hears nothing while it writes its "
            "EPROM; default: requests wait in its receive buffer), new-id-reply (an ID "

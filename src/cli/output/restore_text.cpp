@@ -192,8 +192,7 @@ std::vector<Option> restoreOptions(std::vector<Option> more)
          {"--roll-back",
           QT_TRANSLATE_NOOP(
               "cli", "undo all writes at the first failure (default: stop without undoing)")},
-         {"--dry-run", QT_TRANSLATE_NOOP("cli", "show what would be written, without "
-                                                "writing")},
+         dryRunOption,
          {"--result", QT_TRANSLATE_NOOP("cli", "save the result of each row (.csv or .json)"),
           "FILE"}});
     return more;

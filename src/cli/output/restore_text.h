@@ -13,6 +13,8 @@ namespace cli {
 QString formatNumber(std::optional<std::int64_t> raw, std::optional<double> value,
                      const QString& unit);
 
+inline constexpr Option dryRunOption{
+    "--dry-run", QT_TRANSLATE_NOOP("cli", "show what would be written, without writing")};
 /// --only, --live, --dangerous, --roll-back, --dry-run, --result; plus those of the command.
 std::vector<Option> restoreOptions(std::vector<Option> more = {});
 jobs::RestoreChoice choiceOf(const Values& values);

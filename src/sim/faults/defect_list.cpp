@@ -29,6 +29,8 @@ constexpr DefectOption defectOptions[] = {
     {"load-friction", 0, 100, [](ServoSpec& r, double v) { r.load.coulombFriction = v; }},
     {"stop", -3600, 3600,
      [](ServoSpec& r, double v) { r.load.stopHigh = v * std::numbers::pi / 180.0; }},
+    {"hand", 0, 720,
+     [](ServoSpec& r, double v) { r.load.handSpeed = v * std::numbers::pi / 180.0; }},
     {"supply-ohms", 0, 100, [](ServoSpec& r, double v) { r.supplyOhms = v; }},
     {"ambient", -40, 150, [](ServoSpec& r, double v) { r.ambientCelsius = v; }},
     {"eprom-ms", 0, 10'000,

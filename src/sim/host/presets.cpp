@@ -5,6 +5,7 @@
 #include "sim/servo/servo_spec.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace sim {
 namespace {
@@ -186,15 +187,36 @@ ServoList newArm()
     return servos;
 }
 
+// A robot arm of six servos as it comes from assembly: each joint between its own stops, the
+// encoder's seam anywhere, and an offset left from an earlier attempt. The wrist turns freely.
+ServoList so101()
+{
+    constexpr auto joint = [](int id, double degrees, double low, double high) {
+        Load load = arm(0.05);
+        load.stopLow = low * std::numbers::pi / 180.0;
+        load.stopHigh = high * std::numbers::pi / 180.0;
+        return ServoSpec{QStringLiteral("STS3215"), id, fastBaud, 7.4, degrees, load, nullptr};
+    };
+    ServoList servos{joint(1, 120, 35, 250), joint(2, 300, 250, 450), joint(3, 140, 100, 285),
+                     joint(4, 40, -60, 130), joint(6, 200, 170, 290)};
+    servos.push_back({QStringLiteral("STS3215"), 5, fastBaud, 7.4, 220, turntable(), nullptr});
+    servos[2].prepare = [](VirtualServo& servo) {
+        servo.poke(QStringLiteral("lock"), 0);
+        servo.poke(QStringLiteral("position_offset"), 850);
+        servo.poke(QStringLiteral("lock"), 1);
+    };
+    return servos;
+}
+
 struct Preset {
     const char* name;
     ServoList (*servos)();
     bool hotplug = false; ///< no servo is plugged in yet
 };
-constexpr Preset presets[] = {{"demo", demo},       {"trouble", trouble},
-                              {"modbus", modbus},   {"lx", lx},
-                              {"sweep", sweep},     {"new-arm", newArm},
-                              {"line", line, true}, {"line-trouble", lineTrouble, true}};
+constexpr Preset presets[] = {
+    {"demo", demo},   {"trouble", trouble}, {"modbus", modbus},
+    {"lx", lx},       {"sweep", sweep},     {"new-arm", newArm},
+    {"so101", so101}, {"line", line, true}, {"line-trouble", lineTrouble, true}};
 base::Result<void> addToAll(ServoList& servos, const QStringList& words)
 {
     for (ServoSpec& servoSpec : servos) {

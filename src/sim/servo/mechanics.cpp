@@ -153,9 +153,32 @@ void Mechanics::stopAt(double limit, double sign)
     }
 }
 
+/// Stronger than friction and load: it sets the speed. It rests at a stop before it turns back.
+void Mechanics::moveByHand(const Load& load, double seconds)
+{
+    constexpr double restSeconds = 0.3;
+    m_handRest = std::max(0.0, m_handRest - seconds);
+    const double speed = m_handRest > 0.0 ? 0.0 : m_handDirection * load.handSpeed;
+    const double next = m_shaft.angle + speed * seconds;
+    const double low = load.stopLow.value_or(next);
+    const double high = std::max(low, load.stopHigh.value_or(next));
+    m_shaft = {std::clamp(next, low, high), speed};
+    m_motor = m_shaft;
+    if (m_shaft.angle != next) {
+        m_handDirection = -m_handDirection;
+        m_handRest = restSeconds;
+    }
+    m_atRest = false;
+}
+
 void Mechanics::step(Bridge bridge, double effort, const Load& load, const Environment& environment,
                      double seconds)
 {
+    if (bridge == Bridge::Open && load.handSpeed > 0.0) {
+        moveByHand(load, seconds);
+        measureCurrent(bridge, effort, environment);
+        return;
+    }
     const Torques motor = motorTorques(bridge, effort, environment);
     const Torques shaft = shaftTorques(load, seconds);
     const double shaftInertia = m_motorModel.shaftInertia + std::max(0.0, load.inertia);

@@ -60,6 +60,7 @@ private:
     void moveTogether(double side, const Torques& motor, const Torques& shaft, double shaftInertia,
                       double seconds);
     void stopAt(double limit, double sign);
+    void moveByHand(const Load& load, double seconds);
 
     MotorModel m_motorModel;
     double m_initialHalfPlay;
@@ -70,5 +71,7 @@ private:
     double m_amps = 0;
     double m_supplyAmps = 0;
     bool m_atRest = true;
+    double m_handDirection = 1;
+    double m_handRest = 0; ///< seconds
 };
 } // namespace sim

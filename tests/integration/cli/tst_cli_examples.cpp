@@ -38,6 +38,8 @@ QString portFor(const QString& line)
         return line.contains(QLatin1String("other-servos"))
                    ? QStringLiteral("sim:sts3215@1,sts3215@2")
                    : QStringLiteral("sim:sts3215@1");
+    if (line.startsWith(QLatin1String("arm")))
+        return QStringLiteral("sim:so101");
     if (line.contains(QLatin1String("tour")))
         return {}; // names its own
     return QStringLiteral("sim:demo");
@@ -67,7 +69,7 @@ void TestCliExamples::everyExampleRuns()
     for (const char* name :
          {"arm.csv", "arm.pdf", "arm.html", "knee.pdf", "sweep.html", "sweep.pdf", "sweep.csv",
           "compared.html", "step.html", "gains.html", "knee.servo.json", "arm.bundle.json",
-          "gains.servo.json", "then.servo.json", "alarms.csv"})
+          "gains.servo.json", "then.servo.json", "alarms.csv", "so101.json", "my-arm.json"})
         QVERIFY2(QFile::exists(m_folder.filePath(QLatin1String(name))), name);
 }
 

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void pendulumSwingsOutAndHangs();
     void springPullsToItsCenter();
     void stopsHold();
+    void aHandMovesAFreeShaftOnly();
     void brakedMotorResistsAFreeOneDoesNot();
     void currentFollowsTheLoad();
     void supplySagIsOhmsLaw();
@@ -183,6 +184,28 @@ void TestMechanics::stopsHold()
     QCOMPARE(rig.mechanics.speed(), 0.0);
     rig.run(1.0, Bridge::Driven, -1.0);
     QCOMPARE(rig.mechanics.angle(), pi - 0.2);
+}
+
+/// To and fro between the stops, at its speed, while the motor turns freely; never against it.
+void TestMechanics::aHandMovesAFreeShaftOnly()
+{
+    Rig rig;
+    rig.load.stopLow = pi - 1.0;
+    rig.load.stopHigh = pi + 0.5;
+    rig.load.handSpeed = 1.0;
+    rig.run(0.4);
+    QVERIFY(std::abs(rig.mechanics.angle() - (pi + 0.4)) < 0.01);
+    rig.run(0.2); // at the stop
+    QCOMPARE(rig.mechanics.angle(), pi + 0.5);
+    rig.run(2.0);
+    QCOMPARE(rig.mechanics.angle(), pi - 1.0);
+    const double held = rig.mechanics.angle();
+    rig.run(1.0, Bridge::Shorted, 1.0);
+    QVERIFY(std::abs(rig.mechanics.angle() - held) < 0.01);
+    rig.load.stopLow.reset();
+    rig.load.stopHigh.reset();
+    rig.run(10.0);
+    QVERIFY(std::abs(rig.mechanics.angle() - held) > 2 * pi); // on and on
 }
 
 void TestMechanics::brakedMotorResistsAFreeOneDoesNot()

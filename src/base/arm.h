@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words about a robot arm's joints. Data only; made by jobs/arm, worded by the text layer. Any
+// thread.
+#pragma once
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+
+namespace base {
+enum class JointKind : std::uint8_t {
+    Limited,    ///< turns between two stops
+    Continuous, ///< may turn through a full turn and further
+    Gripper,
+    Wheel, ///< is not calibrated
+};
+QString jointKindName(JointKind kind); ///< "limited", "continuous" …
+std::optional<JointKind> jointKindOf(const QString& name);
+
+/// What is known of a joint's range while it is moved by hand.
+enum class JointState : std::uint8_t {
+    NotMoved,
+    KeepMoving, ///< less than a range that a joint can have
+    Recorded,
+    FullTurn,  ///< turns through a full turn or further: it has no end that could be a limit
+    LostTrack, ///< between two readings it may have turned by more than half a turn; the range
+               ///< began anew
+    NoReply,   ///< its servo has not replied yet
+};
+QString jointStateName(JointState state); ///< "not-moved", "keep-moving" …
+} // namespace base

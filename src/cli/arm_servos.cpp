@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arm_servos.h"
+
+#include "cli/input/arguments.h"
+#include "cli/multi_servo_restore.h"
+#include "cli/output/table.h"
+#include "cli/translate.h"
+#include "device/reader.h"
+#include "jobs/arm/calibration.h"
+
+#include <QSet>
+
+#include <algorithm>
+
+namespace cli {
+namespace {
+using catalog::Role;
+
+base::Result<device::Servo> readJoint(Run& run, int id)
+{
+    auto servo = run.servoWithSettings(id);
+    if (!servo)
+        return servo;
+    std::vector<Role> roles;
+    for (const Role role : {Role::MinAngle, Role::MaxAngle, Role::PositionOffset, Role::Lock,
+                            Role::PresentPosition}) {
+        if (servo->profile->byRole(role) != nullptr)
+            roles.push_back(role);
+    }
+    const auto context = run.context();
+    if (const auto read = device::readRoles(*context, *servo, roles); !read)
+        return tl::unexpected(read.error());
+    return servo;
+}
+
+Json orNull(std::optional<std::int64_t> raw)
+{
+    return Json(raw);
+}
+
+QString cell(std::optional<std::int64_t> raw)
+{
+    return raw ? QString::number(*raw) : noValue();
+}
+
+QString firmwareOf(const device::Servo& servo)
+{
+    return servo.profile->identity.firmware();
+}
+
+void addModelNotes(const ArmJoint& one, QStringList& notes)
+{
+    if (!one.servo) {
+        notes
+            << translate("cli", "%1 (ID %2) does not reply.").arg(one.joint.name).arg(one.joint.id);
+        return;
+    }
+    if (!one.joint.model.isEmpty() && one.servo->profile->modelName != one.joint.model)
+        notes << translate("cli", "%1 (ID %2) is a %3; LeRobot expects a %4 and refuses the bus.")
+                     .arg(one.joint.name)
+                     .arg(one.joint.id)
+                     .arg(one.servo->profile->modelName, one.joint.model);
+}
+} // namespace
+
+base::Result<jobs::Arm> armOf(const Values& values)
+{
+    const QString name = values.option(armOption.flag).value_or(QStringLiteral("so101"));
+    auto arm = jobs::loadArm(name);
+    const bool isFile = name.contains(QLatin1Char('/')) || name.contains(QLatin1Char('.'));
+    if (!arm && arm.error().code == base::ErrorCode::FileMissing && !isFile)
+        return badArgument(translate("cli", "--arm takes %1, or a file")
+                               .arg(jobs::builtInArms().join(QStringLiteral(", "))));
+    return arm;
+}
+
+std::optional<jobs::JointCalibration> ArmJoint::calibration() const
+{
+    return servo ? jobs::calibrationIn(*servo) : std::nullopt;
+}
+
+base::Result<std::vector<ArmJoint>> findJoints(Run& run, const Values& values)
+{
+    const auto arm = armOf(values);
+    if (!arm)
+        return tl::unexpected(arm.error());
+    std::vector<ArmJoint> joints;
+    std::optional<base::Error> silence;
+    bool isAnyFound = false;
+    for (const jobs::Joint& joint : arm->joints) {
+        auto servo = readJoint(run, joint.id);
+        if (!servo && servo.error().code != base::ErrorCode::NoReply)
+            return tl::unexpected(servo.error());
+        isAnyFound |= servo.has_value();
+        if (!servo && !silence)
+            silence = servo.error();
+        joints.push_back({joint, servo ? std::optional(std::move(*servo)) : std::nullopt});
+    }
+    if (!isAnyFound)
+        return tl::unexpected(*silence);
+    return joints;
+}
+
+base::Result<void> requireJoints(const std::vector<ArmJoint>& joints)
+{
+    for (const ArmJoint& one : joints) {
+        if (!one.servo)
+            return base::fail(base::ErrorCode::NoReply, QStringLiteral("arm"), {}, one.joint.id);
+    }
+    return {};
+}
+
+base::Result<Exit> writeCalibration(Run& run, const Values& values,
+                                    const std::vector<snapshot::Snapshot>& templates,
+                                    const QString& source, Json document)
+{
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    snapshot::Bundle bundle;
+    bundle.servos = templates;
+    MultiServoRestore several(run, values);
+    jobs::ApplyOptions options = several.options();
+    options.choice.consent = options.restore.consent = device::Consent::byTask();
+    const auto all = jobs::restoreBundle(*context, bundle, options, several.progress());
+    return several.finish(all, source, std::move(document));
+}
+
+Json jsonJoint(const ArmJoint& one)
+{
+    const auto calibration = one.calibration();
+    const auto value = [&](int jobs::JointCalibration::*field) {
+        return calibration ? Json((*calibration).*field) : Json();
+    };
+    return Json::object()
+        .add("name", one.joint.name)
+        .add("id", one.joint.id)
+        .add("kind", base::jointKindName(one.joint.kind))
+        .add("model", one.servo ? Json(one.servo->profile->modelName) : Json())
+        .add("firmware", one.servo ? Json(firmwareOf(*one.servo)) : Json())
+        .add("position", one.servo ? orNull(one.servo->raw(Role::PresentPosition)) : Json())
+        .add("homing_offset", value(&jobs::JointCalibration::homingOffset))
+        .add("range_min", value(&jobs::JointCalibration::rangeMin))
+        .add("range_max", value(&jobs::JointCalibration::rangeMax));
+}
+
+QString jointsText(const std::vector<ArmJoint>& joints)
+{
+    Table table({translate("cli", "Joint"), translate("cli", "ID"), translate("cli", "Model"),
+                 translate("cli", "Firmware"), translate("cli", "Position"),
+                 translate("cli", "Offset"), translate("cli", "Min"), translate("cli", "Max")});
+    table.alignRight({1, 4, 5, 6, 7});
+    for (const ArmJoint& one : joints) {
+        const auto calibration = one.calibration();
+        const auto value = [&](int jobs::JointCalibration::*field) {
+            return calibration ? QString::number((*calibration).*field) : noValue();
+        };
+        table.add({one.joint.name, QString::number(one.joint.id),
+                   one.servo ? one.servo->profile->modelName : noValue(),
+                   one.servo ? firmwareOf(*one.servo) : noValue(),
+                   one.servo ? cell(one.servo->raw(Role::PresentPosition)) : noValue(),
+                   value(&jobs::JointCalibration::homingOffset),
+                   value(&jobs::JointCalibration::rangeMin),
+                   value(&jobs::JointCalibration::rangeMax)});
+    }
+    return table.text();
+}
+
+QString plansText(const std::vector<JointPlan>& plans)
+{
+    Table table({translate("cli", "Joint"), translate("cli", "ID"), translate("cli", "Range"),
+                 translate("cli", "Offset"), translate("cli", "Min"), translate("cli", "Max")});
+    table.alignRight({1, 3, 4, 5});
+    for (const JointPlan& one : plans) {
+        const auto change = [&](int jobs::JointCalibration::*field) {
+            const QString now = one.now ? QString::number((*one.now).*field) : noValue();
+            const QString next = one.next ? QString::number((*one.next).*field) : now;
+            return now == next ? now : QStringLiteral("%1 → %2").arg(now, next);
+        };
+        table.add({one.joint.name, QString::number(one.joint.id), one.remark,
+                   change(&jobs::JointCalibration::homingOffset),
+                   change(&jobs::JointCalibration::rangeMin),
+                   change(&jobs::JointCalibration::rangeMax)});
+    }
+    return table.text();
+}
+
+QStringList armNotes(const std::vector<ArmJoint>& joints)
+{
+    QStringList notes;
+    QSet<QString> versions;
+    QStringList open;
+    for (const ArmJoint& one : joints) {
+        addModelNotes(one, notes);
+        if (!one.servo)
+            continue;
+        versions << firmwareOf(*one.servo);
+        if (one.servo->raw(Role::Lock) == 0)
+            open << QString::number(one.joint.id);
+    }
+    if (versions.size() > 1)
+        notes << translate("cli", "The firmware versions differ, and LeRobot refuses the bus. To "
+                                  "see them: servodesk-cli firmware list");
+    if (!open.isEmpty())
+        notes << translate("cli", "The EPROM lock is open (ID %1), as LeRobot leaves it. To close "
+                                  "it: servodesk-cli write ID lock=1")
+                     .arg(open.join(QStringLiteral(", ")));
+    return notes;
+}
+
+std::vector<jobs::LerobotJoint> lerobotJoints(const std::vector<ArmJoint>& joints)
+{
+    std::vector<jobs::LerobotJoint> all;
+    for (const ArmJoint& one : joints) {
+        if (const auto calibration = one.calibration())
+            all.push_back(
+                {one.joint.name, one.joint.id, one.joint.isReversed ? 1 : 0, *calibration});
+    }
+    return all;
+}
+} // namespace cli

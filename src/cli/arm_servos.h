@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the arm commands share: the arm of --arm with the servos of its joints as they are, and
+// their calibration as a table and as JSON. Main thread (translated texts).
+#pragma once
+
+#include "cli/run.h"
+#include "jobs/arm/arm.h"
+#include "jobs/arm/lerobot_file.h"
+#include "snapshot/snapshot.h"
+
+namespace cli {
+inline constexpr Option armOption{
+    "--arm", QT_TRANSLATE_NOOP("cli", "so101 (default), lekiwi, koch, or a file with an arm"),
+    "ARM"};
+
+base::Result<jobs::Arm> armOf(const Values& values);
+
+struct ArmJoint {
+    jobs::Joint joint;
+    std::optional<device::Servo> servo{}; ///< settings, position and lock read; none: no reply
+
+    std::optional<jobs::JointCalibration> calibration() const;
+};
+
+/// With the servos of all joints. NoReply only if none of them replies.
+base::Result<std::vector<ArmJoint>> findJoints(Run& run, const Values& values);
+/// NoReply with the ID of the first joint that does not reply.
+base::Result<void> requireJoints(const std::vector<ArmJoint>& joints);
+
+/// Each template onto the servo with its ID, as --dry-run says; prints the result. `document`: what
+/// it begins with.
+base::Result<Exit> writeCalibration(Run& run, const Values& values,
+                                    const std::vector<snapshot::Snapshot>& templates,
+                                    const QString& source, Json document = Json::object());
+
+/// {"name","id","kind","model","firmware","position","homing_offset","range_min","range_max"}
+Json jsonJoint(const ArmJoint& one);
+/// A joint and what is to be written: "850 → 1033".
+struct JointPlan {
+    jobs::Joint joint;
+    QString remark{}; ///< of the range
+    std::optional<jobs::JointCalibration> now{};
+    std::optional<jobs::JointCalibration> next{}; ///< none: stays as it is
+};
+QString plansText(const std::vector<JointPlan>& plans);
+QString jointsText(const std::vector<ArmJoint>& joints);
+/// What LeRobot would refuse, or leaves behind, with the remedy; each a line.
+QStringList armNotes(const std::vector<ArmJoint>& joints);
+
+/// As LeRobot's file has them: what was read from the servos.
+std::vector<jobs::LerobotJoint> lerobotJoints(const std::vector<ArmJoint>& joints);
+} // namespace cli

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arm_servos.h"
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/output/report_text.h"
+#include "cli/output/restore_text.h"
+#include "cli/translate.h"
+#include "jobs/arm/calibration.h"
+#include "session/snapshot/safety_snapshot.h"
+
+#include <QFileInfo>
+
+namespace cli {
+namespace {
+constexpr Positional calibrationFile{
+    "FILE", QT_TRANSLATE_NOOP("cli", "LeRobot's calibration file, *.json")};
+
+QString linesOf(const QStringList& lines)
+{
+    return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+Json jsonJoints(const std::vector<ArmJoint>& joints)
+{
+    Json::Array all;
+    for (const ArmJoint& one : joints)
+        all.push_back(jsonJoint(one));
+    return all;
+}
+
+base::Result<Exit> runShow(Run& run, const Values& values)
+{
+    const auto joints = findJoints(run, values);
+    if (!joints)
+        return tl::unexpected(joints.error());
+    const QStringList notes = armNotes(*joints);
+    const QStringList files = jobs::findLerobotFiles();
+    QStringList lines = notes;
+    if (!files.isEmpty())
+        lines << translate("cli", "LeRobot's calibration files on this computer:") << files;
+    run.finish(Json::object()
+                   .add("joints", jsonJoints(*joints))
+                   .add("remarks", notes)
+                   .add("lerobot_files", files),
+               jointsText(*joints) + linesOf(lines));
+    return requireJoints(*joints) ? Exit::Success : Exit::NoReply;
+}
+
+/// A value in the file and in the servo.
+struct Difference {
+    QString joint;
+    const char* key;
+    std::optional<int> inFile;
+    std::optional<int> inServo;
+};
+
+std::vector<Difference> differences(const std::vector<ArmJoint>& joints,
+                                    const jobs::LerobotFile& file)
+{
+    using Value = int jobs::JointCalibration::*;
+    constexpr std::pair<const char*, Value> fields[]{
+        {"homing_offset", &jobs::JointCalibration::homingOffset},
+        {"range_min", &jobs::JointCalibration::rangeMin},
+        {"range_max", &jobs::JointCalibration::rangeMax}};
+    std::vector<Difference> all;
+    for (const ArmJoint& one : joints) {
+        const jobs::LerobotJoint* saved = file.find(one.joint.name);
+        if (saved == nullptr || saved->id != one.joint.id) {
+            all.push_back({one.joint.name, "id",
+                           saved != nullptr ? std::optional(saved->id) : std::nullopt,
+                           one.joint.id});
+            continue;
+        }
+        const auto held = one.calibration();
+        for (const auto& [key, value] : fields) {
+            const auto inServo = held ? std::optional((*held).*value) : std::nullopt;
+            if (inServo != saved->calibration.*value)
+                all.push_back({one.joint.name, key, saved->calibration.*value, inServo});
+        }
+    }
+    return all;
+}
+
+base::Result<Exit> runCompare(Run& run, const Values& values)
+{
+    const QString path = values.argument(calibrationFile.name);
+    const auto file = jobs::loadLerobotFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto joints = findJoints(run, values);
+    if (!joints)
+        return tl::unexpected(joints.error());
+    if (const auto all = requireJoints(*joints); !all)
+        return tl::unexpected(all.error());
+    const std::vector<Difference> found = differences(*joints, *file);
+    Table table({translate("cli", "Joint"), translate("cli", "Key"), translate("cli", "File"),
+                 translate("cli", "Servo")});
+    table.alignRight({2, 3});
+    Json::Array rows;
+    const auto cell = [](std::optional<int> value) {
+        return value ? QString::number(*value) : noValue();
+    };
+    for (const Difference& one : found) {
+        table.add({one.joint, QLatin1String(one.key), cell(one.inFile), cell(one.inServo)});
+        rows.push_back(Json::object()
+                           .add("joint", one.joint)
+                           .add("key", QString::fromLatin1(one.key))
+                           .add("file", Json(one.inFile))
+                           .add("servo", Json(one.inServo)));
+    }
+    const QString same =
+        translate("cli", "The file and the servos agree: LeRobot accepts the file.");
+    const QString remedy =
+        translate("cli",
+                  "LeRobot would ask for a new calibration. To write the file to the servos: "
+                  "servodesk-cli arm apply \"%1\"; to write the servos to the file: "
+                  "servodesk-cli arm export \"%1\"")
+            .arg(path);
+    run.finish(Json::object()
+                   .add("file", path)
+                   .add("equal", found.empty())
+                   .add("differences", std::move(rows)),
+               found.empty() ? same + QLatin1Char('\n')
+                             : table.text() + remedy + QLatin1Char('\n'));
+    return found.empty() ? Exit::Success : Exit::Failed;
+}
+
+base::Result<Exit> runApply(Run& run, const Values& values)
+{
+    const QString path = values.argument(calibrationFile.name);
+    const auto file = jobs::loadLerobotFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto joints = findJoints(run, values);
+    if (!joints)
+        return tl::unexpected(joints.error());
+    if (const auto all = requireJoints(*joints); !all)
+        return tl::unexpected(all.error());
+    std::vector<snapshot::Snapshot> templates;
+    std::vector<JointPlan> plans;
+    for (const ArmJoint& one : *joints) {
+        const jobs::LerobotJoint* saved = file->find(one.joint.name);
+        if (saved == nullptr || saved->id != one.joint.id)
+            return badArgument(translate("cli", "the file has no joint %1 with the ID %2")
+                                   .arg(one.joint.name)
+                                   .arg(one.joint.id));
+        plans.push_back({one.joint, {}, one.calibration(), saved->calibration});
+        templates.push_back(jobs::calibrationTemplate(*one.servo, one.joint.kind,
+                                                      saved->calibration, session::programName()));
+    }
+    run.console().print(plansText(plans));
+    return writeCalibration(run, values, templates, path);
+}
+
+/// Other keys of a file that is there are kept; one that is no calibration file is not replaced.
+base::Result<jobs::LerobotFile> fileToExport(const QString& path)
+{
+    if (!QFileInfo::exists(path))
+        return jobs::LerobotFile{};
+    return jobs::loadLerobotFile(path);
+}
+
+/// The arm itself, as a file for --arm that the user can change.
+base::Result<Exit> exportArm(Run& run, const Values& values)
+{
+    const QString path = values.argument("FILE");
+    const auto arm = armOf(values);
+    if (!arm)
+        return tl::unexpected(arm.error());
+    if (const auto saved = jobs::saveArm(*arm, path); !saved)
+        return tl::unexpected(saved.error());
+    run.finish(Json::object().add("file", path),
+               translate("cli", "Saved to %1").arg(path) + QLatin1Char('\n'));
+    return Exit::Success;
+}
+
+base::Result<Exit> runExport(Run& run, const Values& values)
+{
+    const QString format = values.option("--format").value_or(QStringLiteral("lerobot"));
+    if (format == QLatin1String("arm"))
+        return exportArm(run, values);
+    if (format != QLatin1String("lerobot"))
+        return badArgument(translate("cli", "--format takes lerobot or arm"));
+    const QString path = values.argument("FILE");
+    auto file = fileToExport(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto joints = findJoints(run, values);
+    if (!joints)
+        return tl::unexpected(joints.error());
+    if (const auto all = requireJoints(*joints); !all)
+        return tl::unexpected(all.error());
+    std::vector<jobs::LerobotJoint> exported = lerobotJoints(*joints);
+    for (jobs::LerobotJoint& one : exported) {
+        if (const jobs::LerobotJoint* before = file->find(one.name))
+            one.driveMode = before->driveMode;
+    }
+    file->joints = std::move(exported);
+    if (const auto saved = jobs::saveLerobotFile(*file, path); !saved)
+        return tl::unexpected(saved.error());
+    const QStringList notes = armNotes(*joints);
+    run.finish(
+        Json::object().add("file", path).add("joints", jsonJoints(*joints)).add("remarks", notes),
+        jointsText(*joints) + translate("cli", "Saved to %1").arg(path) + QLatin1Char('\n') +
+            linesOf(notes));
+    return Exit::Success;
+}
+} // namespace
+
+Command armShowCommand()
+{
+    return {"arm show",
+            QT_TRANSLATE_NOOP("cli", "list the joints of a robot arm with position, offset and "
+                                     "limits, and what LeRobot would refuse"),
+            {},
+            {armOption},
+            runShow};
+}
+
+Command armCompareCommand()
+{
+    return {"arm compare",
+            QT_TRANSLATE_NOOP("cli", "compare LeRobot's calibration file with the servos"),
+            {calibrationFile},
+            {armOption},
+            runCompare};
+}
+
+Command armApplyCommand()
+{
+    return {"arm apply",
+            QT_TRANSLATE_NOOP("cli",
+                              "write offsets and limits of LeRobot's calibration file to the "
+                              "servos; torque is turned off"),
+            {calibrationFile},
+            {armOption, dryRunOption},
+            runApply};
+}
+
+Command armExportCommand()
+{
+    return {"arm export",
+            QT_TRANSLATE_NOOP("cli", "save what the servos hold as LeRobot's calibration file"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "output file; other keys in an existing file are "
+                                               "kept")}},
+            {armOption,
+             {"--format",
+              QT_TRANSLATE_NOOP(
+                  "cli",
+                  "lerobot (default): what the servos hold; arm: the joints, as a file for --arm"),
+              "FORMAT"}},
+            runExport};
+}
+} // namespace cli

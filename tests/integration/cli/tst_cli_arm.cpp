@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// servodesk-cli arm: an SO-101 calibrated by moving, LeRobot's file compared, written to the servos
+// and saved from them, and what LeRobot would refuse.
+#include "support/cli_program.h"
+#include "support/test_main.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <cmath>
+
+using support::CliProgram;
+using support::SimProgram;
+using support::words;
+
+namespace {
+QJsonObject jointOf(const support::ProgramResult& result, const char* name)
+{
+    const QJsonArray joints = result.json()[QLatin1String("joints")].toArray();
+    for (const QJsonValue& joint : joints) {
+        if (joint[QLatin1String("name")].toString() == QLatin1String(name))
+            return joint.toObject();
+    }
+    return {};
+}
+
+QString write(const CliProgram& cli, const QJsonObject& calibration)
+{
+    QFile file(cli.dataFolder() + QStringLiteral("/so101.json"));
+    if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(calibration).toJson()) < 0)
+        qFatal("no file");
+    return file.fileName();
+}
+
+QJsonObject joint(int id, int offset, int min, int max)
+{
+    return {{QStringLiteral("id"), id},
+            {QStringLiteral("drive_mode"), 0},
+            {QStringLiteral("homing_offset"), offset},
+            {QStringLiteral("range_min"), min},
+            {QStringLiteral("range_max"), max}};
+}
+
+QJsonObject wholeArm()
+{
+    return {{QStringLiteral("shoulder_pan"), joint(1, 530, 866, 3231)},
+            {QStringLiteral("shoulder_lift"), joint(2, -1407, 1000, 3000)},
+            {QStringLiteral("elbow_flex"), joint(3, 2047, 900, 3100)},
+            {QStringLiteral("wrist_flex"), joint(4, 0, 800, 3200)},
+            {QStringLiteral("wrist_roll"), joint(5, 77, 0, 4095)},
+            {QStringLiteral("gripper"), joint(6, -2047, 2031, 3476)}};
+}
+
+bool isNear(const QJsonValue& value, double expected)
+{
+    return std::abs(value.toDouble(1e9) - expected) <= 3;
+}
+} // namespace
+
+class TestCliArm : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void theArmIsShown()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:so101"));
+        const auto result = cli.run(words("arm show --json"));
+        QCOMPARE(result.exit, 0);
+        QCOMPARE(result.json()[QLatin1String("joints")].toArray().size(), 6);
+        const QJsonObject elbow = jointOf(result, "elbow_flex");
+        QCOMPARE(elbow[QLatin1String("id")].toInt(), 3);
+        QCOMPARE(elbow[QLatin1String("homing_offset")].toInt(), 850);
+        QCOMPARE(elbow[QLatin1String("range_max")].toInt(), 4095);
+        QVERIFY(result.json()[QLatin1String("remarks")].toArray().isEmpty());
+    }
+
+    /// LeRobot refuses such a bus.
+    void whatLerobotRefusesIsNamed()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:sts3215@1,sts3215@2+firmware-minor=9,sts3250@3,sts3215@4,"
+                                   "sts3215@5"));
+        const auto result = cli.run(words("arm show"));
+        QCOMPARE(result.exit, 4);
+        for (const char* remark : {"elbow_flex (ID 3) is a STS3250; LeRobot expects a STS3215",
+                                   "gripper (ID 6) does not reply", "The firmware versions differ"})
+            QVERIFY2(result.out.contains(QLatin1String(remark)), qPrintable(result.out));
+        QCOMPARE(cli.run(words("arm calibrate --yes --seconds 1")).exit, 4);
+    }
+
+    /// Stops at 35° and 250°, 250° and 450° (through the seam), 100° and 285° (with an old offset).
+    void theMiddlesOfTheRangesAreFound()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:so101"));
+        const auto result = cli.run(words("arm calibrate --yes --seconds 15 --json"));
+        QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+        const auto steps = [](double degrees) { return degrees * 4096 / 360; };
+        const QJsonObject pan = jointOf(result, "shoulder_pan");
+        QVERIFY(isNear(pan[QLatin1String("homing_offset")], steps(142.5) - 2048));
+        QVERIFY(isNear(pan[QLatin1String("range_min")], 2048 - steps(107.5)));
+        QVERIFY(isNear(pan[QLatin1String("range_max")], 2048 + steps(107.5)));
+        const QJsonObject lift = jointOf(result, "shoulder_lift");
+        QVERIFY(isNear(lift[QLatin1String("homing_offset")], steps(350) - 2048));
+        QVERIFY(isNear(lift[QLatin1String("range_min")], 2048 - steps(100)));
+        const QJsonObject elbow = jointOf(result, "elbow_flex");
+        QVERIFY(isNear(elbow[QLatin1String("homing_offset")], steps(192.5) - 2048));
+        QCOMPARE(jointOf(result, "wrist_roll")[QLatin1String("state")].toString(),
+                 QStringLiteral("full-turn"));
+        for (const QJsonValue& servo : result.json()[QLatin1String("servos")].toArray())
+            QVERIFY(servo[QLatin1String("verdict")].toString() == QLatin1String("done") ||
+                    servo[QLatin1String("id")].toInt() == 5);
+    }
+
+    void aDryRunShowsThePlan()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:so101"));
+        const auto result =
+            cli.run(words("arm calibrate --yes --seconds 12 --dry-run --joint elbow_flex"));
+        QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+        static const QRegularExpression plan(
+            QStringLiteral("elbow_flex +3 +18[45]°, range recorded +850 → 14\\d +0 → 99\\d"));
+        QVERIFY2(plan.match(result.out).hasMatch(), qPrintable(result.out));
+        QVERIFY(result.out.contains(QStringLiteral("would be written")));
+        QVERIFY(!result.out.contains(QStringLiteral("gripper")));
+        QCOMPARE(cli.run(words("arm calibrate --yes --seconds 1 --joint knee")).exit, 2);
+    }
+
+    /// What was not moved keeps its values, and the command fails.
+    void aJointThatWasNotMovedIsNotWritten()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:so101"));
+        const auto result = cli.run(words("arm calibrate --yes --seconds 0.05 --json"));
+        QCOMPARE(result.exit, 1);
+        QVERIFY2(result.err.contains(QStringLiteral("range of this joint is not known")),
+                 qPrintable(result.err));
+        QVERIFY(jointOf(result, "gripper")[QLatin1String("homing_offset")].isNull());
+    }
+
+    void nothingHappensWithoutAnswer()
+    {
+        CliProgram cli;
+        SimProgram sim(words("--preset so101"));
+        cli.setPort(sim.port());
+        QCOMPARE(cli.run(words("torque 1 on")).exit, 0);
+        const auto result = cli.run(words("arm calibrate"));
+        QVERIFY(result.exit != 0);
+        QVERIFY2(result.err.contains(QStringLiteral("hold it")), qPrintable(result.err));
+        QCOMPARE(cli.run(words("read 1 torque_switch --json"))
+                     .json()[QLatin1String("registers")][0][QLatin1String("raw")]
+                     .toInt(),
+                 1);
+    }
+
+    void aFileIsComparedAndWritten()
+    {
+        CliProgram cli;
+        SimProgram sim(words("--preset so101"));
+        cli.setPort(sim.port());
+        const QString path = write(cli, wholeArm());
+        const QStringList compare = words("arm compare --json") << path;
+        const QStringList apply = words("arm apply") << path;
+        const auto before = cli.run(compare);
+        QCOMPARE(before.exit, 1);
+        QCOMPARE(before.json()[QLatin1String("differences")][0][QLatin1String("joint")].toString(),
+                 QStringLiteral("shoulder_pan"));
+        const auto planned = cli.run(apply + words("--dry-run"));
+        QCOMPARE(planned.exit, 0);
+        QVERIFY2(planned.out.contains(QStringLiteral("0 → 530")), qPrintable(planned.out));
+        QCOMPARE(cli.run(compare).exit, 1);
+        const auto applied = cli.run(apply);
+        QVERIFY2(applied.exit == 0, qPrintable(applied.out + applied.err));
+        const auto after = cli.run(compare);
+        QVERIFY2(after.exit == 0, qPrintable(after.out));
+        QVERIFY(after.json()[QLatin1String("equal")].toBool());
+
+        // What is exported is what LeRobot finds; keys of others stay.
+        QJsonObject foreign = wholeArm();
+        QJsonObject pan = joint(1, 1, 2, 3);
+        pan[QLatin1String("norm_mode")] = 2;
+        pan[QLatin1String("drive_mode")] = 1;
+        foreign[QLatin1String("shoulder_pan")] = pan;
+        write(cli, foreign);
+        QCOMPARE(cli.run(words("arm export") << path).exit, 0);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject exported = QJsonDocument::fromJson(file.readAll()).object();
+        const QJsonObject saved = exported[QLatin1String("shoulder_pan")].toObject();
+        QCOMPARE(saved[QLatin1String("homing_offset")].toInt(), 530);
+        QCOMPARE(saved[QLatin1String("norm_mode")].toInt(), 2);
+        QCOMPARE(saved[QLatin1String("drive_mode")].toInt(), 1);
+        QCOMPARE(exported[QLatin1String("gripper")], wholeArm()[QLatin1String("gripper")]);
+    }
+
+    /// An offset of another kind of servo: nothing is bent to fit.
+    void aValueThatDoesNotFitIsNotWritten()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:so101"));
+        QJsonObject calibration = wholeArm();
+        calibration[QLatin1String("gripper")] = joint(6, 30'000, 2031, 3476);
+        const auto result = cli.run(words("arm apply") << write(cli, calibration));
+        QVERIFY2(result.exit == 1, qPrintable(result.out + result.err));
+        calibration.remove(QLatin1String("gripper"));
+        const auto missing = cli.run(words("arm apply") << write(cli, calibration));
+        QCOMPARE(missing.exit, 2);
+        QVERIFY(missing.err.contains(QStringLiteral("gripper")));
+        QCOMPARE(cli.run(words("arm compare nothing.json")).exit, 5);
+    }
+
+    void anArmOfOnesOwnIsUsed()
+    {
+        CliProgram cli;
+        cli.setPort(QStringLiteral("sim:so101"));
+        const QString path = cli.dataFolder() + QStringLiteral("/arm.json");
+        QCOMPARE(cli.run(words("arm export --format arm") << path).exit, 0);
+        const auto result = cli.run(words("arm show --json --arm") << path);
+        QCOMPARE(result.exit, 0);
+        QCOMPARE(result.json()[QLatin1String("joints")].toArray().size(), 6);
+        QCOMPARE(cli.run(words("arm show --arm so1000")).exit, 2);
+        QCOMPARE(cli.run(words("arm show --arm missing.json")).exit, 5);
+    }
+};
+
+SERVODESK_GUILESS_TEST(TestCliArm)
+#include "tst_cli_arm.moc"
