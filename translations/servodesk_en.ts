@@ -246,6 +246,23 @@
     </message>
 </context>
 <context>
+    <name>ui::ArmPage</name>
+    <message numerus="yes">
+        <source>Write offset and limits of %n joint(s)?</source>
+        <translation>
+            <numerusform>Write offset and limits of %n joint?</numerusform>
+            <numerusform>Write offset and limits of %n joints?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset and limits of %n joint(s) written and read back.</source>
+        <translation>
+            <numerusform>Offset and limits of %n joint written and read back.</numerusform>
+            <numerusform>Offset and limits of %n joints written and read back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::FindServosDialog</name>
     <message numerus="yes">
         <source>%n servo(s) · %1 · %2 baud</source>

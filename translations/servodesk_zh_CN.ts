@@ -50,6 +50,10 @@
         <source>Feetech</source>
         <translation>飞特</translation>
     </message>
+    <message>
+        <source>robot arm SO-101, not calibrated</source>
+        <translation>机械臂 SO-101，未校准</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -452,6 +456,14 @@
     <message>
         <source>Writes firmware to a servo that is in its bootloader</source>
         <translation>给停留在引导程序中的舵机写入固件</translation>
+    </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation>机械臂(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Calibrate a robot arm by moving its joints</source>
+        <translation>通过转动关节校准机械臂</translation>
     </message>
 </context>
 <context>
@@ -1150,6 +1162,14 @@
         <source>rescue firmware</source>
         <translation>救援固件</translation>
     </message>
+    <message>
+        <source>record joint ranges</source>
+        <translation>采集关节范围</translation>
+    </message>
+    <message>
+        <source>calibrate arm</source>
+        <translation>校准机械臂</translation>
+    </message>
 </context>
 <context>
     <name>Feedback</name>
@@ -1761,8 +1781,8 @@
         <translation>--page：未知的值“%1”</translation>
     </message>
     <message>
-        <source>page to show: operate, memory, sweep, step, snapshots, commission, firmware, history</source>
-        <translation>要显示的页面：operate、memory、sweep、step、snapshots、commission、firmware、history</translation>
+        <source>page to show: operate, memory, sweep, step, snapshots, commission, arm, firmware, history</source>
+        <translation>要显示的页面：operate, memory, sweep, step, snapshots, commission, arm, firmware, history</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2790,10 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>
             <numerusform>依次更新 %n 个舵机：ID %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Closes this dialog; the present servo is completed, those after it are not updated</source>
+        <translation>关闭此对话框；当前舵机会完成，其后的舵机不再更新</translation>
     </message>
 </context>
 <context>
@@ -6524,10 +6548,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>%1（ID %2）没有应答。</translation>
     </message>
     <message>
-        <source>%1 (ID %2) is a %3; LeRobot expects a %4 and refuses the bus.</source>
-        <translation>%1（ID %2）是 %3；LeRobot 要求 %4，会拒绝此总线。</translation>
-    </message>
-    <message>
         <source>--arm takes %1, or a file</source>
         <translation>--arm 可用 %1，或一个文件</translation>
     </message>
@@ -6553,15 +6573,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>The firmware versions differ, and LeRobot refuses the bus. To see them: servodesk-cli firmware list</source>
-        <translation>固件版本不一致，LeRobot 会拒绝此总线。查看版本：servodesk-cli firmware list</translation>
+        <translation>固件版本不一致，LeRobot 会拒绝连接。查看版本：servodesk-cli firmware list</translation>
     </message>
     <message>
         <source>The EPROM lock is open (ID %1), as LeRobot leaves it. To close it: servodesk-cli write ID lock=1</source>
         <translation>EPROM 锁未关闭（ID %1），LeRobot 会留下这种状态。关闭：servodesk-cli write ID lock=1</translation>
-    </message>
-    <message>
-        <source>so101 (default), lekiwi, koch, or a file with an arm</source>
-        <translation>so101（默认）、lekiwi、koch，或机械臂文件</translation>
     </message>
     <message>
         <source>LeRobot&apos;s calibration file, *.json</source>
@@ -6572,12 +6588,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>此计算机上的 LeRobot 校准文件：</translation>
     </message>
     <message>
-        <source>The file and the servos agree: LeRobot accepts the file.</source>
-        <translation>文件与舵机一致：LeRobot 接受此文件。</translation>
-    </message>
-    <message>
         <source>LeRobot would ask for a new calibration. To write the file to the servos: servodesk-cli arm apply &quot;%1&quot;; to write the servos to the file: servodesk-cli arm export &quot;%1&quot;</source>
-        <translation>LeRobot 会要求重新校准。把文件写入舵机：servodesk-cli arm apply "%1"；把舵机的值保存到文件：servodesk-cli arm export "%1"</translation>
+        <translation>LeRobot 会要求重新校准。把文件写入舵机：servodesk-cli arm apply &quot;%1&quot;；把舵机的值保存到文件：servodesk-cli arm export &quot;%1&quot;</translation>
     </message>
     <message>
         <source>the file has no joint %1 with the ID %2</source>
@@ -6593,7 +6605,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>list the joints of a robot arm with position, offset and limits, and what LeRobot would refuse</source>
-        <translation>列出机械臂的关节及其位置、位置校正和限位，以及 LeRobot 会拒绝的问题</translation>
+        <translation>列出机械臂的关节及其位置、位置校正和角度限制，以及 LeRobot 会拒绝的问题</translation>
     </message>
     <message>
         <source>compare LeRobot&apos;s calibration file with the servos</source>
@@ -6601,15 +6613,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>write offsets and limits of LeRobot&apos;s calibration file to the servos; torque is turned off</source>
-        <translation>把 LeRobot 校准文件中的位置校正和限位写入舵机；扭矩会关闭</translation>
+        <translation>把 LeRobot 校准文件中的位置校正和角度限制写入舵机；会卸力</translation>
     </message>
     <message>
         <source>save what the servos hold as LeRobot&apos;s calibration file</source>
         <translation>把舵机中的值保存为 LeRobot 的校准文件</translation>
-    </message>
-    <message>
-        <source>output file; other keys in an existing file are kept</source>
-        <translation>输出文件；已有文件中的其他键会保留</translation>
     </message>
     <message>
         <source>lerobot (default): what the servos hold; arm: the joints, as a file for --arm</source>
@@ -6620,20 +6628,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>仅这些关节：NAME,NAME（默认：全部）</translation>
     </message>
     <message>
-        <source>record for so long (default: until Enter)</source>
-        <translation>采集时长（默认：直到按回车）</translation>
-    </message>
-    <message>
         <source>do not ask before torque off and writing</source>
         <translation>卸力和写入前不询问</translation>
-    </message>
-    <message>
-        <source>the pose at the beginning becomes the middle, as in LeRobot (default: the middle of each range)</source>
-        <translation>以开始时的姿态作为中位，与 LeRobot 相同（默认：各范围的中点）</translation>
-    </message>
-    <message>
-        <source>Torque will be turned off, so the arm drops: hold it. Then move every joint through its whole range, in any order. Press Enter to begin.</source>
-        <translation>即将卸力，机械臂会落下：请扶住。然后以任意顺序把每个关节转过整个范围。按回车开始。</translation>
     </message>
     <message>
         <source>no joint %1; the arm has %2</source>
@@ -6650,16 +6646,68 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message numerus="yes">
         <source>Press Enter to write offset and limits of %n joint(s).</source>
         <translation>
-            <numerusform>按回车写入 %n 个关节的位置校正和限位。</numerusform>
+            <numerusform>按回车写入 %n 个关节的位置校正和角度限制。</numerusform>
         </translation>
     </message>
     <message>
         <source>calibrate a robot arm by moving its joints by hand: torque off, record the ranges, write offsets and limits</source>
-        <translation>用手转动关节来校准机械臂：卸力、采集范围、写入位置校正和限位</translation>
+        <translation>用手转动关节来校准机械臂：卸力、采集范围、写入位置校正和角度限制</translation>
     </message>
     <message>
         <source>Robot arm:</source>
         <translation>机械臂：</translation>
+    </message>
+    <message>
+        <source>%1 (ID %2) has the model %3; LeRobot expects %4 and refuses the bus.</source>
+        <translation>%1（ID %2）的型号是 %3；LeRobot 要求 %4，会拒绝连接。</translation>
+    </message>
+    <message>
+        <source>mode %1 → position</source>
+        <translation>模式 %1 → 位置</translation>
+    </message>
+    <message>
+        <source>feedback of several turns → one turn</source>
+        <translation>多圈反馈 → 单圈</translation>
+    </message>
+    <message>
+        <source>so101 (default), lekiwi, six-joint, or a file with an arm</source>
+        <translation>so101（默认）、lekiwi、six-joint，或机械臂文件</translation>
+    </message>
+    <message>
+        <source>The file and the servos agree.</source>
+        <translation>文件与舵机一致。</translation>
+    </message>
+    <message>
+        <source>Torque will be turned off, so the arm drops: hold it. Press Enter to write.</source>
+        <translation>即将卸力，机械臂会落下：请扶住。按回车写入。</translation>
+    </message>
+    <message>
+        <source>output file; keys of other programs in an existing file are kept</source>
+        <translation>输出文件；已有文件中其他程序的键会保留</translation>
+    </message>
+    <message>
+        <source>recording time (default: until Enter)</source>
+        <translation>采集时长（默认：直到按回车）</translation>
+    </message>
+    <message>
+        <source>the pose at the end of the recording becomes the middle (default: the middle of each range)</source>
+        <translation>以采集结束时的姿态作为中位（默认：各范围的中点）</translation>
+    </message>
+    <message>
+        <source>Torque will be turned off, so the arm drops: hold it. Then move every joint through its whole range, in any order.</source>
+        <translation>即将卸力，机械臂会落下：请扶住。然后以任意顺序把每个关节转过整个范围。</translation>
+    </message>
+    <message>
+        <source>End with every joint in its middle position.</source>
+        <translation>结束时请让每个关节处于中位。</translation>
+    </message>
+    <message>
+        <source>Press Enter to begin.</source>
+        <translation>按回车开始。</translation>
+    </message>
+    <message>
+        <source>--yes needs --seconds</source>
+        <translation>--yes 需要 --seconds</translation>
     </message>
 </context>
 <context>
@@ -9222,14 +9270,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>范围已采集</translation>
     </message>
     <message>
-        <source>turns freely: no limits</source>
-        <translation>可连续转动：无限位</translation>
-    </message>
-    <message>
-        <source>lost track: move it again</source>
-        <translation>丢失圈数：请重新转动</translation>
-    </message>
-    <message>
         <source>the range of this joint is not known</source>
         <translation>此关节的范围未知</translation>
     </message>
@@ -9239,23 +9279,15 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Move the joint from stop to stop by hand.</source>
-        <translation>用手把关节从一端转到另一端。</translation>
+        <translation>用手把关节从一个机械限位转到另一个机械限位。</translation>
     </message>
     <message>
         <source>the range does not fit into one turn of the encoder</source>
         <translation>范围超出编码器的一圈</translation>
     </message>
     <message>
-        <source>The middle shown is too far from the middle of the range.</source>
-        <translation>所示中位离范围中点太远。</translation>
-    </message>
-    <message>
-        <source>Show a pose nearer to the middle, or use the middle of the range.</source>
-        <translation>请摆出更接近中点的姿态，或使用范围中点。</translation>
-    </message>
-    <message>
         <source>this servo has no position limits</source>
-        <translation>此舵机没有位置限位</translation>
+        <translation>此舵机没有角度限制</translation>
     </message>
     <message>
         <source>Its family has no such registers.</source>
@@ -9264,6 +9296,70 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Leave the joint out of the arm.</source>
         <translation>请从机械臂中去掉此关节。</translation>
+    </message>
+    <message>
+        <source>turns through a full turn</source>
+        <translation>可转过一整圈</translation>
+    </message>
+    <message>
+        <source>lost track: record again</source>
+        <translation>丢失圈数：请重新采集</translation>
+    </message>
+    <message>
+        <source>readings of this joint were missing while it moved</source>
+        <translation>此关节转动时丢失了读数</translation>
+    </message>
+    <message>
+        <source>It may have turned by half a turn meanwhile, so its range is not known.</source>
+        <translation>其间可能转过了半圈，因此范围未知。</translation>
+    </message>
+    <message>
+        <source>Record this joint again.</source>
+        <translation>请重新采集此关节。</translation>
+    </message>
+    <message>
+        <source>this joint turns through a full turn</source>
+        <translation>此关节可转过一整圈</translation>
+    </message>
+    <message>
+        <source>In this arm it has two stops: another servo has its ID, or the horn is loose.</source>
+        <translation>在此机械臂中它有两个机械限位：可能其他舵机占用了其 ID，或舵盘松动。</translation>
+    </message>
+    <message>
+        <source>Check the IDs and the horn, or make the joint continuous in a file of your own.</source>
+        <translation>请检查 ID 和舵盘，或在自己的机械臂文件中把此关节设为 continuous。</translation>
+    </message>
+    <message>
+        <source>this joint is in step mode and reports no position</source>
+        <translation>此关节处于步进模式，不报告位置</translation>
+    </message>
+    <message>
+        <source>Another program has set the mode.</source>
+        <translation>该模式由其他程序设置。</translation>
+    </message>
+    <message>
+        <source>Set the position mode first.</source>
+        <translation>请先设为位置模式。</translation>
+    </message>
+    <message>
+        <source>this servo cannot hold the offset or the limits</source>
+        <translation>此舵机无法保存该位置校正或角度限制</translation>
+    </message>
+    <message>
+        <source>The file is for another arm, or for other servos.</source>
+        <translation>文件属于其他机械臂或其他舵机。</translation>
+    </message>
+    <message>
+        <source>Calibrate the arm, or select another file.</source>
+        <translation>请校准机械臂，或选择其他文件。</translation>
+    </message>
+    <message>
+        <source>The middle pose is too far from the middle of the range.</source>
+        <translation>结束时的姿态离范围中点太远。</translation>
+    </message>
+    <message>
+        <source>End in a pose closer to the middle, or use the middle of the range.</source>
+        <translation>请在更接近中点的姿态结束，或使用范围中点。</translation>
     </message>
 </context>
 <context>
@@ -9519,6 +9615,295 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Table for spreadsheets (*.csv)</source>
         <translation>电子表格 (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ArmFileCard</name>
+    <message>
+        <source>LeRobot calibration file</source>
+        <translation>LeRobot 校准文件</translation>
+    </message>
+    <message>
+        <source>Compare with file…</source>
+        <translation>与文件对比…</translation>
+    </message>
+    <message>
+        <source>Selects a calibration file and compares it with the servos</source>
+        <translation>选择校准文件并与舵机对比</translation>
+    </message>
+    <message>
+        <source>Write file to servos…</source>
+        <translation>把文件写入舵机…</translation>
+    </message>
+    <message>
+        <source>Writes offsets and limits of the file to the servos</source>
+        <translation>把文件中的位置校正和角度限制写入舵机</translation>
+    </message>
+    <message>
+        <source>Save servos to file…</source>
+        <translation>把舵机保存到文件…</translation>
+    </message>
+    <message>
+        <source>Saves what the servos hold as a calibration file</source>
+        <translation>把舵机中的值保存为校准文件</translation>
+    </message>
+    <message>
+        <source>LeRobot accepts its file only if it equals what the servos hold. Select the file to compare it.</source>
+        <translation>只有文件与舵机中的值相同时，LeRobot 才接受。请选择要对比的文件。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be compared before all servos have been read.</source>
+        <translation>%1：读取所有舵机后才能对比。</translation>
+    </message>
+    <message>
+        <source>! %1 differs from the servos: LeRobot would ask for a new calibration.</source>
+        <translation>! %1 与舵机不同：LeRobot 会要求重新校准。</translation>
+    </message>
+    <message>
+        <source>%1: not in the file with ID %2</source>
+        <translation>%1：文件中没有 ID 为 %2 的此关节</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3 in the file, %4 in the servo</source>
+        <translation>%1：%2 在文件中为 %3，在舵机中为 %4</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>位置校正</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>Select the calibration file</source>
+        <translation>选择校准文件</translation>
+    </message>
+    <message>
+        <source>Calibration files (*.json)</source>
+        <translation>校准文件 (*.json)</translation>
+    </message>
+    <message>
+        <source>Write %1 to the servos?</source>
+        <translation>把 %1 写入舵机？</translation>
+    </message>
+    <message>
+        <source>Torque is turned off: hold the arm. Offsets shift the zero positions.</source>
+        <translation>将会卸力：请扶住机械臂。位置校正会移动零位。</translation>
+    </message>
+    <message>
+        <source>Write to servos</source>
+        <translation>写入舵机</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>保存校准</translation>
+    </message>
+    <message>
+        <source>✓ %1 equals the servos.</source>
+        <translation>✓ %1 与舵机相同。</translation>
+    </message>
+    <message>
+        <source>%1: not a joint of this arm</source>
+        <translation>%1：不是此机械臂的关节</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ArmModel</name>
+    <message>
+        <source>not in the list</source>
+        <translation>不在列表中</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2</source>
+        <translation>是 %1，应为 %2</translation>
+    </message>
+    <message>
+        <source>wheel: not calibrated</source>
+        <translation>轮子：不校准</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>位置校正</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>行程</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ArmPage</name>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Select the file with the arm</source>
+        <translation>选择机械臂文件</translation>
+    </message>
+    <message>
+        <source>Robot arms (*.json)</source>
+        <translation>机械臂 (*.json)</translation>
+    </message>
+    <message>
+        <source>Turn torque off?</source>
+        <translation>要卸力吗？</translation>
+    </message>
+    <message>
+        <source>The joints are then moved by hand while their positions are recorded. Nothing else is written.</source>
+        <translation>随后用手转动关节，同时采集位置。不写入其他内容。</translation>
+    </message>
+    <message>
+        <source>The arm drops when torque goes off: hold it.</source>
+        <translation>卸力时机械臂会落下：请扶住。</translation>
+    </message>
+    <message>
+        <source>Torque off</source>
+        <translation>卸力</translation>
+    </message>
+    <message numerus="yes">
+        <source>Write offset and limits of %n joint(s)?</source>
+        <translation>
+            <numerusform>写入 %n 个关节的位置校正和角度限制？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The memory tables are saved first, and every value is read back. Torque stays off.</source>
+        <translation>先保存内存表，每个值写入后都会回读。扭矩保持关闭。</translation>
+    </message>
+    <message>
+        <source>The offset shifts the zero position of a joint.</source>
+        <translation>位置校正会移动关节的零位。</translation>
+    </message>
+    <message>
+        <source>Write to servos</source>
+        <translation>写入舵机</translation>
+    </message>
+    <message numerus="yes">
+        <source>Offset and limits of %n joint(s) written and read back.</source>
+        <translation>
+            <numerusform>已写入并回读 %n 个关节的位置校正和角度限制。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not all joints could be written: ID %1</source>
+        <translation>有关节未能写入：ID %1</translation>
+    </message>
+    <message>
+        <source>Calibrate these joints again.</source>
+        <translation>请重新校准这些关节。</translation>
+    </message>
+    <message>
+        <source>Torque is off. Move every joint from stop to stop, in any order. The encoder&apos;s seam may lie anywhere in the range. Click Continue when every joint is recorded.</source>
+        <translation>已卸力。以任意顺序把每个关节从一个机械限位转到另一个机械限位。编码器零点（4095 与 0 的交界）可以在范围内的任何位置。采集完所有关节后单击“继续”。</translation>
+    </message>
+    <message>
+        <source>Nothing has been written yet. Check the new offsets and limits, then write them to the servos. Joints that were not recorded stay as they are.</source>
+        <translation>尚未写入。请检查新的位置校正和角度限制，然后写入舵机。未采集的关节保持不变。</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>正在写入…</translation>
+    </message>
+    <message>
+        <source>Not in the list of servos: %1. Search the bus, or select another arm.</source>
+        <translation>不在舵机列表中：%1。请搜索总线，或选择其他机械臂。</translation>
+    </message>
+    <message>
+        <source>Hold the arm and turn its torque off, then move every joint through its range. The middle of each range becomes 2048, and its ends become the limits.</source>
+        <translation>扶住机械臂并卸力，然后把每个关节转过整个范围。各范围的中点成为 2048，两端成为角度限制。</translation>
+    </message>
+    <message>
+        <source>Record ranges…</source>
+        <translation>采集范围…</translation>
+    </message>
+    <message>
+        <source>Turns torque off after a question and records how far joints are moved</source>
+        <translation>确认后卸力，并采集关节转动的范围</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Ends the recording and shows the new offsets and limits</source>
+        <translation>结束采集并显示新的位置校正和角度限制</translation>
+    </message>
+    <message>
+        <source>Write to servos…</source>
+        <translation>写入舵机…</translation>
+    </message>
+    <message>
+        <source>Writes the new offsets and limits after a question</source>
+        <translation>确认后写入新的位置校正和角度限制</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>From file…</source>
+        <translation>从文件…</translation>
+    </message>
+    <message>
+        <source>Selects which joints the arm has</source>
+        <translation>选择机械臂有哪些关节</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Ends the calibration; the servos keep their offsets and limits</source>
+        <translation>结束校准；舵机保留其位置校正和角度限制</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>One row per joint of the arm</source>
+        <translation>机械臂的每个关节一行</translation>
+    </message>
+    <message>
+        <source>Last pose is the middle</source>
+        <translation>以最后姿态为中位</translation>
+    </message>
+    <message>
+        <source>Uses the pose in which you click Continue as the middle, instead of the middle of each range</source>
+        <translation>以单击“继续”时的姿态作为中位，而不是各范围的中点</translation>
     </message>
 </context>
 <context>
@@ -12413,6 +12798,14 @@ Retries: %9</source>
     <message>
         <source>Compare the firmware versions of the servos</source>
         <translation>比较各舵机的固件版本</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Calibrate a robot arm by moving its joints</source>
+        <translation>通过转动关节校准机械臂</translation>
     </message>
 </context>
 <context>

@@ -6,14 +6,14 @@
 namespace base {
 namespace {
 constexpr EnumName<JointKind> jointKindNames[]{{JointKind::Limited, "limited"},
-                                          {JointKind::Continuous, "continuous"},
-                                          {JointKind::Gripper, "gripper"},
-                                          {JointKind::Wheel, "wheel"}};
+                                               {JointKind::Continuous, "continuous"},
+                                               {JointKind::Gripper, "gripper"},
+                                               {JointKind::Wheel, "wheel"}};
 
 constexpr EnumName<JointState> jointStateNames[]{
     {JointState::NotMoved, "not-moved"},   {JointState::KeepMoving, "keep-moving"},
     {JointState::Recorded, "recorded"},    {JointState::FullTurn, "full-turn"},
-    {JointState::LostTrack, "lost-track"}, {JointState::NoReply, "no-answer"}};
+    {JointState::LostTrack, "lost-track"}, {JointState::NoReply, "no-reply"}};
 } // namespace
 
 QString jointKindName(JointKind kind)

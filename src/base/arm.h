@@ -24,8 +24,7 @@ enum class JointState : std::uint8_t {
     KeepMoving, ///< less than a range that a joint can have
     Recorded,
     FullTurn,  ///< turns through a full turn or further: it has no end that could be a limit
-    LostTrack, ///< between two readings it may have turned by more than half a turn; the range
-               ///< began anew
+    LostTrack, ///< readings were missing while it may have turned by half a turn; record again
     NoReply,   ///< its servo has not replied yet
 };
 QString jointStateName(JointState state); ///< "not-moved", "keep-moving" …

@@ -5,7 +5,7 @@
 #include "cli/multi_servo_restore.h"
 #include "cli/output/table.h"
 #include "cli/translate.h"
-#include "device/reader.h"
+#include "jobs/arm/apply_calibration.h"
 #include "jobs/arm/calibration.h"
 
 #include <QSet>
@@ -18,17 +18,11 @@ using catalog::Role;
 
 base::Result<device::Servo> readJoint(Run& run, int id)
 {
-    auto servo = run.servoWithSettings(id);
+    auto servo = run.servo(id);
     if (!servo)
         return servo;
-    std::vector<Role> roles;
-    for (const Role role : {Role::MinAngle, Role::MaxAngle, Role::PositionOffset, Role::Lock,
-                            Role::PresentPosition}) {
-        if (servo->profile->byRole(role) != nullptr)
-            roles.push_back(role);
-    }
     const auto context = run.context();
-    if (const auto read = device::readRoles(*context, *servo, roles); !read)
+    if (const auto read = jobs::readCalibration(*context, *servo); !read)
         return tl::unexpected(read.error());
     return servo;
 }
@@ -56,7 +50,8 @@ void addModelNotes(const ArmJoint& one, QStringList& notes)
         return;
     }
     if (!one.joint.model.isEmpty() && one.servo->profile->modelName != one.joint.model)
-        notes << translate("cli", "%1 (ID %2) is a %3; LeRobot expects a %4 and refuses the bus.")
+        notes << translate("cli",
+                           "%1 (ID %2) has the model %3; LeRobot expects %4 and refuses the bus.")
                      .arg(one.joint.name)
                      .arg(one.joint.id)
                      .arg(one.servo->profile->modelName, one.joint.model);
@@ -72,6 +67,20 @@ base::Result<jobs::Arm> armOf(const Values& values)
         return badArgument(translate("cli", "--arm takes %1, or a file")
                                .arg(jobs::builtInArms().join(QStringLiteral(", "))));
     return arm;
+}
+
+bool EnterKey::wait()
+{
+    m_input.discardTyped();
+    while (!m_run.stop().isRequested()) {
+        if (m_input.readLine())
+            return true;
+        if (!m_input.isOpen())
+            return false;
+        constexpr auto slice = std::chrono::milliseconds(20);
+        (void)m_run.stop().waitUntil(std::chrono::steady_clock::now() + slice);
+    }
+    return false;
 }
 
 std::optional<jobs::JointCalibration> ArmJoint::calibration() const
@@ -106,6 +115,9 @@ base::Result<void> requireJoints(const std::vector<ArmJoint>& joints)
     for (const ArmJoint& one : joints) {
         if (!one.servo)
             return base::fail(base::ErrorCode::NoReply, QStringLiteral("arm"), {}, one.joint.id);
+        if (!one.calibration())
+            return base::fail(base::ErrorCode::NotSupported, QStringLiteral("arm"),
+                              QStringLiteral("no-position-limits"), one.joint.id);
     }
     return {};
 }
@@ -117,12 +129,9 @@ base::Result<Exit> writeCalibration(Run& run, const Values& values,
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    snapshot::Bundle bundle;
-    bundle.servos = templates;
     MultiServoRestore several(run, values);
-    jobs::ApplyOptions options = several.options();
-    options.choice.consent = options.restore.consent = device::Consent::byTask();
-    const auto all = jobs::restoreBundle(*context, bundle, options, several.progress());
+    const auto all =
+        jobs::writeCalibrations(*context, templates, several.options(), several.progress());
     return several.finish(all, source, std::move(document));
 }
 
@@ -164,6 +173,18 @@ QString jointsText(const std::vector<ArmJoint>& joints)
                    value(&jobs::JointCalibration::rangeMax)});
     }
     return table.text();
+}
+
+QString settingsText(const device::Servo& servo, base::JointKind kind)
+{
+    const jobs::JointSettings settings = jobs::settingsFor(servo, kind);
+    QStringList texts;
+    if (settings.mode)
+        texts << translate("cli", "mode %1 → position")
+                     .arg(servo.mode() != nullptr ? servo.mode()->key : noValue());
+    if (settings.phase)
+        texts << translate("cli", "feedback of several turns → one turn");
+    return texts.join(QStringLiteral(", "));
 }
 
 QString plansText(const std::vector<JointPlan>& plans)

@@ -7,13 +7,33 @@
 #include "jobs/arm/arm.h"
 #include "jobs/arm/lerobot_file.h"
 #include "snapshot/snapshot.h"
+#include "transport/stdin_reader.h"
 
 namespace cli {
 inline constexpr Option armOption{
-    "--arm", QT_TRANSLATE_NOOP("cli", "so101 (default), lekiwi, koch, or a file with an arm"),
+    "--arm", QT_TRANSLATE_NOOP("cli", "so101 (default), lekiwi, six-joint, or a file with an arm"),
     "ARM"};
 
 base::Result<jobs::Arm> armOf(const Values& values);
+
+inline constexpr Option yesOption{
+    "--yes", QT_TRANSLATE_NOOP("cli", "do not ask before torque off and writing")};
+
+/// Waits for the user, who has read what was printed before.
+class EnterKey {
+public:
+    explicit EnterKey(Run& run)
+        : m_run(run)
+    {}
+    /// False: stopped, or nothing more can be typed. What was typed before does not count.
+    bool wait();
+    /// Whether it has been pressed since the last call, or nothing more can be typed.
+    bool wasPressed() { return m_input.readLine().has_value() || !m_input.isOpen(); }
+
+private:
+    Run& m_run;
+    transport::StdinReader m_input;
+};
 
 struct ArmJoint {
     jobs::Joint joint;
@@ -24,11 +44,11 @@ struct ArmJoint {
 
 /// With the servos of all joints. NoReply only if none of them replies.
 base::Result<std::vector<ArmJoint>> findJoints(Run& run, const Values& values);
-/// NoReply with the ID of the first joint that does not reply.
+/// NoReply with the ID of the first joint that does not reply; NotSupported if one has no limits.
 base::Result<void> requireJoints(const std::vector<ArmJoint>& joints);
 
-/// Each template onto the servo with its ID, as --dry-run says; prints the result. `document`: what
-/// it begins with.
+/// Each template onto the servo with its ID, or with --dry-run only its plan; prints the result.
+/// `document`: what it begins with.
 base::Result<Exit> writeCalibration(Run& run, const Values& values,
                                     const std::vector<snapshot::Snapshot>& templates,
                                     const QString& source, Json document = Json::object());
@@ -38,10 +58,12 @@ Json jsonJoint(const ArmJoint& one);
 /// A joint and what is to be written: "850 → 1033".
 struct JointPlan {
     jobs::Joint joint;
-    QString remark{}; ///< of the range
+    QString remark{}; ///< on the range, and other settings that are written
     std::optional<jobs::JointCalibration> now{};
     std::optional<jobs::JointCalibration> next{}; ///< none: stays as it is
 };
+/// "mode speed → position"; empty: only offset and limits are written.
+QString settingsText(const device::Servo& servo, base::JointKind kind);
 QString plansText(const std::vector<JointPlan>& plans);
 QString jointsText(const std::vector<ArmJoint>& joints);
 /// What LeRobot would refuse, or leaves behind, with the remedy; each a line.

@@ -40,9 +40,9 @@ base::Result<Exit> MultiServoRestore::finish(const std::vector<jobs::ApplyResult
     QString text = appliedText(all);
     for (const jobs::ApplyResult& one : all)
         servos.push_back(jsonApplied(one));
-    document.add("file", file)
-        .add("dry_run", m_values.has("--dry-run"))
-        .add("servos", std::move(servos));
+    if (!file.isEmpty())
+        document.add("file", file);
+    document.add("dry_run", m_values.has("--dry-run")).add("servos", std::move(servos));
     if (const auto result = m_values.option("--result")) {
         const auto saved = snapshot::saveRestoreResults(resultsOf(all, file), *result);
         if (!saved)

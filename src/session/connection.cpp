@@ -88,7 +88,7 @@ void Connection::unplugAll()
 
 void Connection::moveSimulatedServosByHand(bool on)
 {
-    constexpr double handSpeed = 1.6; // rad/s: about 90 degrees
+    constexpr double handSpeed = 2.5; // rad/s: about 140 degrees
     if (!m_simulation)
         return;
     m_simulation->with([on](sim::VirtualBus& bus) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/workbench.h"
 
+#include "session/arm/arm_calibration.h"
 #include "session/commission/commissioning.h"
 #include "session/history/history_recorder.h"
 #include "session/history/history_sender.h"
@@ -90,6 +91,11 @@ Snapshots& Workbench::snapshots()
 Commissioning& Workbench::commissioning()
 {
     return provide(m_commissioning, *this);
+}
+
+ArmCalibration& Workbench::armCalibration()
+{
+    return provide(m_armCalibration, *this);
 }
 
 HistoryService& Workbench::history()

@@ -22,6 +22,7 @@
 #include "session/writes/write_service.h"
 
 namespace session {
+class ArmCalibration;
 class Commissioning;
 class HistoryRecorder;
 class HistorySender;
@@ -68,6 +69,7 @@ public:
     StepTest& stepTest();
     Snapshots& snapshots();
     Commissioning& commissioning();
+    ArmCalibration& armCalibration();
     HistoryService& history();
     HistoryRecorder& historyRecorder(); ///< from then on tests, alarms and recordings are kept
     HistorySender& historySender();     ///< no server is set at first
@@ -115,6 +117,7 @@ private:
     std::unique_ptr<StepTest> m_stepTest;
     std::unique_ptr<Snapshots> m_snapshots;
     std::unique_ptr<Commissioning> m_commissioning;
+    std::unique_ptr<ArmCalibration> m_armCalibration;
     std::unique_ptr<HistoryRecorder> m_historyRecorder;
 
     // Last: their jobs use everything above, so they end first.

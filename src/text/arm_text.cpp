@@ -16,9 +16,9 @@ QString jointStateText(JointState state)
     case JointState::Recorded:
         return translate("text", "range recorded");
     case JointState::FullTurn:
-        return translate("text", "turns freely: no limits");
+        return translate("text", "turns through a full turn");
     case JointState::LostTrack:
-        return translate("text", "lost track: move it again");
+        return translate("text", "lost track: record again");
     case JointState::NoReply:
         return translate("text", "no reply");
     }

@@ -46,6 +46,7 @@ QString simulatedBusText(const QString& port)
         std::pair{"sim:sweep",
                   QT_TRANSLATE_NOOP("BusText", "a good, a worn and a badly damped servo to test")},
         std::pair{"sim:new-arm", QT_TRANSLATE_NOOP("BusText", "six new servos, all with ID 1")},
+        std::pair{"sim:so101", QT_TRANSLATE_NOOP("BusText", "robot arm SO-101, not calibrated")},
         std::pair{"sim:line", QT_TRANSLATE_NOOP("BusText", "six new servos to commission")},
         std::pair{"sim:line-trouble",
                   QT_TRANSLATE_NOOP("BusText", "six servos to commission, some with faults")}};

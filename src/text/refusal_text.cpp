@@ -37,6 +37,25 @@ constexpr std::array notSupported{
                 QT_TRANSLATE_NOOP("text", "several servos reply after the rescue"),
                 QT_TRANSLATE_NOOP("text", "Their supply came on together."),
                 QT_TRANSLATE_NOOP("text", "Compare the firmware versions of these servos.")},
+    RefusalText{"joint-lost-track",
+                QT_TRANSLATE_NOOP("text", "readings of this joint were missing while it moved"),
+                QT_TRANSLATE_NOOP("text", "It may have turned by half a turn meanwhile, so its "
+                                          "range is not known."),
+                QT_TRANSLATE_NOOP("text", "Record this joint again.")},
+    RefusalText{
+        "joint-full-turn", QT_TRANSLATE_NOOP("text", "this joint turns through a full turn"),
+        QT_TRANSLATE_NOOP("text", "In this arm it has two stops: another servo has its ID, "
+                                  "or the horn is loose."),
+        QT_TRANSLATE_NOOP("text", "Check the IDs and the horn, or make the joint continuous "
+                                  "in a file of your own.")},
+    RefusalText{"joint-in-step-mode",
+                QT_TRANSLATE_NOOP("text", "this joint is in step mode and reports no position"),
+                QT_TRANSLATE_NOOP("text", "Another program has set the mode."),
+                QT_TRANSLATE_NOOP("text", "Set the position mode first.")},
+    RefusalText{"calibration-out-of-range",
+                QT_TRANSLATE_NOOP("text", "this servo cannot hold the offset or the limits"),
+                QT_TRANSLATE_NOOP("text", "The file is for another arm, or for other servos."),
+                QT_TRANSLATE_NOOP("text", "Calibrate the arm, or select another file.")},
     RefusalText{"joint-not-recorded",
                 QT_TRANSLATE_NOOP("text", "the range of this joint is not known"),
                 QT_TRANSLATE_NOOP("text", "The joint was not moved through its range."),
@@ -44,8 +63,8 @@ constexpr std::array notSupported{
     RefusalText{
         "joint-beyond-turn",
         QT_TRANSLATE_NOOP("text", "the range does not fit into one turn of the encoder"),
-        QT_TRANSLATE_NOOP("text", "The middle shown is too far from the middle of the range."),
-        QT_TRANSLATE_NOOP("text", "Show a pose nearer to the middle, or use the middle of "
+        QT_TRANSLATE_NOOP("text", "The middle pose is too far from the middle of the range."),
+        QT_TRANSLATE_NOOP("text", "End in a pose closer to the middle, or use the middle of "
                                   "the range.")},
     RefusalText{"no-position-limits",
                 QT_TRANSLATE_NOOP("text", "this servo has no position limits"),

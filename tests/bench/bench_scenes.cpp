@@ -7,6 +7,7 @@
 #include "gui/five_register_write.h"
 #include "gui/main_window_fixture.h"
 #include "gui/servo_tasks_fixture.h"
+#include "session/arm/arm_calibration.h"
 #include "session/motion/motion_controller.h"
 #include "session/sweep/sweep_test.h"
 #include "sim/host/sim_link.h"
@@ -455,7 +456,28 @@ void rescueFirmware(gui::MainWindowFixture& fixture)
     runEventLoop(4000);
 }
 
+void recordArm(gui::MainWindowFixture& fixture)
+{
+    onTheWire(fixture, [](sim::VirtualBus& wire) { wire.plug(1); }); // all joints
+    fixture.action(ui::Command::Search)->trigger();
+    fixture.action(ui::Command::PageArm)->trigger();
+    runEventLoop(2500);
+    fixture.workbench().armCalibration().startRecording();
+    runEventLoop(700);
+}
+
+void planArm(gui::MainWindowFixture& fixture)
+{
+    recordArm(fixture);
+    runEventLoop(4000);
+    fixture.workbench().armCalibration().finishRecording(false);
+    fixture.waitUntilIdle();
+    runEventLoop(500);
+}
+
 constexpr ErrorScene troubleScenes[] = {
+    {"arm-recording", "sim:so101", recordArm, ""},
+    {"arm-plan", "sim:so101", planArm, ""},
     {"firmware-checks", "sim:sts3215@1,sts3215@2,scs15@3", checkFirmwareScene,
      "firmwareUpdateDialog"},
     {"firmware-updated", "sim:sts3215@1", updateFirmware, "firmwareUpdateDialog"},

@@ -362,6 +362,8 @@ QString taskLabel(const QString& task)
     static const std::pair<const char*, const char*> eventText[] = {
         {"center", QT_TRANSLATE_NOOP("EventText", "set midpoint")},
         {"reboot", QT_TRANSLATE_NOOP("EventText", "reboot")},
+        {"record-ranges", QT_TRANSLATE_NOOP("EventText", "record joint ranges")},
+        {"calibrate-arm", QT_TRANSLATE_NOOP("EventText", "calibrate arm")},
         {"check-firmware", QT_TRANSLATE_NOOP("EventText", "check before the firmware update")},
         {"update-firmware", QT_TRANSLATE_NOOP("EventText", "update firmware")},
         {"rescue-firmware", QT_TRANSLATE_NOOP("EventText", "rescue firmware")},

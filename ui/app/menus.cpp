@@ -56,7 +56,7 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
     add(*m_language, commands, {Command::English, Command::Chinese});
     add(*m_view, commands,
         {Command::PageOperate, Command::PageMemory, Command::PageSweep, Command::PageStep,
-         Command::PageSnapshots, Command::PageCommission, Command::PageFirmware,
+         Command::PageSnapshots, Command::PageCommission, Command::PageArm, Command::PageFirmware,
          Command::PageHistory, line, Command::PreviousTests, Command::PauseTrend, line});
     m_view->addActions(docks);
     m_view->addSeparator();

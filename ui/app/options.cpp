@@ -21,7 +21,7 @@ constexpr OptionRow rows[] = {
     {"protocol", QT_TRANSLATE_NOOP("Options", "protocol: auto, feetech, modbus or lx"), "NAME"},
     {"lang", QT_TRANSLATE_NOOP("Options", "language of the interface: en or zh_CN"), "LANGUAGE"},
     {"theme", QT_TRANSLATE_NOOP("Options", "color theme: system, light or dark"), "THEME"},
-    {"page", QT_TRANSLATE_NOOP("Options", "page to show: operate, memory, sweep, step, snapshots, commission, firmware, history"), "PAGE"},
+    {"page", QT_TRANSLATE_NOOP("Options", "page to show: operate, memory, sweep, step, snapshots, commission, arm, firmware, history"), "PAGE"},
     {"select", QT_TRANSLATE_NOOP("Options", "ID of the servo to select"), "ID"},
     {"screenshot", QT_TRANSLATE_NOOP("Options", "save a screenshot of the window to this PNG file and quit"), "FILE"},
     {"size", QT_TRANSLATE_NOOP("Options", "window size, for example 1280x800"), "SIZE"},
@@ -116,10 +116,11 @@ ParsedOptions parseOptions(const QStringList& arguments)
     takeTheme(parser.value(QStringLiteral("theme")), parsed);
     options.language = parser.value(QStringLiteral("lang"));
     options.page = parser.value(QStringLiteral("page"));
-    const QStringList pages{
-        QStringLiteral("operate"),  QStringLiteral("memory"),    QStringLiteral("sweep"),
-        QStringLiteral("step"),     QStringLiteral("snapshots"), QStringLiteral("commission"),
-        QStringLiteral("firmware"), QStringLiteral("history"),   QString()};
+    const QStringList pages{QStringLiteral("operate"),   QStringLiteral("memory"),
+                            QStringLiteral("sweep"),     QStringLiteral("step"),
+                            QStringLiteral("snapshots"), QStringLiteral("commission"),
+                            QStringLiteral("arm"),       QStringLiteral("firmware"),
+                            QStringLiteral("history"),   QString()};
     if (!pages.contains(options.page))
         parsed.error = text::translate("Options", "--page: unknown value \"%1\"").arg(options.page);
     options.select = number(parser, "select", 0, parsed.error);

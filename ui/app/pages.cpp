@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/pages.h"
 
+#include "ui/arm/arm_page.h"
 #include "ui/commissioning/commission_page.h"
 #include "ui/common/widget_style.h"
 #include "ui/firmware/firmware_page.h"
@@ -43,6 +44,8 @@ constexpr std::array allPages{
          QT_TRANSLATE_NOOP("ui::Pages", "Save, compare and restore servo settings")},
     Page{"commission", Command::PageCommission, QT_TRANSLATE_NOOP("ui::Pages", "Commissioning"),
          QT_TRANSLATE_NOOP("ui::Pages", "Set up servos one at a time")},
+    Page{"arm", Command::PageArm, QT_TRANSLATE_NOOP("ui::Pages", "Arm"),
+         QT_TRANSLATE_NOOP("ui::Pages", "Calibrate a robot arm by moving its joints")},
     Page{"firmware", Command::PageFirmware, QT_TRANSLATE_NOOP("ui::Pages", "Firmware"),
          QT_TRANSLATE_NOOP("ui::Pages", "Compare the firmware versions of the servos")},
     Page{"history", Command::PageHistory, QT_TRANSLATE_NOOP("ui::Pages", "History"),
@@ -75,6 +78,7 @@ Pages::Pages(AppContext& appContext, session::Settings& settings, QWidget* paren
     m_step = add<StepPage>();
     m_snapshots = add<SnapshotsPage>();
     add<CommissionPage>();
+    add<ArmPage>();
     add<FirmwarePage>();
     m_history = add<HistoryPage>(&Pages::connectHistory);
     connectCommands();

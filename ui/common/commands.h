@@ -47,6 +47,7 @@ enum class Command : std::uint8_t {
     PageSnapshots,
     TakeSnapshot,
     PageCommission,
+    PageArm,
     PageFirmware,
     PageHistory,
     PreviousTests,

@@ -39,21 +39,36 @@ FirmwareUpdateDialog::FirmwareUpdateDialog(session::Workbench& workbench,
     body()->addWidget(m_file);
     body()->addWidget(m_list);
     body()->addWidget(m_untried);
-    connect(m_file, &FirmwareFileRow::changed, this, &FirmwareUpdateDialog::startOver);
+    connect(m_file, &FirmwareFileRow::changed, this, &FirmwareUpdateDialog::onFileChanged);
     connect(m_file, &FirmwareFileRow::failed, this, &FirmwareUpdateDialog::showError);
     finishSetup();
     showRefusal();
 }
 
-void FirmwareUpdateDialog::startOver()
+/// Servos of the list that are updated already stay so.
+void FirmwareUpdateDialog::onFileChanged()
 {
     result()->clear();
-    m_done.clear();
     m_checks.clear();
     m_accepted.clear();
     retranslate();
     refresh();
     showRefusal();
+}
+
+/// Another model may need another file, and each servo has its own supply and memory table.
+void FirmwareUpdateDialog::keepSameRisks(const catalog::Profile& updated)
+{
+    using base::FirmwareCheck;
+    const bool isSameModel =
+        next() != nullptr && next()->servo.profile &&
+        next()->servo.profile->identity.modelId() == updated.identity.modelId();
+    std::erase_if(m_accepted, [&](FirmwareCheck check) {
+        const bool isOfFile = check == FirmwareCheck::FileName || check == FirmwareCheck::FileSize;
+        const bool isOfBench =
+            check == FirmwareCheck::OtherServos || check == FirmwareCheck::Battery;
+        return !isOfBench && !(isOfFile && isSameModel);
+    });
 }
 
 void FirmwareUpdateDialog::showRefusal()
@@ -74,7 +89,7 @@ QString FirmwareUpdateDialog::servoText() const
 {
     if (m_servos.size() == 1)
         return TaskDialog::servoText();
-    if (isRunning() && next() != nullptr)
+    if ((isRunning() || isChecked() || !m_done.empty()) && next() != nullptr)
         return translate("ServoTasks", "%1 (%2 of %3)")
             .arg(servoTitle(*next()))
             .arg(m_done.size() + 1)
@@ -82,6 +97,15 @@ QString FirmwareUpdateDialog::servoText() const
     const int count = static_cast<int>(m_servos.size());
     return translate("ServoTasks", "%n servo(s), one after the other: ID %1", nullptr, count)
         .arg(text::idRangesText(ids()));
+}
+
+QString FirmwareUpdateDialog::closeTip() const
+{
+    return m_servos.size() == 1
+               ? TaskDialog::closeTip()
+               : translate("ServoTasks",
+                           "Closes this dialog; the present servo is completed, those "
+                           "after it are not updated");
 }
 
 std::vector<int> FirmwareUpdateDialog::ids(std::size_t first) const
@@ -215,23 +239,25 @@ void FirmwareUpdateDialog::update()
 void FirmwareUpdateDialog::updated(FirmwareUpdate done)
 {
     m_checks.clear();
-    if (!isUpdated(done) || m_done.size() + 1 == m_servos.size())
+    if (!isUpdated(done) || m_done.size() + 1 == m_servos.size() || wasStopped())
         return end(std::move(done));
     done.id = next() != nullptr ? next()->servo.id : 0;
+    const catalog::ProfilePtr profile = done.report.servo->profile;
     m_done.push_back(std::move(done));
+    keepSameRisks(*profile);
     check();
 }
 
-/// All are updated, or this one failed: a new start begins with it.
+/// All are updated, or a new start begins with the first one that is not.
 void FirmwareUpdateDialog::end(FirmwareUpdate last)
 {
     last.id = next() != nullptr ? next()->servo.id : 0;
     m_done.push_back(std::move(last));
     showDone();
-    if (m_done.size() == m_servos.size() && isUpdated(m_done.back()))
-        m_done.clear();
-    else
+    if (!isUpdated(m_done.back()))
         m_done.pop_back();
+    else if (m_done.size() == m_servos.size())
+        m_done.clear();
     m_checks.clear();
     m_accepted.clear();
     retranslate();

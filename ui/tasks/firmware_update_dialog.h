@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gives servos a new firmware from the vendor's file, one after the other: first the checks, each
 // of which must be good or accepted, then the update. What was accepted counts for the servos after
-// it too; a check that fails there is asked about, an update that fails ends the list. See
-// TaskDialog.
+// it as far as it is the same risk; a check that fails there is asked about. An update that fails
+// ends the list, and so do Stop and closing the dialog. See TaskDialog.
 #pragma once
 
 #include "base/firmware_update.h"
@@ -27,6 +27,7 @@ public:
 
 protected:
     QString servoText() const override;
+    QString closeTip() const override;
     void retranslate() override;
     void refresh() override;
     void runAction() override;
@@ -39,7 +40,8 @@ private:
     void updated(FirmwareUpdate done);
     void end(FirmwareUpdate last);
     void showDone();
-    void startOver();
+    void onFileChanged();
+    void keepSameRisks(const catalog::Profile& updated);
     void showRefusal();
     void showChecks();
     void addCheck(int row, const base::FirmwareCheckResult& result);

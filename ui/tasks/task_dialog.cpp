@@ -100,11 +100,16 @@ void TaskDialog::buildButtons(QVBoxLayout* column)
         button->setAutoDefault(false);
     m_action->setDefault(true);
     m_stop->hide();
-    connect(m_stop, &QPushButton::clicked, &m_workbench.tasks(), &session::TaskQueue::stop);
+    connect(m_stop, &QPushButton::clicked, this, [this] {
+        m_wasStopped = true;
+        m_workbench.tasks().stop();
+    });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_action, &QPushButton::clicked, this, [this] {
-        if (m_ready && !m_running && isServoThere())
-            runAction();
+        if (!m_ready || m_running || !isServoThere())
+            return;
+        m_wasStopped = false;
+        runAction();
     });
 }
 
@@ -150,9 +155,7 @@ void TaskDialog::retranslateCommon()
     setButtonText(
         m_stop, translate("ServoTasks", "Stop"),
         translate("ServoTasks", "Stops as soon as the current step has been safely completed"));
-    setButtonText(
-        m_close, translate("ServoTasks", "Close"),
-        translate("ServoTasks", "Closes this dialog; the operation in progress continues"));
+    setButtonText(m_close, translate("ServoTasks", "Close"), closeTip());
     m_progress->setAccessibleName(translate("ServoTasks", "Progress"));
     m_progress->setToolTip(translate("ServoTasks", "Progress"));
 }
@@ -166,6 +169,11 @@ void TaskDialog::updateServoText()
 QString TaskDialog::servoText() const
 {
     return servoTitle(*entry());
+}
+
+QString TaskDialog::closeTip() const
+{
+    return translate("ServoTasks", "Closes this dialog; the operation in progress continues");
 }
 
 QString TaskDialog::progressText(const jobs::Progress& progress) const

@@ -41,9 +41,11 @@ protected:
     void setReady(bool ready); ///< whether the action is possible now
     bool isRunning() const { return m_running; }
     void setRunning(bool running);
+    bool wasStopped() const { return m_wasStopped; } ///< by the user, since the action was started
 
     virtual QString servoText() const; ///< the line above the explanation
     void updateServoText();
+    virtual QString closeTip() const; ///< of the Close button
     virtual QString progressText(const jobs::Progress& progress) const;
     /// All texts. Called by finishSetup() and after a change of language.
     virtual void retranslate() = 0;
@@ -85,6 +87,7 @@ private:
     session::ServoRef m_ref;
     bool m_ready = true;
     bool m_running = false;
+    bool m_wasStopped = false;
     QString m_writtenKey; ///< of writeRegister(), until it has ended; else empty
     const char* m_writeSuccess = nullptr;
     QLabel* m_servoLabel;

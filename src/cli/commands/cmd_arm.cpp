@@ -10,6 +10,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace cli {
 namespace {
 constexpr Positional calibrationFile{
@@ -78,6 +80,13 @@ std::vector<Difference> differences(const std::vector<ArmJoint>& joints,
                 all.push_back({one.joint.name, key, saved->calibration.*value, inServo});
         }
     }
+    for (const jobs::LerobotJoint& saved : file.joints) {
+        const bool isOurs = std::any_of(joints.begin(), joints.end(), [&](const ArmJoint& one) {
+            return one.joint.name == saved.name;
+        });
+        if (!isOurs)
+            all.push_back({saved.name, "id", saved.id, std::nullopt});
+    }
     return all;
 }
 
@@ -108,20 +117,22 @@ base::Result<Exit> runCompare(Run& run, const Values& values)
                            .add("file", Json(one.inFile))
                            .add("servo", Json(one.inServo)));
     }
-    const QString same =
-        translate("cli", "The file and the servos agree: LeRobot accepts the file.");
+    const QString same = translate("cli", "The file and the servos agree.");
     const QString remedy =
         translate("cli",
                   "LeRobot would ask for a new calibration. To write the file to the servos: "
                   "servodesk-cli arm apply \"%1\"; to write the servos to the file: "
                   "servodesk-cli arm export \"%1\"")
             .arg(path);
-    run.finish(Json::object()
-                   .add("file", path)
-                   .add("equal", found.empty())
-                   .add("differences", std::move(rows)),
-               found.empty() ? same + QLatin1Char('\n')
-                             : table.text() + remedy + QLatin1Char('\n'));
+    const QStringList notes = armNotes(*joints);
+    run.finish(
+        Json::object()
+            .add("file", path)
+            .add("equal", found.empty())
+            .add("differences", std::move(rows))
+            .add("remarks", notes),
+        (found.empty() ? same + QLatin1Char('\n') : table.text() + remedy + QLatin1Char('\n')) +
+            linesOf(notes));
     return found.empty() ? Exit::Success : Exit::Failed;
 }
 
@@ -144,20 +155,22 @@ base::Result<Exit> runApply(Run& run, const Values& values)
             return badArgument(translate("cli", "the file has no joint %1 with the ID %2")
                                    .arg(one.joint.name)
                                    .arg(one.joint.id));
-        plans.push_back({one.joint, {}, one.calibration(), saved->calibration});
+        if (const auto valid = jobs::requireValid(*one.servo, saved->calibration); !valid)
+            return tl::unexpected(valid.error());
+        plans.push_back({one.joint, settingsText(*one.servo, one.joint.kind), one.calibration(),
+                         saved->calibration});
         templates.push_back(jobs::calibrationTemplate(*one.servo, one.joint.kind,
                                                       saved->calibration, session::programName()));
     }
     run.console().print(plansText(plans));
+    if (!values.has(dryRunOption.flag) && !values.has(yesOption.flag)) {
+        run.console().printMessage(translate(
+            "cli", "Torque will be turned off, so the arm drops: hold it. Press Enter to write."));
+        EnterKey enter(run);
+        if (!enter.wait())
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("arm"));
+    }
     return writeCalibration(run, values, templates, path);
-}
-
-/// Other keys of a file that is there are kept; one that is no calibration file is not replaced.
-base::Result<jobs::LerobotFile> fileToExport(const QString& path)
-{
-    if (!QFileInfo::exists(path))
-        return jobs::LerobotFile{};
-    return jobs::loadLerobotFile(path);
 }
 
 /// The arm itself, as a file for --arm that the user can change.
@@ -167,6 +180,10 @@ base::Result<Exit> exportArm(Run& run, const Values& values)
     const auto arm = armOf(values);
     if (!arm)
         return tl::unexpected(arm.error());
+    if (QFileInfo::exists(path)) { // replaces an arm, nothing else
+        if (const auto existing = jobs::loadArm(path); !existing)
+            return tl::unexpected(existing.error());
+    }
     if (const auto saved = jobs::saveArm(*arm, path); !saved)
         return tl::unexpected(saved.error());
     run.finish(Json::object().add("file", path),
@@ -182,20 +199,14 @@ base::Result<Exit> runExport(Run& run, const Values& values)
     if (format != QLatin1String("lerobot"))
         return badArgument(translate("cli", "--format takes lerobot or arm"));
     const QString path = values.argument("FILE");
-    auto file = fileToExport(path);
-    if (!file)
-        return tl::unexpected(file.error());
     const auto joints = findJoints(run, values);
     if (!joints)
         return tl::unexpected(joints.error());
     if (const auto all = requireJoints(*joints); !all)
         return tl::unexpected(all.error());
-    std::vector<jobs::LerobotJoint> exported = lerobotJoints(*joints);
-    for (jobs::LerobotJoint& one : exported) {
-        if (const jobs::LerobotJoint* before = file->find(one.name))
-            one.driveMode = before->driveMode;
-    }
-    file->joints = std::move(exported);
+    const auto file = jobs::lerobotFileFor(path, lerobotJoints(*joints));
+    if (!file)
+        return tl::unexpected(file.error());
     if (const auto saved = jobs::saveLerobotFile(*file, path); !saved)
         return tl::unexpected(saved.error());
     const QStringList notes = armNotes(*joints);
@@ -233,7 +244,7 @@ Command armApplyCommand()
                               "write offsets and limits of LeRobot's calibration file to the "
                               "servos; torque is turned off"),
             {calibrationFile},
-            {armOption, dryRunOption},
+            {armOption, yesOption, dryRunOption},
             runApply};
 }
 
@@ -241,8 +252,9 @@ Command armExportCommand()
 {
     return {"arm export",
             QT_TRANSLATE_NOOP("cli", "save what the servos hold as LeRobot's calibration file"),
-            {{"FILE", QT_TRANSLATE_NOOP("cli", "output file; other keys in an existing file are "
-                                               "kept")}},
+            {{"FILE", QT_TRANSLATE_NOOP(
+                          "cli", "output file; keys of other programs in an existing file are "
+                                 "kept")}},
             {armOption,
              {"--format",
               QT_TRANSLATE_NOOP(

@@ -10,7 +10,6 @@
 #include "jobs/arm/record_ranges.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "text/arm_text.h"
-#include "transport/stdin_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +22,10 @@ using jobs::JointRange;
 constexpr Option jointOption{
     "--joint", QT_TRANSLATE_NOOP("cli", "only these joints: NAME,NAME (default: all)"), "NAMES"};
 constexpr Option secondsOption{
-    "--seconds", QT_TRANSLATE_NOOP("cli", "record for so long (default: until Enter)"), "S"};
-constexpr Option yesOption{"--yes",
-                           QT_TRANSLATE_NOOP("cli", "do not ask before torque off and writing")};
+    "--seconds", QT_TRANSLATE_NOOP("cli", "recording time (default: until Enter)"), "S"};
 constexpr Option middleOption{
-    "--middle-here", QT_TRANSLATE_NOOP("cli", "the pose at the beginning becomes the middle, as in "
-                                              "LeRobot (default: the middle of each range)")};
+    "--middle-here", QT_TRANSLATE_NOOP("cli", "the pose at the end of the recording becomes the "
+                                              "middle (default: the middle of each range)")};
 
 /// Simulated joints are moved while it lives; real ones are moved by the user.
 class HandMotion {
@@ -57,10 +54,13 @@ public:
     {
         if (const auto collected = collect(); !collected)
             return tl::unexpected(collected.error());
-        ask(translate("cli",
-                      "Torque will be turned off, so the arm drops: hold it. Then move every "
-                      "joint through its whole range, in any order. Press Enter to begin."));
-        if (!m_isYes && !waitForEnter())
+        m_run.console().printMessage(translate(
+            "cli", "Torque will be turned off, so the arm drops: hold it. Then move every "
+                   "joint through its whole range, in any order."));
+        if (m_isMiddleHere)
+            m_run.console().printMessage(
+                translate("cli", "End with every joint in its middle position."));
+        if (!confirm(translate("cli", "Press Enter to begin.")))
             return stopped();
         if (const auto recorded = record(); !recorded)
             return tl::unexpected(recorded.error());
@@ -78,6 +78,8 @@ private:
                 return tl::unexpected(number.error());
             m_length = base::Duration(std::llround(1e6 * *number));
         }
+        if (m_isYes && !m_length)
+            return badArgument(translate("cli", "--yes needs --seconds"));
         auto joints = findJoints(m_run, m_values);
         if (!joints)
             return tl::unexpected(joints.error());
@@ -86,7 +88,7 @@ private:
         return select(std::move(*joints));
     }
 
-    /// Wheels turn for ever; --joint leaves out others.
+    /// Wheels have no range; --joint leaves out other joints.
     base::Result<void> select(std::vector<ArmJoint> joints)
     {
         const QStringList wanted = m_values.option(jointOption.flag)
@@ -111,29 +113,17 @@ private:
                                 : base::Result<void>{};
     }
 
-    void ask(const QString& question)
+    bool confirm(const QString& question)
     {
-        if (!m_isYes)
-            m_run.console().printMessage(question);
+        if (m_isYes)
+            return true;
+        m_run.console().printMessage(question);
+        return m_enter.wait();
     }
 
     static tl::unexpected<base::Error> stopped()
     {
         return base::fail(base::ErrorCode::Stopped, QStringLiteral("arm"));
-    }
-
-    /// False: stopped, or nothing more can be typed.
-    bool waitForEnter()
-    {
-        while (!m_run.stop().isRequested()) {
-            if (m_input.readLine())
-                return true;
-            if (!m_input.isOpen())
-                return false;
-            constexpr auto slice = std::chrono::milliseconds(20);
-            (void)m_run.stop().waitUntil(std::chrono::steady_clock::now() + slice);
-        }
-        return false;
     }
 
     base::Result<void> record()
@@ -149,12 +139,10 @@ private:
         base::Clock& clock = context->bus.clock();
         const base::Duration start = clock.now();
         const auto recorded = jobs::recordRanges(*context, m_servos, [&](const auto& ranges) {
-            if (m_middles.empty() && isComplete(ranges))
-                keepMiddles(ranges);
             show(ranges);
             if (m_length)
                 return clock.now() - start < *m_length;
-            return !m_input.readLine() && m_input.isOpen();
+            return !m_enter.wasPressed();
         });
         if (!recorded)
             return tl::unexpected(recorded.error());
@@ -162,19 +150,6 @@ private:
             return stopped();
         m_ranges = *recorded;
         return {};
-    }
-
-    static bool isComplete(const std::vector<JointRange>& ranges)
-    {
-        return std::none_of(ranges.begin(), ranges.end(), [](const JointRange& one) {
-            return one.state == base::JointState::NoReply;
-        });
-    }
-
-    void keepMiddles(const std::vector<JointRange>& ranges)
-    {
-        for (const JointRange& one : ranges)
-            m_middles.push_back(one.now);
     }
 
     /// In place, on a terminal.
@@ -197,7 +172,7 @@ private:
         table.alignRight({1, 2, 3});
         for (std::size_t i = 0; i < m_joints.size(); ++i) {
             table.add({m_joints[i].name, QString::number(m_joints[i].id),
-                       QString::number(ranges[i].shown),
+                       QString::number(ranges[i].reading),
                        QString::number(degrees(i, ranges[i]), 'f', 0) + QStringLiteral("°"),
                        text::jointStateText(ranges[i].state)});
         }
@@ -213,10 +188,12 @@ private:
 
     JointPlan plan(std::size_t index, const std::optional<jobs::JointCalibration>& values) const
     {
-        return {m_joints[index],
-                QStringLiteral("%1°, %2")
-                    .arg(degrees(index, m_ranges[index]), 0, 'f', 0)
-                    .arg(text::jointStateText(m_ranges[index].state)),
+        QStringList remarks{QStringLiteral("%1°").arg(degrees(index, m_ranges[index]), 0, 'f', 0),
+                            text::jointStateText(m_ranges[index].state)};
+        const QString settings = settingsText(m_servos[index], m_joints[index].kind);
+        if (values && !settings.isEmpty())
+            remarks << settings;
+        return {m_joints[index], remarks.join(QStringLiteral(", ")),
                 jobs::calibrationIn(m_servos[index]), values};
     }
 
@@ -244,8 +221,9 @@ private:
         QString failures;
         for (std::size_t i = 0; i < m_joints.size(); ++i) {
             const auto middle =
-                m_isMiddleHere ? std::optional(m_middles.at(i)) : std::optional<std::int64_t>{};
-            const auto values = jobs::calibrationOf(m_servos[i], m_ranges[i], middle);
+                m_isMiddleHere ? std::optional(m_ranges[i].now) : std::optional<std::int64_t>{};
+            const auto values =
+                jobs::calibrationOf(m_servos[i], m_joints[i].kind, m_ranges[i], middle);
             plans.push_back(plan(i, values ? std::optional(*values) : std::nullopt));
             joints.push_back(jsonPlan(plans.back(), m_ranges[i], degrees(i, m_ranges[i])));
             if (values)
@@ -259,9 +237,8 @@ private:
             m_run.console().printMessage(failures.trimmed());
         if (!m_values.has(dryRunOption.flag) && !templates.empty()) {
             const int count = static_cast<int>(templates.size());
-            ask(translate("cli", "Press Enter to write offset and limits of %n joint(s).", nullptr,
-                          count));
-            if (!m_isYes && !waitForEnter())
+            if (!confirm(translate("cli", "Press Enter to write offset and limits of %n joint(s).",
+                                   nullptr, count)))
                 return stopped();
         }
         const auto written = writeCalibration(m_run, m_values, templates, QString(),
@@ -276,9 +253,8 @@ private:
     std::optional<base::Duration> m_length;
     std::vector<jobs::Joint> m_joints;
     std::vector<device::Servo> m_servos; ///< of the joints
-    std::vector<std::int64_t> m_middles; ///< the pose at the beginning
     std::vector<JointRange> m_ranges;
-    transport::StdinReader m_input;
+    EnterKey m_enter{m_run};
     std::chrono::steady_clock::time_point m_nextShown;
     int m_shownLines = 0;
 };

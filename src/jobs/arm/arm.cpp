@@ -47,16 +47,16 @@ Arm lekiwi()
     return arm;
 }
 
-Arm koch()
+Arm sixJointArm()
 {
-    return {QStringLiteral("Koch"), sixJoints({}, {})};
+    return {QStringLiteral("Six joints"), sixJoints({}, {})};
 }
 
 struct BuiltInArm {
     const char* name;
     Arm (*make)();
 };
-constexpr BuiltInArm builtIn[]{{"so101", so101}, {"lekiwi", lekiwi}, {"koch", koch}};
+constexpr BuiltInArm builtIn[]{{"so101", so101}, {"lekiwi", lekiwi}, {"six-joint", sixJointArm}};
 
 Joint readJoint(const files::JsonReader& json)
 {

@@ -27,7 +27,7 @@ struct Arm {
     bool operator==(const Arm&) const = default;
 };
 
-QStringList builtInArms(); ///< "so101", "lekiwi", "koch"
+QStringList builtInArms(); ///< "so101", "lekiwi", "six-joint"
 /// A built-in arm, or the file with this path.
 base::Result<Arm> loadArm(const QString& nameOrPath);
 base::Result<void> saveArm(const Arm& arm, const QString& path);

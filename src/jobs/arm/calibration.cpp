@@ -4,6 +4,7 @@
 #include "jobs/restore/take_snapshot.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 namespace jobs {
@@ -15,11 +16,6 @@ tl::unexpected<base::Error> refuse(const device::Servo& servo, const char* reaso
 {
     return base::fail(base::ErrorCode::NotSupported, QStringLiteral("calibrate"),
                       QLatin1String(reason), servo.id);
-}
-
-bool isRecorded(JointState state)
-{
-    return state == JointState::Recorded || state == JointState::FullTurn;
 }
 
 /// Within one turn, from 0 on.
@@ -45,30 +41,60 @@ const catalog::Mode* positionMode(const catalog::Profile& profile)
 }
 } // namespace
 
-base::Result<JointCalibration> calibrationOf(const device::Servo& servo, const JointRange& range,
+base::Result<void> requireCalibratable(const device::Servo& servo)
+{
+    if (!calibrationIn(servo) || servo.profile->byRole(Role::PresentPosition) == nullptr)
+        return refuse(servo, "no-position-limits");
+    if (servo.profile->multiTurn && device::turnBasis(servo).steps == 0)
+        return refuse(servo, "joint-in-step-mode");
+    return {};
+}
+
+namespace {
+const char* refusalOf(JointState state, base::JointKind kind)
+{
+    switch (state) {
+    case JointState::Recorded:
+        return nullptr;
+    case JointState::FullTurn:
+        return kind == base::JointKind::Continuous ? nullptr : "joint-full-turn";
+    case JointState::LostTrack:
+        return "joint-lost-track";
+    case JointState::NotMoved:
+    case JointState::KeepMoving:
+    case JointState::NoReply:
+        break;
+    }
+    return "joint-not-recorded";
+}
+} // namespace
+
+base::Result<JointCalibration> calibrationOf(const device::Servo& servo, base::JointKind kind,
+                                             const JointRange& range,
                                              std::optional<std::int64_t> middle)
 {
-    const auto present = calibrationIn(servo);
-    if (!present)
-        return refuse(servo, "no-position-limits");
-    if (!isRecorded(range.state))
-        return refuse(servo, "joint-not-recorded");
+    if (const auto possible = requireCalibratable(servo); !possible)
+        return tl::unexpected(possible.error());
+    if (const char* reason = refusalOf(range.state, kind))
+        return refuse(servo, reason);
+    const JointCalibration present = *calibrationIn(servo);
     const std::int64_t turn = servo.profile->stepsPerTurn;
+    if (!servo.profile->multiTurn)
+        return JointCalibration{present.homingOffset, static_cast<int>(range.low),
+                                static_cast<int>(range.high)};
     const bool isFullTurn = range.state == JointState::FullTurn;
-    if (servo.profile->byRole(Role::PositionOffset) == nullptr)
-        return JointCalibration{0, static_cast<int>(range.low), static_cast<int>(range.high)};
     if (isFullTurn && !middle)
-        return JointCalibration{present->homingOffset, 0, static_cast<int>(turn - 1)};
+        return JointCalibration{present.homingOffset, 0, static_cast<int>(turn - 1)};
 
     // The position that a joint has under the new offset is what it has now, moved by `shift`.
     const std::int64_t center = middle.value_or(std::midpoint(range.low, range.high));
     const std::int64_t wanted = middle ? turn / 2 - 1 : turn / 2; // LeRobot's own middle is 2047
-    const int offset = nearestOffset(center + present->homingOffset - wanted, turn);
-    const std::int64_t shown = withinTurn(center + present->homingOffset - offset, turn);
+    const int offset = nearestOffset(center + present.homingOffset - wanted, turn);
+    const std::int64_t shown = withinTurn(center + present.homingOffset - offset, turn);
     const std::int64_t shift = shown - center;
     if (isFullTurn)
         return JointCalibration{offset, 0, static_cast<int>(turn - 1)};
-    if (range.low + shift < 0 || range.high + shift >= turn)
+    if (range.low + shift < seamMargin || range.high + shift >= turn - seamMargin)
         return refuse(servo, "joint-beyond-turn");
     return JointCalibration{offset, static_cast<int>(range.low + shift),
                             static_cast<int>(range.high + shift)};
@@ -76,24 +102,55 @@ base::Result<JointCalibration> calibrationOf(const device::Servo& servo, const J
 
 std::optional<JointCalibration> calibrationIn(const device::Servo& servo)
 {
+    if (!servo.profile)
+        return std::nullopt;
     const auto low = servo.raw(Role::MinAngle);
     const auto high = servo.raw(Role::MaxAngle);
-    if (!low || !high)
+    const auto offset = servo.raw(Role::PositionOffset);
+    const bool hasOffset = servo.profile->byRole(Role::PositionOffset) != nullptr;
+    if (!low || !high || (hasOffset && !offset))
         return std::nullopt;
-    return JointCalibration{static_cast<int>(servo.raw(Role::PositionOffset).value_or(0)),
-                            static_cast<int>(*low), static_cast<int>(*high)};
+    return JointCalibration{static_cast<int>(offset.value_or(0)), static_cast<int>(*low),
+                            static_cast<int>(*high)};
+}
+
+base::Result<void> requireValid(const device::Servo& servo, const JointCalibration& values)
+{
+    const int turn = servo.profile->stepsPerTurn;
+    const bool hasOffset = servo.profile->byRole(Role::PositionOffset) != nullptr;
+    const int maxOffset = hasOffset && servo.profile->multiTurn ? turn / 2 - 1 : 0;
+    const bool isOffsetKept =
+        calibrationIn(servo) && calibrationIn(servo)->homingOffset == values.homingOffset;
+    if ((std::abs(values.homingOffset) > maxOffset && !isOffsetKept) || values.rangeMin < 0 ||
+        values.rangeMax >= turn || values.rangeMin >= values.rangeMax)
+        return refuse(servo, "calibration-out-of-range");
+    return {};
+}
+
+JointSettings settingsFor(const device::Servo& servo, base::JointKind kind)
+{
+    JointSettings settings;
+    const catalog::Mode* mode =
+        kind == base::JointKind::Wheel ? nullptr : positionMode(*servo.profile);
+    if (mode != nullptr && mode->operatingMode &&
+        servo.raw(Role::OperatingMode) != std::optional<std::int64_t>(*mode->operatingMode))
+        settings.mode = *mode->operatingMode;
+    const auto phase = servo.raw(Role::Phase);
+    if (servo.profile->multiTurn && phase && (*phase & device::fullAnglePhaseBit) != 0)
+        settings.phase = *phase & ~device::fullAnglePhaseBit;
+    return settings;
 }
 
 snapshot::Snapshot calibrationTemplate(const device::Servo& servo, base::JointKind kind,
                                        const JointCalibration& values, const QString& program)
 {
-    const catalog::Profile& profile = *servo.profile;
-    std::vector<std::pair<Role, int>> wanted{{Role::PositionOffset, values.homingOffset},
-                                             {Role::MinAngle, values.rangeMin},
-                                             {Role::MaxAngle, values.rangeMax}};
-    const catalog::Mode* mode = kind == base::JointKind::Wheel ? nullptr : positionMode(profile);
-    if (mode != nullptr && mode->operatingMode)
-        wanted.emplace_back(Role::OperatingMode, *mode->operatingMode);
+    const JointSettings settings = settingsFor(servo, kind);
+    const std::vector<std::pair<Role, std::optional<std::int64_t>>> wanted{
+        {Role::PositionOffset, values.homingOffset},
+        {Role::MinAngle, values.rangeMin},
+        {Role::MaxAngle, values.rangeMax},
+        {Role::OperatingMode, settings.mode},
+        {Role::Phase, settings.phase}};
     snapshot::Snapshot result;
     result.program = program;
     result.at = QDateTime::currentDateTimeUtc();
@@ -102,12 +159,13 @@ snapshot::Snapshot calibrationTemplate(const device::Servo& servo, base::JointKi
     result.servo = snapshotServo(servo);
     result.isTemplate = true;
     for (const auto& [role, raw] : wanted) {
-        const catalog::Register* reg = profile.byRole(role);
-        if (reg == nullptr)
+        const catalog::Register* reg = servo.profile->byRole(role);
+        if (reg == nullptr || !raw)
             continue;
         const catalog::ValueFormat meaning = servo.meaning(*reg);
-        result.registers.push_back({reg->key, reg->address, raw, catalog::toPhysical(raw, meaning),
-                                    meaning.unit, reg->area, reg->access});
+        result.registers.push_back({reg->key, reg->address, *raw,
+                                    catalog::toPhysical(*raw, meaning), meaning.unit, reg->area,
+                                    reg->access});
     }
     return result;
 }

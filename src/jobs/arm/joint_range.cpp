@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 constexpr double degreesPerTurn = 360;
 constexpr double movedDegrees = 5;
-constexpr double leastRangeDegrees = 20;
+constexpr double minRangeDegrees = 20;
 /// A hand turns a joint by half a turn in this time, and the servo's speed need not show it.
 constexpr base::Duration maxGap = 500ms;
 
@@ -30,22 +30,19 @@ JointRangeRecorder::JointRangeRecorder(const device::Servo& servo)
     m_turns.on(m_basis);
 }
 
-void JointRangeRecorder::add(double degrees, std::optional<double> degreesPerSecond,
+void JointRangeRecorder::add(std::int64_t reading, std::optional<double> degreesPerSecond,
                              base::Duration at)
 {
-    m_range.shown = std::llround(degrees * m_stepsPerDegree);
+    m_range.reading = reading;
     if (m_basis.steps == 0)
-        return update(m_range.shown);
+        return update(reading);
     const bool isLate = m_at && at - *m_at > maxGap;
-    m_turns.reading(m_range.shown, degreesPerSecond, at);
-    if (isLate || !m_turns.value()->isCertain) {
-        m_turns.reset();
-        m_turns.reading(m_range.shown, degreesPerSecond, at);
-        m_range.state = JointState::NoReply;
-        m_hasLostTrack = true;
-    }
+    m_turns.reading(reading, degreesPerSecond, at);
     m_at = at;
-    update(std::llround(m_turns.value()->degrees * m_basis.steps / degreesPerTurn));
+    if (isLate || !m_turns.value()->isCertain)
+        m_range.state = JointState::LostTrack;
+    if (m_range.state != JointState::LostTrack)
+        update(std::llround(m_turns.value()->degrees * m_basis.steps / degreesPerTurn));
 }
 
 void JointRangeRecorder::update(std::int64_t steps)
@@ -58,12 +55,9 @@ void JointRangeRecorder::update(std::int64_t steps)
     const double degrees = static_cast<double>(range) / m_stepsPerDegree;
     if (m_basis.steps > 0 && range + 2 * seamMargin >= m_basis.steps)
         m_range.state = JointState::FullTurn;
-    else if (degrees >= leastRangeDegrees)
+    else if (degrees >= minRangeDegrees)
         m_range.state = JointState::Recorded;
-    else if (m_hasLostTrack)
-        m_range.state = JointState::LostTrack;
     else
         m_range.state = degrees >= movedDegrees ? JointState::KeepMoving : JointState::NotMoved;
-    m_hasLostTrack = m_range.state == JointState::LostTrack;
 }
 } // namespace jobs

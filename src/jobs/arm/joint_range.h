@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a joint has been moved, from readings of its servo that show one turn only: the encoder's
-// seam may lie anywhere in the range. A missed reading after which the number of turns is open
-// begins the range anew; nothing is guessed. A value fed by one thread; times of the bus clock.
+// seam may lie anywhere in the range. Once readings were missing while the joint may have turned by
+// half a turn, its range is not known any more. A value fed by one thread; times of the bus clock.
 #pragma once
 
 #include "base/arm.h"
@@ -14,7 +14,7 @@ struct JointRange {
     std::int64_t low = 0;
     std::int64_t high = 0;
     std::int64_t now = 0;
-    std::int64_t shown = 0; ///< the latest reading, as the servo reports it
+    std::int64_t reading = 0; ///< the latest one, as the servo reports it
 };
 
 class JointRangeRecorder {
@@ -22,8 +22,8 @@ public:
     /// Its settings have been read.
     explicit JointRangeRecorder(const device::Servo& servo);
 
-    /// As the servo reports them; the speed where it does.
-    void add(double degrees, std::optional<double> degreesPerSecond, base::Duration at);
+    /// In steps, as the servo reports it; the speed where it does.
+    void add(std::int64_t reading, std::optional<double> degreesPerSecond, base::Duration at);
     const JointRange& range() const { return m_range; }
 
 private:
@@ -34,6 +34,5 @@ private:
     device::TurnCounter m_turns;
     JointRange m_range;
     std::optional<base::Duration> m_at{}; ///< of the latest reading
-    bool m_hasLostTrack = false;
 };
 } // namespace jobs

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QDirIterator>
+#include <QFileInfo>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -80,6 +81,31 @@ base::Result<LerobotFile> loadLerobotFile(const QString& path)
         return base::fail(base::ErrorCode::FileFormat, lerobotOperation,
                           path + QStringLiteral(": ") + file.error());
     return std::move(*file);
+}
+
+base::Result<LerobotFile> lerobotFileFor(const QString& path, std::vector<LerobotJoint> joints)
+{
+    LerobotFile file;
+    if (QFileInfo::exists(path)) {
+        auto existing = loadLerobotFile(path);
+        if (!existing)
+            return existing;
+        file = std::move(*existing);
+    }
+    for (LerobotJoint& one : joints) {
+        if (const LerobotJoint* before = file.find(one.name))
+            one.driveMode = before->driveMode;
+    }
+    for (const LerobotJoint& before : file.joints) {
+        const bool isOurs = std::any_of(joints.begin(), joints.end(),
+                                        [&](const auto& one) { return one.name == before.name; });
+        if (!isOurs)
+            return base::fail(
+                base::ErrorCode::FileFormat, lerobotOperation,
+                QStringLiteral("%1: %2 is not a joint of this arm").arg(path, before.name));
+    }
+    file.joints = std::move(joints);
+    return file;
 }
 
 base::Result<void> saveLerobotFile(const LerobotFile& file, const QString& path)

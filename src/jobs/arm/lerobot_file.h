@@ -36,6 +36,9 @@ struct LerobotFile {
 };
 
 base::Result<LerobotFile> loadLerobotFile(const QString& path);
+/// What to save to `path`: the joints with the direction and the other keys that an existing file
+/// has for them. FileFormat if that is another kind of file, or has joints of another arm.
+base::Result<LerobotFile> lerobotFileFor(const QString& path, std::vector<LerobotJoint> joints);
 /// Replaces the file in one step.
 base::Result<void> saveLerobotFile(const LerobotFile& file, const QString& path);
 

@@ -2,37 +2,78 @@
 #include "jobs/arm/record_ranges.h"
 
 #include "device/motion/motion.h"
-#include "device/reader.h"
+#include "jobs/arm/apply_calibration.h"
+#include "jobs/arm/calibration.h"
 #include "jobs/watch/watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace jobs {
 namespace {
+using catalog::Role;
 using namespace std::chrono_literals;
 
 constexpr base::Duration readingPeriod = 20ms;
 constexpr double degreesPerSecondPerRpm = 6;
 
-/// The columns of one servo: positions in degrees, speeds in the unit it has.
-std::optional<double> valueIn(const std::vector<WatchColumn>& columns, const WatchRow& row,
-                              const QString& key, const QString& unit)
+struct JointColumns {
+    std::optional<std::size_t> position{};
+    double stepsPerUnit = 1; ///< of the position
+    std::optional<std::size_t> speed{};
+};
+
+std::optional<std::size_t> columnOf(const std::vector<WatchColumn>& columns,
+                                    const device::Servo& servo, Role role)
 {
-    for (std::size_t i = 0; i < columns.size() && i < row.values.size(); ++i) {
-        if (columns[i].key == key && columns[i].unit == unit)
-            return row.values[i];
-    }
-    return std::nullopt;
+    const catalog::Register* reg = servo.profile->byRole(role);
+    if (reg == nullptr)
+        return std::nullopt;
+    const WatchColumn wanted{reg->key, servo.meaning(*reg).unit};
+    const auto found = std::find(columns.begin(), columns.end(), wanted);
+    return found == columns.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - columns.begin()));
 }
 
+JointColumns columnsOf(const std::vector<WatchColumn>& columns, const device::Servo& servo)
+{
+    JointColumns result;
+    result.position = columnOf(columns, servo, Role::PresentPosition);
+    const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
+    if (const double scale = servo.meaning(*position).scale; scale != 0)
+        result.stepsPerUnit = 1 / scale;
+    const catalog::Register* speed = servo.profile->byRole(Role::PresentSpeed);
+    if (speed != nullptr && servo.meaning(*speed).unit == QLatin1String("rpm"))
+        result.speed = columnOf(columns, servo, Role::PresentSpeed);
+    return result;
+}
+
+QStringList keysOf(const std::vector<device::Servo>& servos)
+{
+    QStringList keys;
+    for (const device::Servo& servo : servos) {
+        for (const Role role : {Role::PresentPosition, Role::PresentSpeed}) {
+            const catalog::Register* reg = servo.profile->byRole(role);
+            if (reg != nullptr && !keys.contains(reg->key))
+                keys << reg->key;
+        }
+    }
+    return keys;
+}
+
+/// Nothing is turned off before all can be recorded.
 base::Result<void> releaseJoints(const device::Context& context, std::vector<device::Servo>& servos)
 {
     for (device::Servo& servo : servos) {
-        const auto released = device::setTorque(context, servo, device::Torque::Off).and_then([&] {
-            return device::readSettings(context, servo);
-        });
-        if (!released)
-            return released;
+        const auto possible =
+            readCalibration(context, servo).and_then([&] { return requireCalibratable(servo); });
+        if (!possible)
+            return possible;
+    }
+    for (device::Servo& servo : servos) {
+        if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
+            return off;
     }
     return {};
 }
@@ -44,26 +85,32 @@ base::Result<std::vector<JointRange>> recordRanges(const device::Context& contex
 {
     if (const auto released = releaseJoints(context, servos); !released)
         return tl::unexpected(released.error());
-    std::vector<JointRangeRecorder> recorders(servos.begin(), servos.end());
-    std::vector<JointRange> ranges(servos.size());
-    const WatchSpec spec{servos,
-                         {QStringLiteral("present_position"), QStringLiteral("present_speed")},
-                         readingPeriod};
+    const WatchSpec spec{servos, keysOf(servos), readingPeriod};
     const std::vector<WatchColumn> columns = watchColumns(spec);
+    std::vector<JointRangeRecorder> recorders;
+    std::vector<JointColumns> places;
+    for (const device::Servo& servo : servos) {
+        recorders.emplace_back(servo);
+        places.push_back(columnsOf(columns, servo));
+    }
+    std::vector<JointRange> ranges(servos.size());
     bool isEnough = false;
     const auto onRow = [&](const WatchRow& row) -> base::Result<void> {
         const auto servo = std::find_if(servos.begin(), servos.end(), [&](const auto& one) {
             return one.id == row.id && one.protocol == row.protocol;
         });
-        const auto position =
-            valueIn(columns, row, QStringLiteral("present_position"), QStringLiteral("deg"));
-        if (servo != servos.end() && row.answered && position) {
-            auto speed =
-                valueIn(columns, row, QStringLiteral("present_speed"), QStringLiteral("rpm"));
+        if (servo == servos.end())
+            return {};
+        const auto index = static_cast<std::size_t>(servo - servos.begin());
+        const auto valueAt = [&](std::optional<std::size_t> place) {
+            return place && row.answered ? row.values[*place] : std::nullopt;
+        };
+        if (const auto position = valueAt(places[index].position)) {
+            auto speed = valueAt(places[index].speed);
             if (speed)
                 *speed *= degreesPerSecondPerRpm;
-            const auto index = static_cast<std::size_t>(servo - servos.begin());
-            recorders[index].add(*position, speed, row.at);
+            recorders[index].add(std::llround(*position * places[index].stepsPerUnit), speed,
+                                 row.at);
             ranges[index] = recorders[index].range();
         }
         isEnough = row.id == servos.back().id && !onRanges(ranges);

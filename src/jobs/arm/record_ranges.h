@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Watches joints that are moved by hand: torque is turned off first and stays off, so an arm drops.
-// Writes nothing else. The job's thread. Errors: those of torque off and of watch(); until then
-// nothing is read.
+// Writes nothing else. The job's thread. Errors: requireCalibratable() of any servo, before torque
+// goes off; those of torque off, which leave the servos before it without torque and the others
+// holding; those of watch().
 #pragma once
 
 #include "jobs/arm/joint_range.h"

@@ -27,8 +27,8 @@ struct Load {
     double springCenter = 0.0;     ///< rad
     std::optional<double> stopLow; ///< rad, hard stops
     std::optional<double> stopHigh;
-    /// rad/s: a hand turns the shaft to and fro between the stops while the bridge is open; without
-    /// stops, on and on.
+    /// rad/s: a hand turns the shaft back and forth between the stops while the bridge is open;
+    /// without stops, on and on.
     double handSpeed = 0.0;
     bool operator==(const Load&) const = default;
 };

@@ -207,7 +207,7 @@ private Q_SLOTS:
             row("English, no port", english, "", memory);
             row("Chinese, no port", chinese, "", memory);
             for (const char* page :
-                 {"sweep", "step", "snapshots", "commission", "firmware", "history"}) {
+                 {"sweep", "step", "snapshots", "commission", "arm", "firmware", "history"}) {
                 row("English, STS", english, "sim:demo", QString::fromLatin1(page));
                 row("Chinese, STS", chinese, "sim:demo", QString::fromLatin1(page));
             }

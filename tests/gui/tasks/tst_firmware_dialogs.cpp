@@ -209,6 +209,29 @@ private Q_SLOTS:
         dialog->close();
     }
 
+    /// Stop is obeyed between two servos, and what is left is named.
+    void stopEndsAList()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        for (const int row : {0, 1})
+            fixture.clickRow(row, row == 0 ? Qt::NoModifier : Qt::ControlModifier);
+        const QPointer dialog = fixture.open<ui::FirmwareUpdateDialog>("firmwareUpdate");
+        QVERIFY(dialog);
+        QVERIFY(fixture.check(dialog));
+        dialog->findChild<QCheckBox*>(QStringLiteral("firmwareAccept-other-servos"))->click();
+        gui::click(dialog, "taskAction");
+        const auto shared = fixture.workbench().link().connection()->simulation();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            shared->with([](sim::VirtualBus& wire) { return wire.servo(1)->isInBootloader(); }),
+            60'000);
+        gui::click(dialog, "taskStop");
+        QVERIFY(gui::ended(dialog));
+        QVERIFY2(gui::resultOf(dialog).contains(QStringLiteral("Not updated yet: ID")),
+                 qPrintable(gui::resultOf(dialog)));
+        QCOMPARE(fixture.minorVersion(2), 10);
+        dialog->close();
+    }
+
     /// One that needs another file: its check asks, and nothing has been sent to it.
     void aRiskOfALaterServoIsAskedAbout()
     {

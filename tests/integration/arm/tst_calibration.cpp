@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+using base::JointKind;
 using base::JointState;
 using jobs::JointCalibration;
 using support::SimFixture;
@@ -59,7 +60,7 @@ private:
     {
         m_time += gap;
         const int shown = ((m_at % 4096) + 4096) % 4096;
-        m_recorder.add(shown * 360.0 / 4096, degreesPerSecond, m_time);
+        m_recorder.add(shown, degreesPerSecond, m_time);
         return *this;
     }
 
@@ -104,7 +105,7 @@ private Q_SLOTS:
         fixture.poke(1, QStringLiteral("lock"), 0);
         fixture.poke(1, QStringLiteral("position_offset"), oldOffset);
         const device::Servo servo = readServo(fixture);
-        const auto values = jobs::calibrationOf(servo, recorded(low, high));
+        const auto values = jobs::calibrationOf(servo, JointKind::Limited, recorded(low, high));
         QVERIFY(values);
         QCOMPARE(values->homingOffset, offset);
         QCOMPARE(values->rangeMin, newLow);
@@ -116,10 +117,12 @@ private Q_SLOTS:
     {
         SimFixture fixture(QStringLiteral("sts3215@1"));
         const device::Servo servo = readServo(fixture);
-        const auto values = jobs::calibrationOf(servo, recorded(1000, 3000), 1500);
+        const auto values =
+            jobs::calibrationOf(servo, JointKind::Limited, recorded(1000, 3000), 1500);
         QVERIFY(values);
         QCOMPARE(*values, (JointCalibration{1500 - 2047, 1547, 3547}));
-        const auto tooFar = jobs::calibrationOf(servo, recorded(1000, 3900), 1500);
+        const auto tooFar =
+            jobs::calibrationOf(servo, JointKind::Limited, recorded(1000, 3900), 1500);
         QVERIFY(!tooFar);
         QCOMPARE(tooFar.error().detail, QStringLiteral("joint-beyond-turn"));
     }
@@ -131,9 +134,14 @@ private Q_SLOTS:
         fixture.poke(1, QStringLiteral("position_offset"), -77);
         jobs::JointRange range = recorded(0, 4090);
         range.state = JointState::FullTurn;
-        const auto values = jobs::calibrationOf(readServo(fixture), range);
+        const device::Servo servo = readServo(fixture);
+        const auto values = jobs::calibrationOf(servo, JointKind::Continuous, range);
         QVERIFY(values);
         QCOMPARE(*values, (JointCalibration{-77, 0, 4095}));
+        // A joint with two stops cannot: another servo has its ID, or it is loose.
+        const auto refused = jobs::calibrationOf(servo, JointKind::Limited, range);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().detail, QStringLiteral("joint-full-turn"));
     }
 
     void anUnknownRangeIsRefused()
@@ -144,37 +152,82 @@ private Q_SLOTS:
                                        JointState::LostTrack, JointState::NoReply}) {
             jobs::JointRange range = recorded(1000, 3000);
             range.state = state;
-            const auto values = jobs::calibrationOf(servo, range);
+            const auto values = jobs::calibrationOf(servo, JointKind::Limited, range);
             QVERIFY(!values);
-            QCOMPARE(values.error().detail, QStringLiteral("joint-not-recorded"));
+            QCOMPARE(values.error().detail, state == JointState::LostTrack
+                                                ? QStringLiteral("joint-lost-track")
+                                                : QStringLiteral("joint-not-recorded"));
             QCOMPARE(values.error().id, 1);
         }
+    }
+
+    /// There the register holds the remaining distance.
+    void aJointInStepModeIsRefused()
+    {
+        SimFixture fixture(QStringLiteral("sts3215@1"));
+        fixture.poke(1, QStringLiteral("lock"), 0);
+        fixture.poke(1, QStringLiteral("operating_mode"), 3);
+        const auto possible = jobs::requireCalibratable(readServo(fixture));
+        QVERIFY(!possible);
+        QCOMPARE(possible.error().detail, QStringLiteral("joint-in-step-mode"));
+    }
+
+    void valuesOfAnotherArmAreRefused_data()
+    {
+        QTest::addColumn<int>("offset");
+        QTest::addColumn<int>("min");
+        QTest::addColumn<int>("max");
+        QTest::addColumn<bool>("isValid");
+        QTest::newRow("largest") << 2047 << 0 << 4095 << true;
+        QTest::newRow("smallest") << -2047 << 1 << 2 << true;
+        QTest::newRow("offset beyond") << 2048 << 1000 << 3000 << false;
+        QTest::newRow("offset of another maker") << -30'000 << 1000 << 3000 << false;
+        QTest::newRow("no limits") << 0 << 0 << 0 << false;
+        QTest::newRow("turned around") << 0 << 3000 << 1000 << false;
+        QTest::newRow("below") << 0 << -1 << 1000 << false;
+        QTest::newRow("above") << 0 << 0 << 4096 << false;
+    }
+    void valuesOfAnotherArmAreRefused()
+    {
+        QFETCH(int, offset);
+        QFETCH(int, min);
+        QFETCH(int, max);
+        QFETCH(bool, isValid);
+        SimFixture fixture(QStringLiteral("sts3215@1"));
+        QCOMPARE(jobs::requireValid(readServo(fixture), {offset, min, max}).has_value(), isValid);
     }
 
     void aServoWithoutOffsetGetsItsLimitsOnly()
     {
         SimFixture fixture(QStringLiteral("scs15@1"));
         const device::Servo servo = readServo(fixture);
-        const auto values = jobs::calibrationOf(servo, recorded(200, 900));
+        const auto values = jobs::calibrationOf(servo, JointKind::Limited, recorded(200, 900));
         QVERIFY(values);
         QCOMPARE(*values, (JointCalibration{0, 200, 900}));
-        const auto written =
-            jobs::calibrationTemplate(servo, base::JointKind::Limited, *values, program);
+        const auto written = jobs::calibrationTemplate(servo, JointKind::Limited, *values, program);
         QVERIFY(written.find(QStringLiteral("position_offset")) == nullptr);
         QCOMPARE(written.find(QStringLiteral("min_angle_limit"))->raw,
                  std::optional<std::int64_t>(200));
     }
 
-    /// A joint in wheel mode would turn on and on; a wheel has to.
+    /// A joint in wheel mode would turn on and on, and LeRobot clears the bit that counts turns; a
+    /// wheel keeps its mode.
     void jointsGetPositionModeAndWheelsKeepTheirs()
     {
         SimFixture fixture(QStringLiteral("sts3215@1"));
+        const auto unchanged = jobs::calibrationTemplate(readServo(fixture), JointKind::Gripper,
+                                                         {10, 1000, 3000}, program);
+        QCOMPARE(unchanged.registers.size(), std::size_t(3));
+        fixture.poke(1, QStringLiteral("lock"), 0);
+        fixture.poke(1, QStringLiteral("operating_mode"), 1);
+        fixture.poke(1, QStringLiteral("phase"), 12 | 16);
         const device::Servo servo = readServo(fixture);
         const auto joint =
-            jobs::calibrationTemplate(servo, base::JointKind::Gripper, {10, 1000, 3000}, program);
+            jobs::calibrationTemplate(servo, JointKind::Gripper, {10, 1000, 3000}, program);
         QCOMPARE(joint.find(QStringLiteral("operating_mode"))->raw, std::optional<std::int64_t>(0));
+        QCOMPARE(joint.find(QStringLiteral("phase"))->raw, std::optional<std::int64_t>(12));
         const auto wheel =
-            jobs::calibrationTemplate(servo, base::JointKind::Wheel, {0, 0, 4095}, program);
+            jobs::calibrationTemplate(servo, JointKind::Wheel, {0, 0, 4095}, program);
         QVERIFY(wheel.find(QStringLiteral("operating_mode")) == nullptr);
         QVERIFY(wheel.isTemplate);
     }
@@ -209,9 +262,8 @@ private Q_SLOTS:
         Hand fast(servo);
         fast.startAt(1000).moveTo(2000).jumpTo(3900, 300ms, 700);
         QCOMPARE(fast.range().state, JointState::LostTrack);
-        fast.moveTo(4500); // begins anew where it was found
-        QCOMPARE(fast.range().state, JointState::Recorded);
-        QCOMPARE(fast.range().high - fast.range().low, std::int64_t(600));
+        fast.moveTo(4500); // what follows does not make it known again
+        QCOMPARE(fast.range().state, JointState::LostTrack);
 
         Hand late(servo); // its speed at both ends says nothing about the time between
         late.startAt(1000).moveTo(2000).jumpTo(2050, 800ms, 0);

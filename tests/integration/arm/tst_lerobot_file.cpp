@@ -107,6 +107,25 @@ private Q_SLOTS:
                  QStringLiteral("gripper 2\nshoulder_pan None\n"));
     }
 
+    /// Into an existing file: other keys and the direction stay, joints of another arm are refused.
+    void anExistingFileIsCompletedOnly()
+    {
+        const Files files;
+        const QString path = files.write(lerobotText);
+        const std::vector<jobs::LerobotJoint> ours{
+            {QStringLiteral("gripper"), 6, 0, {1, 2, 3}},
+            {QStringLiteral("shoulder_pan"), 1, 0, {4, 5, 6}}};
+        const auto file = jobs::lerobotFileFor(path, ours);
+        QVERIFY(file);
+        QCOMPARE(file->joints[0].driveMode, 1);
+        QCOMPARE(file->joints[0].calibration.homingOffset, 1);
+        QVERIFY(jobs::lerobotFileFor(files.path("new.json"), ours));
+        const auto other = jobs::lerobotFileFor(path, {ours[0]});
+        QVERIFY(!other);
+        QVERIFY(other.error().detail.contains(QStringLiteral("shoulder_pan")));
+        QVERIFY(!jobs::lerobotFileFor(files.write("{", "broken.json"), ours));
+    }
+
     void otherFilesAreRefused_data()
     {
         QTest::addColumn<QByteArray>("text");

@@ -4,9 +4,9 @@
 // middle of each joint reads 2048 ± 2, its limits are the stops within 3 steps, and LeRobot's own
 // comparison accepts the file. Fifty here, 500 in the deep check.
 #include "device/reader.h"
+#include "jobs/arm/apply_calibration.h"
 #include "jobs/arm/calibration.h"
 #include "jobs/arm/record_ranges.h"
-#include "jobs/restore/restore_many.h"
 #include "support/deep_check.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
@@ -120,8 +120,8 @@ private Q_SLOTS:
         }
     }
 
-    /// One that turns further than a turn is told so, not bent into limits.
-    void aJointBeyondATurnHasNoLimits()
+    /// One that turns further than a turn keeps its offset, and its limits are the turn's ends.
+    void aJointBeyondATurnIsContinuous()
     {
         sim::ServoSpec spec{QStringLiteral("STS3215"), 1, 1'000'000, {}, {}, {}, nullptr};
         spec.initialDegrees = 200;
@@ -133,9 +133,57 @@ private Q_SLOTS:
         const auto ranges = record(fixture, servos, std::chrono::seconds(10));
         QVERIFY(ranges);
         QCOMPARE(ranges->front().state, base::JointState::FullTurn);
-        const auto values = jobs::calibrationOf(servos.front(), ranges->front());
+        const auto values =
+            jobs::calibrationOf(servos.front(), base::JointKind::Continuous, ranges->front());
         QVERIFY(values);
         QCOMPARE(*values, (jobs::JointCalibration{0, 0, 4095}));
+    }
+
+    /// A servo whose positions have no degrees, and LX servos: ranges in steps, the offset stays.
+    void otherFamiliesGetTheirLimits_data()
+    {
+        QTest::addColumn<QString>("model");
+        QTest::newRow("SCS15") << QStringLiteral("SCS15");
+        QTest::newRow("SCS115") << QStringLiteral("SCS115");
+    }
+    void otherFamiliesGetTheirLimits()
+    {
+        QFETCH(QString, model);
+        sim::ServoSpec spec{model, 1, 1'000'000, {}, {}, {}, nullptr};
+        spec.initialDegrees = 100;
+        spec.load.stopLow = 60 * std::numbers::pi / 180;
+        spec.load.stopHigh = 140 * std::numbers::pi / 180;
+        spec.load.handSpeed = 1;
+        SimFixture fixture(std::vector{spec});
+        std::vector<device::Servo> servos{fixture.servo(1)};
+        const auto ranges = record(fixture, servos, std::chrono::seconds(6));
+        QVERIFY(ranges);
+        QCOMPARE(ranges->front().state, base::JointState::Recorded);
+        const auto values =
+            jobs::calibrationOf(servos.front(), base::JointKind::Limited, ranges->front());
+        QVERIFY(values);
+        QVERIFY(values->rangeMax - values->rangeMin > 200); // 80 degrees of 1024 steps
+        const auto written = jobs::writeCalibrations(
+            fixture.context(),
+            {jobs::calibrationTemplate(servos.front(), base::JointKind::Limited, *values,
+                                       QStringLiteral("test"))},
+            {});
+        QCOMPARE(jobs::verdictName(written.front().verdict), QStringLiteral("done"));
+        QCOMPARE(fixture.raw(1, QStringLiteral("max_angle_limit")), values->rangeMax);
+    }
+
+    /// Nothing is turned off where a joint cannot be recorded.
+    void aJointWithoutPositionKeepsItsTorque()
+    {
+        SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"));
+        fixture.poke(2, QStringLiteral("lock"), 0);
+        fixture.poke(2, QStringLiteral("operating_mode"), 3);
+        fixture.poke(1, QStringLiteral("torque_switch"), 1);
+        std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+        const auto ranges = record(fixture, servos, std::chrono::seconds(1));
+        QVERIFY(!ranges);
+        QCOMPARE(ranges.error().id, 2);
+        QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), 1);
     }
 
     void torqueIsOffWhileTheJointsAreMoved()
@@ -178,19 +226,18 @@ private:
         for (sim::VirtualServo* servo :
              fixture.withBus([](sim::VirtualBus& wire) { return wire.servos(); }))
             servo->load().handSpeed = 0;
-        snapshot::Bundle bundle;
+        std::vector<snapshot::Snapshot> templates;
         for (std::size_t i = 0; i < servos.size(); ++i) {
-            const auto values = jobs::calibrationOf(servos[i], (*ranges)[i]);
+            const auto values =
+                jobs::calibrationOf(servos[i], base::JointKind::Limited, (*ranges)[i]);
             if (!values) {
                 QTest::qFail(where + qPrintable(values.error().detail), __FILE__, __LINE__);
                 return file;
             }
-            bundle.servos.push_back(jobs::calibrationTemplate(servos[i], base::JointKind::Limited,
-                                                              *values, QStringLiteral("test")));
+            templates.push_back(jobs::calibrationTemplate(servos[i], base::JointKind::Limited,
+                                                          *values, QStringLiteral("test")));
         }
-        jobs::ApplyOptions options;
-        options.choice.consent = options.restore.consent = device::Consent::byTask();
-        for (const auto& one : jobs::restoreBundle(fixture.context(), bundle, options)) {
+        for (const auto& one : jobs::writeCalibrations(fixture.context(), templates, {})) {
             if (one.verdict != jobs::ApplyVerdict::Done &&
                 one.verdict != jobs::ApplyVerdict::AlreadySet)
                 QTest::qFail(where + ": " + qPrintable(jobs::verdictName(one.verdict)), __FILE__,

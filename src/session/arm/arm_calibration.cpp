@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/arm/arm_calibration.h"
+
+#include "jobs/arm/apply_calibration.h"
+#include "jobs/arm/record_ranges.h"
+#include "session/snapshot/safety_snapshot.h"
+
+#include <algorithm>
+
+namespace session {
+namespace {
+using base::JointKind;
+using namespace std::chrono_literals;
+
+constexpr auto rangeInterval = 50ms;
+
+std::vector<device::Servo*> allServos(TaskContext& context)
+{
+    std::vector<device::Servo*> all{&context.servo};
+    all.insert(all.end(), context.otherServos.begin(), context.otherServos.end());
+    return all;
+}
+
+base::Result<void> readCalibrations(TaskContext& context)
+{
+    for (device::Servo* servo : allServos(context)) {
+        if (const auto read = jobs::readCalibration(context.device, *servo); !read)
+            return read;
+    }
+    return {};
+}
+} // namespace
+
+/// Filled on the job's thread, read on the main thread.
+struct ArmCalibration::Live {
+    std::atomic<bool> isEnough = false;
+    std::mutex mutex{};
+    std::vector<jobs::JointRange> ranges{};
+    std::vector<device::Servo> servos{}; ///< as they were recorded
+};
+
+ArmCalibration::ArmCalibration(Workbench& workbench)
+    : m_workbench(workbench)
+{
+    m_drainTimer.setInterval(rangeInterval);
+    connect(&m_drainTimer, &QTimer::timeout, this, &ArmCalibration::drain);
+    const ServoRegistry& registry = workbench.registry();
+    for (const auto signal :
+         {&ServoRegistry::servoAdded, &ServoRegistry::servoRemoved, &ServoRegistry::addressChanged})
+        connect(&registry, signal, this, &ArmCalibration::matchServos);
+    connect(&registry, &ServoRegistry::servosCleared, this, [this] {
+        m_asked.clear();
+        matchServos();
+    });
+    connect(&registry, &ServoRegistry::tableChanged, this, &ArmCalibration::updateHeld);
+    connect(&workbench, &Workbench::stateChanged, this, &ArmCalibration::changed);
+    setArm(jobs::loadArm(jobs::builtInArms().front()).value_or(jobs::Arm()));
+}
+
+void ArmCalibration::setArm(jobs::Arm arm)
+{
+    if (isBusy())
+        return;
+    m_arm = std::move(arm);
+    m_joints.clear();
+    for (const jobs::Joint& joint : m_arm.joints)
+        m_joints.push_back({joint});
+    m_step = Step::Idle;
+    matchServos();
+}
+
+void ArmCalibration::matchServos()
+{
+    bool isOther = false;
+    for (ArmJoint& one : m_joints) {
+        const ServoRef now =
+            m_workbench.registry().findServo(base::Protocol::Feetech, one.joint.id);
+        isOther |= std::exchange(one.servo, now) != now;
+    }
+    if (isOther && m_step == Step::Recorded) // the plan is for the servos that were moved
+        forgetPlan();
+    updateHeld();
+}
+
+void ArmCalibration::updateHeld()
+{
+    for (ArmJoint& one : m_joints) {
+        const ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        one.held = entry != nullptr && entry->servo.profile ? jobs::calibrationIn(entry->servo)
+                                                            : std::nullopt;
+    }
+    Q_EMIT changed();
+}
+
+std::vector<ServoRef> ArmCalibration::servos(bool withWheels) const
+{
+    std::vector<ServoRef> all;
+    for (const ArmJoint& one : m_joints) {
+        if (withWheels || one.joint.kind != JointKind::Wheel)
+            all.push_back(one.servo);
+    }
+    return all;
+}
+
+bool ArmCalibration::isFree() const
+{
+    return !isBusy() && m_workbench.link().state() == LinkState::Open &&
+           !m_workbench.tasks().isBusy() && !m_workbench.search().isSearching();
+}
+
+bool ArmCalibration::canStart() const
+{
+    const std::vector<ServoRef> all = servos(false);
+    const bool isThere = !all.empty() && std::all_of(all.begin(), all.end(), [this](ServoRef ref) {
+        const ServoEntry* entry = m_workbench.registry().servo(ref);
+        return entry != nullptr && entry->servo.profile;
+    });
+    return isThere && isFree();
+}
+
+/// False: one of them is not in the list.
+bool ArmCalibration::perform(Task task, std::vector<ServoRef> servos)
+{
+    if (servos.empty() || std::count(servos.begin(), servos.end(), ServoRef(0)) > 0)
+        return false;
+    task.otherServos.assign(servos.begin() + 1, servos.end());
+    task.guard = this;
+    m_workbench.tasks().perform(servos.front(), std::move(task));
+    return true;
+}
+
+void ArmCalibration::readUnread()
+{
+    std::vector<ServoRef> unread;
+    for (const ArmJoint& one : m_joints) {
+        const ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        const bool wasAsked = std::count(m_asked.begin(), m_asked.end(), one.servo) > 0;
+        if (entry != nullptr && entry->servo.profile && !one.held && !wasAsked)
+            unread.push_back(one.servo);
+    }
+    if (unread.empty() || !isFree())
+        return;
+    m_asked.insert(m_asked.end(), unread.begin(), unread.end());
+    Task task;
+    task.name = QStringLiteral("read");
+    task.quiet = true;
+    task.work = readCalibrations;
+    task.done = [this](const TaskCompletion&) { updateHeld(); };
+    (void)perform(std::move(task), std::move(unread));
+}
+
+void ArmCalibration::startRecording()
+{
+    if (!canStart())
+        return;
+    forgetPlan();
+    m_live = std::make_shared<Live>();
+    Task task;
+    task.name = QStringLiteral("record-ranges");
+    task.isLongRunning = true;
+    task.holdsTorqueAfterwards = false;
+    task.quiet = true;
+    task.work = [live = m_live](TaskContext& context) -> base::Result<void> {
+        std::vector<device::Servo> moved;
+        for (const device::Servo* servo : allServos(context))
+            moved.push_back(*servo);
+        const auto recorded = jobs::recordRanges(context.device, moved, [&](const auto& ranges) {
+            const std::lock_guard lock(live->mutex);
+            live->ranges = ranges;
+            return !live->isEnough;
+        });
+        const std::lock_guard lock(live->mutex);
+        live->servos = std::move(moved);
+        if (recorded && context.stop.isRequested())
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("arm"));
+        return recorded.map([](const auto&) {});
+    };
+    task.done = [this](const TaskCompletion& end) { recordingEnded(end); };
+    if (!perform(std::move(task), servos(false)))
+        return;
+    m_step = Step::Recording;
+    if (Connection* connection = m_workbench.link().connection())
+        connection->moveSimulatedServosByHand(true);
+    m_drainTimer.start();
+    Q_EMIT changed();
+}
+
+void ArmCalibration::finishRecording(bool isMiddleShown)
+{
+    if (m_step != Step::Recording)
+        return;
+    m_isMiddleShown = isMiddleShown;
+    m_live->isEnough = true;
+}
+
+void ArmCalibration::forgetPlan()
+{
+    m_plan.clear();
+    for (ArmJoint& one : m_joints) {
+        one.range = {};
+        one.planned.reset();
+    }
+    if (m_step == Step::Recorded)
+        m_step = Step::Idle;
+}
+
+void ArmCalibration::cancel()
+{
+    if (m_step == Step::Recording)
+        return m_workbench.tasks().stopTest();
+    if (m_step != Step::Recorded)
+        return;
+    forgetPlan();
+    Q_EMIT changed();
+}
+
+/// The ranges follow the joints that were recorded, wheels left out.
+void ArmCalibration::drain()
+{
+    std::vector<jobs::JointRange> ranges;
+    {
+        const std::lock_guard lock(m_live->mutex);
+        ranges = m_live->ranges;
+    }
+    std::size_t index = 0;
+    for (ArmJoint& one : m_joints) {
+        if (one.joint.kind != JointKind::Wheel && index < ranges.size())
+            one.range = ranges[index++];
+    }
+    Q_EMIT changed();
+}
+
+void ArmCalibration::recordingEnded(const TaskCompletion& end)
+{
+    m_drainTimer.stop();
+    if (Connection* connection = m_workbench.link().connection())
+        connection->moveSimulatedServosByHand(false);
+    m_step = end.error ? Step::Idle : Step::Recorded;
+    drain();
+    std::size_t index = 0;
+    for (ArmJoint& one : m_joints) {
+        if (end.error || one.joint.kind == JointKind::Wheel || index >= m_live->servos.size())
+            continue;
+        const device::Servo& servo = m_live->servos[index++];
+        const auto middle = m_isMiddleShown ? std::optional(one.range.now) : std::nullopt;
+        const auto values = jobs::calibrationOf(servo, one.joint.kind, one.range, middle);
+        if (!values)
+            continue; // its state says why
+        one.planned = *values;
+        m_plan.push_back(jobs::calibrationTemplate(servo, one.joint.kind, *values, programName()));
+    }
+    updateHeld();
+    if (end.error && end.error->code != base::ErrorCode::Stopped)
+        Q_EMIT failed(*end.error);
+}
+
+void ArmCalibration::write()
+{
+    if (m_step == Step::Recorded)
+        writeTemplates(m_plan);
+}
+
+void ArmCalibration::writeFile(const std::vector<jobs::LerobotJoint>& file)
+{
+    if (isBusy())
+        return;
+    std::vector<snapshot::Snapshot> templates;
+    for (const ArmJoint& one : m_joints) {
+        const ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        const auto saved = std::find_if(file.begin(), file.end(), [&](const auto& joint) {
+            return joint.name == one.joint.name && joint.id == one.joint.id;
+        });
+        if (entry == nullptr || !entry->servo.profile || saved == file.end())
+            continue;
+        const auto valid = jobs::requireValid(entry->servo, saved->calibration);
+        if (!valid)
+            return Q_EMIT failed(valid.error());
+        templates.push_back(jobs::calibrationTemplate(entry->servo, one.joint.kind,
+                                                      saved->calibration, programName()));
+    }
+    writeTemplates(std::move(templates));
+}
+
+void ArmCalibration::writeTemplates(std::vector<snapshot::Snapshot> templates)
+{
+    const auto results = std::make_shared<std::vector<jobs::ApplyResult>>();
+    Task task;
+    task.name = QStringLiteral("calibrate-arm");
+    task.savesTable = true;
+    task.quiet = true;
+    task.work = [results,
+                 templates = std::move(templates)](TaskContext& context) -> base::Result<void> {
+        *results = jobs::writeCalibrations(context.device, templates, {}, context.progress);
+        return readCalibrations(context);
+    };
+    task.done = [this, results](const TaskCompletion& end) {
+        m_step = Step::Idle;
+        forgetPlan();
+        updateHeld();
+        if (!results->empty())
+            Q_EMIT written(*results);
+        else if (end.error)
+            Q_EMIT failed(*end.error);
+    };
+    if (!perform(std::move(task), servos(true)))
+        return;
+    m_step = Step::Writing;
+    Q_EMIT changed();
+}
+
+std::vector<jobs::LerobotJoint> ArmCalibration::heldAsFile() const
+{
+    std::vector<jobs::LerobotJoint> all;
+    for (const ArmJoint& one : m_joints) {
+        if (one.held)
+            all.push_back({one.joint.name, one.joint.id, one.joint.isReversed ? 1 : 0, *one.held});
+    }
+    return all;
+}
+} // namespace session

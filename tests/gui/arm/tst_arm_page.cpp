@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arm page as a technician uses it: a simulated SO-101 calibrated by moving, with mouse clicks
+// only; nothing is written before the question, and LeRobot's file agrees with the servos
+// afterwards.
+#include "gui/main_window_fixture.h"
+#include "jobs/arm/lerobot_file.h"
+#include "session/arm/arm_calibration.h"
+#include "sim/host/sim_link.h"
+#include "support/test_main.h"
+#include "ui/arm/arm_model.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+
+#include <map>
+
+using session::ArmCalibration;
+using Step = ArmCalibration::Step;
+using Column = ui::ArmModel::Column;
+
+namespace {
+struct Fixture : gui::MainWindowFixture {
+    explicit Fixture(const QString& port, const QString& language = QStringLiteral("en"))
+        : MainWindowFixture(language)
+    {
+        page = QStringLiteral("arm");
+        if (!connectTo(port))
+            qFatal("no bus");
+    }
+    ArmCalibration& calibration() { return workbench().armCalibration(); }
+    QString cell(int row, Column column)
+    {
+        const QAbstractItemModel* model = find<QTableView>("armTable")->model();
+        return model->index(row, column).data().toString();
+    }
+    bool hasReadAll()
+    {
+        return support::waitFor(
+            [this] { return calibration().heldAsFile().size() == calibration().joints().size(); });
+    }
+    void click(const char* button)
+    {
+        QTRY_VERIFY(find<QPushButton>(button)->isEnabled());
+        QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
+    }
+    void clickYes()
+    {
+        QTRY_VERIFY(find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(find<QPushButton>("questionYes"), Qt::LeftButton);
+    }
+    bool hasRecordedAll()
+    {
+        return support::waitFor([this] {
+            for (const session::ArmJoint& one : calibration().joints()) {
+                const double degrees = double(one.range.high - one.range.low) * 360 / 4096;
+                // From stop to stop, or through a full turn; the gripper has 120 degrees.
+                const std::map<int, double> ranges{{5, 360}, {6, 119}};
+                const auto range = ranges.find(one.joint.id);
+                if (degrees < (range != ranges.end() ? range->second : 184))
+                    return false;
+            }
+            return true;
+        });
+    }
+    std::int64_t raw(int id, const char* key)
+    {
+        return workbench().link().connection()->simulation()->with(
+            [&](sim::VirtualBus& wire) { return wire.servo(id)->raw(QString::fromLatin1(key)); });
+    }
+    void chooseFile(const char* button, const char* dialogName, const QString& path)
+    {
+        click(button);
+        auto* dialog = find<QFileDialog>(dialogName);
+        QVERIFY(dialog != nullptr);
+        Q_EMIT dialog->fileSelected(path);
+        dialog->close();
+    }
+    QString fileState() { return find<QLabel>("armFileState")->text(); }
+};
+
+const QString so101 = QStringLiteral("sim:so101");
+} // namespace
+
+class TestArmPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// In real time: a stall of this computer must not look like lost readings.
+    void initTestCase() { qputenv("SERVODESK_CLOCK_SPEED", "1"); }
+    void init() { gui::failOnWarnings(); }
+
+    void theArmIsShown()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        QTRY_COMPARE(fixture.cell(2, Column::OffsetColumn), QStringLiteral("850"));
+        QCOMPARE(fixture.cell(2, Column::JointColumn), QStringLiteral("elbow_flex"));
+        QCOMPARE(fixture.cell(0, Column::MaxColumn), QStringLiteral("4095"));
+        QTRY_VERIFY(fixture.find<QPushButton>("armAction")->isEnabled());
+        QCOMPARE(fixture.calibration().step(), Step::Idle);
+        fixture.setLanguage(QStringLiteral("zh_CN"));
+        QCOMPARE(fixture.find<QPushButton>("armAction")->text(), QStringLiteral("采集范围…"));
+        QCOMPARE(fixture.find<QComboBox>("armChoice")->currentText(), QStringLiteral("SO-101"));
+    }
+
+    void missingJointsAreNamed()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,sts3250@2"));
+        QTRY_COMPARE(fixture.cell(2, Column::StateColumn), QStringLiteral("not in the list"));
+        QCOMPARE(fixture.cell(1, Column::StateColumn),
+                 QStringLiteral("STS3250 instead of STS3215"));
+        QVERIFY(fixture.find<QLabel>("armInstruction")
+                    ->text()
+                    .contains(QStringLiteral("elbow_flex (ID 3)")));
+        QVERIFY(!fixture.find<QPushButton>("armAction")->isEnabled());
+    }
+
+    void theArmIsCalibrated()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.click("armAction");
+        QCOMPARE(fixture.calibration().step(), Step::Idle); // nothing before the answer
+        fixture.clickYes();
+        QTRY_COMPARE(fixture.calibration().step(), Step::Recording);
+        QVERIFY(fixture.hasRecordedAll());
+        fixture.click("armAction");
+        QTRY_COMPARE(fixture.calibration().step(), Step::Recorded);
+        QCOMPARE(fixture.raw(3, "position_offset"), 850); // nothing is written yet
+        QVERIFY2(fixture.cell(2, Column::OffsetColumn).startsWith(QStringLiteral("850 → 14")),
+                 qPrintable(fixture.cell(2, Column::OffsetColumn)));
+        QCOMPARE(fixture.cell(4, Column::StateColumn), QStringLiteral("turns through a full turn"));
+
+        fixture.click("armAction");
+        fixture.clickYes();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.calibration().step(), Step::Idle, 60'000);
+        // Between its stops at 100 and 285 degrees.
+        QVERIFY(std::abs(fixture.raw(3, "position_offset") - 142) <= 3);
+        QVERIFY(std::abs(fixture.raw(3, "min_angle_limit") - 996) <= 3);
+        QCOMPARE(fixture.raw(3, "lock"), 1);
+        QTRY_COMPARE(fixture.cell(2, Column::OffsetColumn),
+                     QString::number(fixture.raw(3, "position_offset")));
+        const auto shown = fixture.window->findChildren<QLabel*>();
+        QVERIFY(std::any_of(shown.begin(), shown.end(), [](const QLabel* label) {
+            return label->text().contains(QStringLiteral("6 joints written and read back"));
+        }));
+    }
+
+    void aCanceledRecordingChangesNothing()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.click("armAction");
+        fixture.clickYes();
+        QTRY_COMPARE(fixture.calibration().step(), Step::Recording);
+        QTRY_VERIFY(fixture.find<QPushButton>("armCancel")->isVisible());
+        fixture.click("armCancel");
+        QTRY_COMPARE(fixture.calibration().step(), Step::Idle);
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.raw(3, "position_offset"), 850);
+    }
+
+    /// The page comes back, and can begin again.
+    void anEmergencyStopEndsIt()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.click("armAction");
+        fixture.clickYes();
+        QTRY_COMPARE(fixture.calibration().step(), Step::Recording);
+        fixture.action(ui::Command::TorqueOffAll)->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.calibration().step(), Step::Idle, 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<QPushButton>("armAction")->isEnabled(), 30'000);
+    }
+
+    void lerobotsFileIsSavedComparedAndWritten()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("arm.json"));
+        fixture.chooseFile("armFileSave", "armFileSaveDialog", path);
+        QTRY_VERIFY(fixture.fileState().contains(QStringLiteral("equals the servos")));
+        QVERIFY(!fixture.find<QPushButton>("armFileApply")->isEnabled());
+
+        auto file = jobs::loadLerobotFile(path);
+        QVERIFY(file);
+        QCOMPARE(file->joints.size(), std::size_t(6));
+        file->joints[0].calibration = {530, 866, 3231};
+        QVERIFY(jobs::saveLerobotFile(*file, path));
+        fixture.chooseFile("armFileSelect", "armFileDialog", path);
+        QTRY_VERIFY(fixture.fileState().contains(QStringLiteral("differs from the servos")));
+        QVERIFY(fixture.find<QLabel>("armFileDetails")
+                    ->text()
+                    .contains(QStringLiteral("shoulder_pan: offset is 530 in the file, 0 in the "
+                                             "servo")));
+        fixture.click("armFileApply");
+        fixture.clickYes();
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.fileState().contains(QStringLiteral("equals the servos")),
+                                 60'000);
+        QCOMPARE(fixture.raw(1, "position_offset"), 530);
+        QCOMPARE(fixture.raw(1, "max_angle_limit"), 3231);
+        QCOMPARE(fixture.raw(3, "position_offset"), 850);
+    }
+
+    void aBrokenFileIsSaid()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("broken.json")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{\"shoulder_pan\": 3}");
+        file.close();
+        fixture.chooseFile("armFileSelect", "armFileDialog", file.fileName());
+        const auto shown = fixture.window->findChildren<QLabel*>();
+        QVERIFY(std::any_of(shown.begin(), shown.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QStringLiteral("broken.json"));
+        }));
+    }
+};
+
+SERVODESK_TEST(TestArmPage)
+#include "tst_arm_page.moc"

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/arm/arm_model.h"
+
+#include "text/arm_text.h"
+#include "ui/common/theme.h"
+#include "ui/widgets/test_text.h"
+
+#include <array>
+
+namespace ui {
+namespace {
+using base::JointState;
+using session::ArmCalibration;
+using session::ArmJoint;
+using Field = int jobs::JointCalibration::*;
+
+constexpr double degreesPerTurn = 360;
+
+const device::Servo* servoOf(const session::Workbench& workbench, const ArmJoint& one)
+{
+    const session::ServoEntry* entry = workbench.registry().servo(one.servo);
+    return entry != nullptr && entry->servo.profile ? &entry->servo : nullptr;
+}
+
+double degreesOf(const device::Servo& servo, std::int64_t steps)
+{
+    return static_cast<double>(steps) * servo.profile->angleRangeDeg.value_or(degreesPerTurn) /
+           servo.profile->stepsPerTurn;
+}
+
+/// While it is recorded, else as it was read last.
+QString positionText(const device::Servo* servo, const ArmJoint& one)
+{
+    if (servo == nullptr)
+        return QStringLiteral("–");
+    const auto read = servo->raw(catalog::Role::PresentPosition);
+    if (one.range.state != JointState::NoReply)
+        return QString::number(one.range.reading);
+    return read ? QString::number(*read) : QStringLiteral("–");
+}
+
+/// "850", or "850 → 142" where another value is planned.
+QString changeText(const ArmJoint& one, Field field)
+{
+    const QString held = one.held ? QString::number((*one.held).*field) : QStringLiteral("–");
+    if (!one.planned || (one.held && (*one.held).*field == (*one.planned).*field))
+        return held;
+    return QStringLiteral("%1 → %2").arg(held).arg((*one.planned).*field);
+}
+} // namespace
+
+ArmModel::ArmModel(session::Workbench& workbench, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_workbench(workbench)
+    , m_calibration(workbench.armCalibration())
+    , m_rows(static_cast<int>(m_calibration.joints().size()))
+{}
+
+int ArmModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int ArmModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : columns;
+}
+
+void ArmModel::update()
+{
+    const int rows = static_cast<int>(m_calibration.joints().size());
+    if (rows != m_rows) {
+        beginResetModel();
+        m_rows = rows;
+        endResetModel();
+    }
+    if (rows > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rows - 1, columns - 1));
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, columns - 1);
+}
+
+QVariant ArmModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid() || index.row() >= static_cast<int>(m_calibration.joints().size()))
+        return {};
+    const ArmJoint& one = m_calibration.joints()[static_cast<std::size_t>(index.row())];
+    const int column = index.column();
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(one, column);
+    case Qt::ToolTipRole:
+        return column == RangeColumn ? QVariant() : text(one, column);
+    case Qt::TextAlignmentRole:
+        return column == JointColumn || column == StateColumn
+                   ? QVariant()
+                   : QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    case toneRole:
+        return column == StateColumn ? toneOf(one) : QVariant();
+    case jointRangeRole: {
+        const device::Servo* servo = servoOf(m_workbench, one);
+        if (servo == nullptr || one.range.state == JointState::NoReply)
+            return {};
+        // The middle of the range is the middle of the bar, so that no seam divides it.
+        const double turn = servo->profile->stepsPerTurn;
+        const double middle = static_cast<double>(one.range.low + one.range.high) / 2;
+        QVariantList fractions;
+        for (const std::int64_t steps : {one.range.low, one.range.high, one.range.now})
+            fractions << 0.5 + (static_cast<double>(steps) - middle) / turn;
+        return fractions;
+    }
+    default:
+        return {};
+    }
+}
+
+QString ArmModel::text(const ArmJoint& one, int column) const
+{
+    const device::Servo* servo = servoOf(m_workbench, one);
+    switch (column) {
+    case IdColumn:
+        return QString::number(one.joint.id);
+    case JointColumn:
+        return one.joint.name;
+    case PositionColumn:
+        return positionText(servo, one);
+    case DegreesColumn:
+        return servo == nullptr || one.range.state == JointState::NoReply
+                   ? QString()
+                   : QStringLiteral("%1°").arg(degreesOf(*servo, one.range.high - one.range.low), 0,
+                                               'f', 0);
+    case StateColumn:
+        return stateText(one);
+    case OffsetColumn:
+        return changeText(one, &jobs::JointCalibration::homingOffset);
+    case MinColumn:
+        return changeText(one, &jobs::JointCalibration::rangeMin);
+    case MaxColumn:
+        return changeText(one, &jobs::JointCalibration::rangeMax);
+    default:
+        return {};
+    }
+}
+
+QString ArmModel::stateText(const ArmJoint& one) const
+{
+    const device::Servo* servo = servoOf(m_workbench, one);
+    if (servo == nullptr)
+        return tr("not in the list");
+    if (!one.joint.model.isEmpty() && servo->profile->modelName != one.joint.model)
+        return tr("%1 instead of %2").arg(servo->profile->modelName, one.joint.model);
+    if (one.joint.kind == base::JointKind::Wheel)
+        return tr("wheel: not calibrated");
+    const bool wasRecorded = one.range.state != JointState::NoReply;
+    if (m_calibration.step() == ArmCalibration::Step::Recording || wasRecorded)
+        return text::jointStateText(one.range.state);
+    return {};
+}
+
+QVariant ArmModel::toneOf(const ArmJoint& one) const
+{
+    const device::Servo* servo = servoOf(m_workbench, one);
+    if (servo == nullptr)
+        return static_cast<int>(Tone::Bad);
+    if (!one.joint.model.isEmpty() && servo->profile->modelName != one.joint.model)
+        return static_cast<int>(Tone::Warn);
+    switch (one.range.state) {
+    case JointState::Recorded:
+        return static_cast<int>(Tone::Good);
+    case JointState::FullTurn:
+        return static_cast<int>(one.joint.kind == base::JointKind::Continuous ? Tone::Good
+                                                                              : Tone::Warn);
+    case JointState::KeepMoving:
+    case JointState::LostTrack:
+        return static_cast<int>(Tone::Warn);
+    case JointState::NotMoved:
+    case JointState::NoReply:
+        break;
+    }
+    return {};
+}
+
+QVariant ArmModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole && section != JointColumn && section != StateColumn &&
+        section != RangeColumn)
+        return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    if (role != Qt::DisplayRole)
+        return {};
+    const std::array titles{tr("ID"),    tr("Joint"),  tr("Position"), tr("Travel"), tr("Range"),
+                            tr("State"), tr("Offset"), tr("Min"),      tr("Max")};
+    return section < columns ? titles[static_cast<std::size_t>(section)] : QString();
+}
+} // namespace ui

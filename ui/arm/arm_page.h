@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arm page: the joints of a robot arm with what their servos hold, their calibration by moving
+// them by hand, and LeRobot's calibration file beside it. Opening it writes nothing; torque off and
+// writing are asked about. Owned by the window; main thread.
+#pragma once
+
+#include "session/arm/arm_calibration.h"
+#include "session/settings.h"
+#include "ui/common/app_context.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace ui {
+class ArmFileCard;
+class ArmModel;
+class Banner;
+
+class ArmPage final : public QWidget {
+    Q_OBJECT
+
+public:
+    ArmPage(AppContext& context, session::Settings& settings, QWidget* parent = nullptr);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QWidget* buildJoints();
+    void chooseArm(int index);
+    void loadArm(const QString& path);
+    void runAction();
+    void askToRecord();
+    void askToWrite();
+    void showResults(const std::vector<jobs::ApplyResult>& results);
+    void update();
+    void retranslate();
+    QString instruction() const;
+    QStringList missingJoints() const;
+
+    session::Workbench& m_workbench;
+    session::ArmCalibration& m_calibration;
+    session::Settings& m_settings;
+    ArmModel* m_model;
+    Banner* m_banner;
+    QLabel* m_title;
+    QComboBox* m_arm;
+    QCheckBox* m_isMiddleShown;
+    QPushButton* m_cancel;
+    QPushButton* m_action;
+    QLabel* m_instruction;
+    QTableView* m_table;
+    ArmFileCard* m_file;
+};
+} // namespace ui
