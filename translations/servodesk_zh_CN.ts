@@ -9762,6 +9762,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Travel</source>
         <translation>行程</translation>
     </message>
+    <message>
+        <source>%1: the mode becomes position</source>
+        <translation>%1：模式改为位置</translation>
+    </message>
+    <message>
+        <source>%1: the feedback shows one turn only</source>
+        <translation>%1：反馈改为单圈</translation>
+    </message>
 </context>
 <context>
     <name>ui::ArmPage</name>

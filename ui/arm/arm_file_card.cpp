@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/arm/arm_file_card.h"
 
+#include "ui/arm/arm_model.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/theme.h"
@@ -37,6 +38,7 @@ void setTone(QLabel* label, Tone tone)
 ArmFileCard::ArmFileCard(session::Workbench& workbench, session::Settings& settings,
                          QWidget* parent)
     : QWidget(parent)
+    , m_workbench(workbench)
     , m_calibration(workbench.armCalibration())
     , m_settings(settings)
     , m_title(new QLabel(this))
@@ -189,7 +191,8 @@ void ArmFileCard::askToApply()
 {
     ask(this,
         {.title = tr("Write %1 to the servos?").arg(QFileInfo(m_path).fileName()),
-         .text = differences().join(QLatin1Char('\n')),
+         .text = (differences() + armSettingsLines(m_workbench, m_calibration.joints()))
+                     .join(QLatin1Char('\n')),
          .risk = tr("Torque is turned off: hold the arm. Offsets shift the zero positions."),
          .acceptText = tr("Write to servos"),
          .guard = this},

@@ -38,6 +38,7 @@ private:
     QStringList differences() const;
     bool hasEveryJoint() const;
 
+    session::Workbench& m_workbench;
     session::ArmCalibration& m_calibration;
     session::Settings& m_settings;
     QString m_path;

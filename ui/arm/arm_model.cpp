@@ -49,6 +49,23 @@ QString changeText(const ArmJoint& one, Field field)
 }
 } // namespace
 
+QStringList armSettingsLines(const session::Workbench& workbench,
+                             const std::vector<ArmJoint>& joints)
+{
+    QStringList lines;
+    for (const ArmJoint& one : joints) {
+        const device::Servo* servo = servoOf(workbench, one);
+        if (servo == nullptr)
+            continue;
+        const jobs::JointSettings settings = jobs::settingsFor(*servo, one.joint.kind);
+        if (settings.mode)
+            lines << ArmModel::tr("%1: the mode becomes position").arg(one.joint.name);
+        if (settings.phase)
+            lines << ArmModel::tr("%1: the feedback shows one turn only").arg(one.joint.name);
+    }
+    return lines;
+}
+
 ArmModel::ArmModel(session::Workbench& workbench, QObject* parent)
     : QAbstractTableModel(parent)
     , m_workbench(workbench)

@@ -45,6 +45,11 @@ private:
     int m_rows = 0;
 };
 
+/// "shoulder_pan: mode speed → position": what is written beside offset and limits; a line per
+/// joint.
+QStringList armSettingsLines(const session::Workbench& workbench,
+                             const std::vector<session::ArmJoint>& joints);
+
 /// Low, high and present position as fractions of the bar; in a QVariantList of doubles, empty
 /// where nothing has been recorded.
 constexpr int jointRangeRole = Qt::UserRole + 40;

@@ -178,14 +178,18 @@ void ArmPage::askToRecord()
 
 void ArmPage::askToWrite()
 {
-    const auto& joints = m_calibration.joints();
-    const auto count = std::count_if(joints.begin(), joints.end(),
-                                     [](const ArmJoint& one) { return one.planned.has_value(); });
-    const int planned = static_cast<int>(count);
+    std::vector<ArmJoint> planned;
+    for (const ArmJoint& one : m_calibration.joints()) {
+        if (one.planned)
+            planned.push_back(one);
+    }
+    const int count = static_cast<int>(planned.size());
+    QStringList text{tr("The memory tables are saved first, and every value is read back. Torque "
+                        "stays off.")};
+    text << armSettingsLines(m_workbench, planned);
     ask(this,
-        {.title = tr("Write offset and limits of %n joint(s)?", nullptr, planned),
-         .text = tr("The memory tables are saved first, and every value is read back. Torque stays "
-                    "off."),
+        {.title = tr("Write offset and limits of %n joint(s)?", nullptr, count),
+         .text = text.join(QLatin1Char('\n')),
          .risk = tr("The offset shifts the zero position of a joint."),
          .acceptText = tr("Write to servos"),
          .guard = this},

@@ -48,6 +48,7 @@ ArmCalibration::ArmCalibration(Workbench& workbench)
     for (const auto signal :
          {&ServoRegistry::servoAdded, &ServoRegistry::servoRemoved, &ServoRegistry::addressChanged})
         connect(&registry, signal, this, &ArmCalibration::matchServos);
+    connect(&registry, &ServoRegistry::servoAdded, this, [this] { m_asked.clear(); });
     connect(&registry, &ServoRegistry::servosCleared, this, [this] {
         m_asked.clear();
         matchServos();
@@ -92,11 +93,26 @@ void ArmCalibration::updateHeld()
     Q_EMIT changed();
 }
 
-std::vector<ServoRef> ArmCalibration::servos(bool withWheels) const
+std::vector<ServoRef> ArmCalibration::movedServos() const
 {
     std::vector<ServoRef> all;
     for (const ArmJoint& one : m_joints) {
-        if (withWheels || one.joint.kind != JointKind::Wheel)
+        if (one.joint.kind != JointKind::Wheel)
+            all.push_back(one.servo);
+    }
+    return all;
+}
+
+std::vector<ServoRef>
+ArmCalibration::servosOf(const std::vector<snapshot::Snapshot>& templates) const
+{
+    std::vector<ServoRef> all;
+    for (const ArmJoint& one : m_joints) {
+        const bool isWritten =
+            std::any_of(templates.begin(), templates.end(), [&](const snapshot::Snapshot& values) {
+                return values.servo.id == one.joint.id;
+            });
+        if (isWritten)
             all.push_back(one.servo);
     }
     return all;
@@ -110,7 +126,7 @@ bool ArmCalibration::isFree() const
 
 bool ArmCalibration::canStart() const
 {
-    const std::vector<ServoRef> all = servos(false);
+    const std::vector<ServoRef> all = movedServos();
     const bool isThere = !all.empty() && std::all_of(all.begin(), all.end(), [this](ServoRef ref) {
         const ServoEntry* entry = m_workbench.registry().servo(ref);
         return entry != nullptr && entry->servo.profile;
@@ -161,14 +177,17 @@ void ArmCalibration::startRecording()
     task.holdsTorqueAfterwards = false;
     task.quiet = true;
     task.work = [live = m_live](TaskContext& context) -> base::Result<void> {
+        const std::vector<device::Servo*> all = allServos(context);
         std::vector<device::Servo> moved;
-        for (const device::Servo* servo : allServos(context))
+        for (const device::Servo* servo : all)
             moved.push_back(*servo);
         const auto recorded = jobs::recordRanges(context.device, moved, [&](const auto& ranges) {
             const std::lock_guard lock(live->mutex);
             live->ranges = ranges;
             return !live->isEnough;
         });
+        for (std::size_t i = 0; i < all.size(); ++i)
+            *all[i] = moved[i]; // what has been read of them
         const std::lock_guard lock(live->mutex);
         live->servos = std::move(moved);
         if (recorded && context.stop.isRequested())
@@ -176,7 +195,7 @@ void ArmCalibration::startRecording()
         return recorded.map([](const auto&) {});
     };
     task.done = [this](const TaskCompletion& end) { recordingEnded(end); };
-    if (!perform(std::move(task), servos(false)))
+    if (!perform(std::move(task), movedServos()))
         return;
     m_step = Step::Recording;
     if (Connection* connection = m_workbench.link().connection())
@@ -237,6 +256,7 @@ void ArmCalibration::recordingEnded(const TaskCompletion& end)
         connection->moveSimulatedServosByHand(false);
     m_step = end.error ? Step::Idle : Step::Recorded;
     drain();
+    std::optional<base::Error> refusal;
     std::size_t index = 0;
     for (ArmJoint& one : m_joints) {
         if (end.error || one.joint.kind == JointKind::Wheel || index >= m_live->servos.size())
@@ -244,14 +264,19 @@ void ArmCalibration::recordingEnded(const TaskCompletion& end)
         const device::Servo& servo = m_live->servos[index++];
         const auto middle = m_isMiddleShown ? std::optional(one.range.now) : std::nullopt;
         const auto values = jobs::calibrationOf(servo, one.joint.kind, one.range, middle);
-        if (!values)
-            continue; // its state says why
+        if (!values) {
+            if (one.range.state == base::JointState::Recorded) // else its state says why
+                refusal = values.error();
+            continue;
+        }
         one.planned = *values;
         m_plan.push_back(jobs::calibrationTemplate(servo, one.joint.kind, *values, programName()));
     }
     updateHeld();
     if (end.error && end.error->code != base::ErrorCode::Stopped)
         Q_EMIT failed(*end.error);
+    else if (refusal)
+        Q_EMIT failed(*refusal);
 }
 
 void ArmCalibration::write()
@@ -283,6 +308,7 @@ void ArmCalibration::writeFile(const std::vector<jobs::LerobotJoint>& file)
 
 void ArmCalibration::writeTemplates(std::vector<snapshot::Snapshot> templates)
 {
+    std::vector<ServoRef> targets = servosOf(templates);
     const auto results = std::make_shared<std::vector<jobs::ApplyResult>>();
     Task task;
     task.name = QStringLiteral("calibrate-arm");
@@ -302,7 +328,7 @@ void ArmCalibration::writeTemplates(std::vector<snapshot::Snapshot> templates)
         else if (end.error)
             Q_EMIT failed(*end.error);
     };
-    if (!perform(std::move(task), servos(true)))
+    if (!perform(std::move(task), std::move(targets)))
         return;
     m_step = Step::Writing;
     Q_EMIT changed();

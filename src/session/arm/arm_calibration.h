@@ -60,6 +60,7 @@ public:
 Q_SIGNALS:
     void changed(); ///< joints() or step()
     void written(const std::vector<jobs::ApplyResult>& results);
+    /// Also where nothing follows from a range although it was recorded.
     void failed(const base::Error& error);
 
 private:
@@ -70,9 +71,10 @@ private:
     void recordingEnded(const TaskCompletion& end);
     void forgetPlan();
     void writeTemplates(std::vector<snapshot::Snapshot> templates);
+    std::vector<ServoRef> servosOf(const std::vector<snapshot::Snapshot>& templates) const;
     bool perform(Task task, std::vector<ServoRef> servos);
-    std::vector<ServoRef> servos(bool withWheels) const;
-    bool isFree() const; ///< nothing else is running
+    std::vector<ServoRef> movedServos() const; ///< wheels left out
+    bool isFree() const;                       ///< nothing else is running
 
     Workbench& m_workbench;
     jobs::Arm m_arm;

@@ -149,6 +149,40 @@ private Q_SLOTS:
         }));
     }
 
+    /// Before anything is written. A wheel is not calibrated, and need not be there.
+    void aJointInAnotherModeIsSaid()
+    {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("arm.json")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"format": "servodesk-arm", "version": 1, "name": "two", "joints": [
+                       {"name": "elbow", "id": 3, "kind": "limited"},
+                       {"name": "wheel", "id": 9, "kind": "wheel"}]})");
+        file.close();
+        Fixture fixture(so101);
+        fixture.workbench().link().connection()->simulation()->with([](sim::VirtualBus& wire) {
+            wire.servo(3)->poke(QStringLiteral("lock"), 0);
+            wire.servo(3)->poke(QStringLiteral("operating_mode"), 1);
+        });
+        fixture.calibration().setArm(*jobs::loadArm(file.fileName()));
+        fixture.click("armAction");
+        fixture.clickYes();
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.calibration().joints().front().range.state ==
+                                     base::JointState::Recorded,
+                                 30'000);
+        fixture.click("armAction");
+        QTRY_COMPARE(fixture.calibration().step(), Step::Recorded);
+        fixture.click("armAction");
+        QDialog* question = fixture.question();
+        QVERIFY(question != nullptr);
+        const auto words = question->findChildren<QLabel*>();
+        QVERIFY(std::any_of(words.begin(), words.end(), [](const QLabel* label) {
+            return label->text().contains(QStringLiteral("elbow: the mode becomes position"));
+        }));
+        fixture.clickYes();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.raw(3, "operating_mode"), 0, 30'000);
+    }
+
     void aCanceledRecordingChangesNothing()
     {
         Fixture fixture(so101);
