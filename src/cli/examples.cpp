@@ -67,8 +67,8 @@ const std::vector<Examples>& allExamples()
          "template apply gains.servo.json 1-3"},
 
         {"arm show", "arm show", "arm show --json"},
-        {"arm calibrate", "arm calibrate --joint gripper --seconds 5 --yes --dry-run",
-         "arm calibrate --joint gripper --seconds 5 --yes"},
+        {"arm calibrate", "arm calibrate --joint gripper --seconds 4 --yes --dry-run",
+         "arm calibrate --joint gripper --seconds 4 --yes"},
         {"arm export", "arm export so101.json", "arm export my-arm.json --format arm"},
         {"arm compare", "arm compare so101.json", "arm compare so101.json --json"},
         {"arm apply", "arm apply so101.json --dry-run", "arm apply so101.json --yes"},
