@@ -255,10 +255,38 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Offset and limits of %n joint(s) written and read back.</source>
+        <source>%n joint(s) written and read back.</source>
         <translation>
-            <numerusform>Offset and limits of %n joint written and read back.</numerusform>
-            <numerusform>Offset and limits of %n joints written and read back.</numerusform>
+            <numerusform>%n joint written and read back.</numerusform>
+            <numerusform>%n joints written and read back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) reached both ends.</source>
+        <translation>
+            <numerusform>%n joint reached both ends.</numerusform>
+            <numerusform>%n joints reached both ends.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Test %n joint(s)…</source>
+        <translation>
+            <numerusform>Test %n joint…</numerusform>
+            <numerusform>Test %n joints…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Record %n joint(s)…</source>
+        <translation>
+            <numerusform>Record %n joint…</numerusform>
+            <numerusform>Record %n joints…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Stopped after %n joint(s), which reached both ends.</source>
+        <translation>
+            <numerusform>Stopped after %n joint, which reached both ends.</numerusform>
+            <numerusform>Stopped after %n joints, which reached both ends.</numerusform>
         </translation>
     </message>
 </context>

@@ -1170,6 +1170,10 @@
         <source>calibrate arm</source>
         <translation>校准机械臂</translation>
     </message>
+    <message>
+        <source>move test</source>
+        <translation>运动测试</translation>
+    </message>
 </context>
 <context>
     <name>Feedback</name>
@@ -6544,10 +6548,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>把厂家的固件文件写入停留在引导程序中的舵机；尚未在真实舵机上试过</translation>
     </message>
     <message>
-        <source>%1 (ID %2) does not reply.</source>
-        <translation>%1（ID %2）没有应答。</translation>
-    </message>
-    <message>
         <source>--arm takes %1, or a file</source>
         <translation>--arm 可用 %1，或一个文件</translation>
     </message>
@@ -6570,14 +6570,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Range</source>
         <translation>范围</translation>
-    </message>
-    <message>
-        <source>The firmware versions differ, and LeRobot refuses the bus. To see them: servodesk-cli firmware list</source>
-        <translation>固件版本不一致，LeRobot 会拒绝连接。查看版本：servodesk-cli firmware list</translation>
-    </message>
-    <message>
-        <source>The EPROM lock is open (ID %1), as LeRobot leaves it. To close it: servodesk-cli write ID lock=1</source>
-        <translation>EPROM 锁未关闭（ID %1），LeRobot 会留下这种状态。关闭：servodesk-cli write ID lock=1</translation>
     </message>
     <message>
         <source>LeRobot&apos;s calibration file, *.json</source>
@@ -6636,10 +6628,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>没有关节 %1；机械臂有 %2</translation>
     </message>
     <message>
-        <source>the arm has no joint to calibrate</source>
-        <translation>机械臂没有可校准的关节</translation>
-    </message>
-    <message>
         <source>Press Enter when every joint has been moved.</source>
         <translation>转动完所有关节后按回车。</translation>
     </message>
@@ -6656,22 +6644,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Robot arm:</source>
         <translation>机械臂：</translation>
-    </message>
-    <message>
-        <source>%1 (ID %2) has the model %3; LeRobot expects %4 and refuses the bus.</source>
-        <translation>%1（ID %2）的型号是 %3；LeRobot 要求 %4，会拒绝连接。</translation>
-    </message>
-    <message>
-        <source>mode %1 → position</source>
-        <translation>模式 %1 → 位置</translation>
-    </message>
-    <message>
-        <source>feedback of several turns → one turn</source>
-        <translation>多圈反馈 → 单圈</translation>
-    </message>
-    <message>
-        <source>so101 (default), lekiwi, six-joint, or a file with an arm</source>
-        <translation>so101（默认）、lekiwi、six-joint，或机械臂文件</translation>
     </message>
     <message>
         <source>The file and the servos agree.</source>
@@ -6708,6 +6680,75 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>--yes needs --seconds</source>
         <translation>--yes 需要 --seconds</translation>
+    </message>
+    <message>
+        <source>To see them: servodesk-cli firmware list</source>
+        <translation>查看：servodesk-cli firmware list</translation>
+    </message>
+    <message>
+        <source>To close it: servodesk-cli write ID lock=1</source>
+        <translation>关闭：servodesk-cli write ID lock=1</translation>
+    </message>
+    <message>
+        <source>To write them now: servodesk-cli arm prepare</source>
+        <translation>现在写入：servodesk-cli arm prepare</translation>
+    </message>
+    <message>
+        <source>the arm has no joint to move</source>
+        <translation>该机械臂没有可运动的关节</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>cause, remedy</comment>
+        <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>write the settings that LeRobot writes at each start (mode, gains, reply delay, gripper limits); torque is turned off</source>
+        <translation>写入 LeRobot 每次启动时写入的参数（模式、增益、返回延时、夹爪限制）；会卸力</translation>
+    </message>
+    <message>
+        <source>torque limit during the test, 5–100 % (default: 30)</source>
+        <translation>测试时的扭矩限制，5–100%（默认 30）</translation>
+    </message>
+    <message>
+        <source>--torque takes 5 to 100</source>
+        <translation>--torque 的取值为 5 到 100</translation>
+    </message>
+    <message>
+        <source>%1; at %2, goal %3</source>
+        <translation>%1；位置 %2，目标 %3</translation>
+    </message>
+    <message>
+        <source>move each joint to the ends of its limits and back, slowly and with little torque, and report whether it got there</source>
+        <translation>让每个关节以低速、小扭矩运动到角度限制的两端并返回，并报告是否到达</translation>
+    </message>
+    <message>
+        <source>Something is in the way, the limits are beyond a mechanical stop, or the torque is too little (--torque). To set the limits: servodesk-cli arm calibrate</source>
+        <translation>有障碍物、角度限制超出机械限位，或扭矩不足（--torque）。设置角度限制：servodesk-cli arm calibrate</translation>
+    </message>
+    <message>
+        <source>so101 (default), so101-leader, lekiwi, six-joint, or a file with an arm</source>
+        <translation>so101（默认）、so101-leader、lekiwi、six-joint，或机械臂文件</translation>
+    </message>
+    <message>
+        <source>not known for this family</source>
+        <translation>没有该系列的参数</translation>
+    </message>
+    <message>
+        <source>do not ask before moving</source>
+        <translation>运动前不询问</translation>
+    </message>
+    <message>
+        <source>Not calibrated, so these run into their mechanical stops: %1</source>
+        <translation>未校准，会撞到机械限位：%1</translation>
+    </message>
+    <message>
+        <source>Each joint moves to the ends of its limits and back, with %1 % of its torque. Keep hands and objects away. Torque is off afterwards: hold what would drop. Press Enter to begin.</source>
+        <translation>每个关节以 %1% 的扭矩运动到角度限制的两端并返回。请勿靠近，并移开障碍物。结束后为卸力状态：请扶住可能下落的部分。按回车键开始。</translation>
     </message>
 </context>
 <context>
@@ -9361,6 +9402,71 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>End in a pose closer to the middle, or use the middle of the range.</source>
         <translation>请在更接近中点的姿态结束，或使用范围中点。</translation>
     </message>
+    <message>
+        <source>moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>reached both ends</source>
+        <translation>已到达两端</translation>
+    </message>
+    <message>
+        <source>alarm while moving</source>
+        <translation>运动中报警</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between items</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>No reply from %1.</source>
+        <translation>%1 无应答。</translation>
+    </message>
+    <message>
+        <source>%1 has the model %2; LeRobot expects %3 and refuses the bus.</source>
+        <translation>%1 的型号为 %2；LeRobot 需要 %3，会拒绝该总线。</translation>
+    </message>
+    <message>
+        <source>The firmware versions differ: LeRobot refuses the bus.</source>
+        <translation>固件版本不一致：LeRobot 会拒绝该总线。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock is open (ID %1), as LeRobot leaves it when it turns torque off.</source>
+        <translation>EPROM 锁未关闭（ID %1）：LeRobot 卸力时会让它处于打开状态。</translation>
+    </message>
+    <message>
+        <source>LeRobot would change settings at its next start (ID %1).</source>
+        <translation>LeRobot 下次启动时会修改参数（ID %1）。</translation>
+    </message>
+    <message>
+        <source>the torque of this servo cannot be limited</source>
+        <translation>无法限制该舵机的扭矩</translation>
+    </message>
+    <message>
+        <source>Its family has no such register.</source>
+        <translation>该系列没有此参数。</translation>
+    </message>
+    <message>
+        <source>Leave the joint out of the move test.</source>
+        <translation>运动测试中不要包含该关节。</translation>
+    </message>
+    <message>
+        <source>end not reached</source>
+        <translation>未到达端点</translation>
+    </message>
+    <message>
+        <source>no longer takes goals</source>
+        <translation>不再接受目标位置</translation>
+    </message>
+    <message>
+        <source>no LeRobot settings are known for this family</source>
+        <translation>没有该系列的 LeRobot 参数</translation>
+    </message>
+    <message>
+        <source>Only those of STS and SMS servos are known.</source>
+        <translation>只有 STS 和 SMS 舵机的参数。</translation>
+    </message>
 </context>
 <context>
     <name>ui</name>
@@ -9618,98 +9724,134 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
 </context>
 <context>
-    <name>ui::ArmFileCard</name>
+    <name>ui::ArmDialog</name>
     <message>
-        <source>LeRobot calibration file</source>
-        <translation>LeRobot 校准文件</translation>
+        <source>between two stops</source>
+        <translation>有两个机械限位</translation>
     </message>
     <message>
-        <source>Compare with file…</source>
-        <translation>与文件对比…</translation>
+        <source>continuous</source>
+        <translation>连续旋转</translation>
     </message>
     <message>
-        <source>Selects a calibration file and compares it with the servos</source>
-        <translation>选择校准文件并与舵机对比</translation>
+        <source>gripper</source>
+        <translation>夹爪</translation>
     </message>
     <message>
-        <source>Write file to servos…</source>
-        <translation>把文件写入舵机…</translation>
+        <source>wheel</source>
+        <translation>轮子</translation>
     </message>
     <message>
-        <source>Writes offsets and limits of the file to the servos</source>
-        <translation>把文件中的位置校正和角度限制写入舵机</translation>
+        <source>The joint with ID %1 has no name.</source>
+        <translation>ID %1 的关节没有名称。</translation>
     </message>
     <message>
-        <source>Save servos to file…</source>
-        <translation>把舵机保存到文件…</translation>
+        <source>Two joints have the name %1.</source>
+        <translation>有两个关节名为 %1。</translation>
     </message>
     <message>
-        <source>Saves what the servos hold as a calibration file</source>
-        <translation>把舵机中的值保存为校准文件</translation>
+        <source>Two joints have the ID %1.</source>
+        <translation>有两个关节的 ID 为 %1。</translation>
     </message>
     <message>
-        <source>LeRobot accepts its file only if it equals what the servos hold. Select the file to compare it.</source>
-        <translation>只有文件与舵机中的值相同时，LeRobot 才接受。请选择要对比的文件。</translation>
+        <source>The arm has no joints.</source>
+        <translation>该机械臂没有关节。</translation>
     </message>
     <message>
-        <source>%1: cannot be compared before all servos have been read.</source>
-        <translation>%1：读取所有舵机后才能对比。</translation>
+        <source>Save the arm</source>
+        <translation>保存机械臂</translation>
     </message>
     <message>
-        <source>! %1 differs from the servos: LeRobot would ask for a new calibration.</source>
-        <translation>! %1 与舵机不同：LeRobot 会要求重新校准。</translation>
+        <source>Robot arms (*.json)</source>
+        <translation>机械臂 (*.json)</translation>
     </message>
     <message>
-        <source>%1: not in the file with ID %2</source>
-        <translation>%1：文件中没有 ID 为 %2 的此关节</translation>
+        <source>Edit arm</source>
+        <translation>编辑机械臂</translation>
     </message>
     <message>
-        <source>%1: %2 is %3 in the file, %4 in the servo</source>
-        <translation>%1：%2 在文件中为 %3，在舵机中为 %4</translation>
+        <source>The joints of the arm, each with the ID of its servo. Names are those of LeRobot&apos;s calibration file. Reversed joints turn the other way in LeRobot (drive_mode); no register changes.</source>
+        <translation>机械臂的关节及其舵机的 ID。名称与 LeRobot 校准文件中的一致。反向的关节在 LeRobot 中反方向转动（drive_mode），不修改任何参数。</translation>
     </message>
     <message>
-        <source>offset</source>
-        <translation>位置校正</translation>
+        <source>Arm</source>
+        <translation>机械臂</translation>
     </message>
     <message>
-        <source>minimum</source>
-        <translation>最小值</translation>
+        <source>Shown in the list of arms</source>
+        <translation>显示在机械臂列表中</translation>
     </message>
     <message>
-        <source>maximum</source>
-        <translation>最大值</translation>
+        <source>Joint</source>
+        <translation>关节</translation>
     </message>
     <message>
-        <source>Select the calibration file</source>
-        <translation>选择校准文件</translation>
+        <source>ID</source>
+        <translation>ID</translation>
     </message>
     <message>
-        <source>Calibration files (*.json)</source>
-        <translation>校准文件 (*.json)</translation>
+        <source>Model</source>
+        <translation>型号</translation>
     </message>
     <message>
-        <source>Write %1 to the servos?</source>
-        <translation>把 %1 写入舵机？</translation>
+        <source>Kind</source>
+        <translation>类型</translation>
     </message>
     <message>
-        <source>Torque is turned off: hold the arm. Offsets shift the zero positions.</source>
-        <translation>将会卸力：请扶住机械臂。位置校正会移动零位。</translation>
+        <source>Reversed</source>
+        <translation>反向</translation>
     </message>
     <message>
-        <source>Write to servos</source>
-        <translation>写入舵机</translation>
+        <source>Joints</source>
+        <translation>关节</translation>
     </message>
     <message>
-        <source>Save the calibration</source>
-        <translation>保存校准</translation>
+        <source>One row per joint; an empty model means any</source>
+        <translation>每个关节一行；型号为空表示任意型号</translation>
     </message>
     <message>
-        <source>✓ %1 equals the servos.</source>
-        <translation>✓ %1 与舵机相同。</translation>
+        <source>Add joint</source>
+        <translation>添加关节</translation>
     </message>
     <message>
-        <source>%1: not a joint of this arm</source>
-        <translation>%1：不是此机械臂的关节</translation>
+        <source>Adds a joint with the next ID</source>
+        <translation>添加一个使用下一个 ID 的关节</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Removes the selected joints from the arm</source>
+        <translation>从机械臂中移除所选关节</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Saves the arm to a file and selects it</source>
+        <translation>将机械臂保存到文件并选用</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Closes without a change</source>
+        <translation>关闭，不做修改</translation>
+    </message>
+    <message>
+        <source>%1: an ID is a number from 0 to 253.</source>
+        <translation>%1：ID 应为 0 到 253 之间的数字。</translation>
+    </message>
+    <message>
+        <source>Leader: moved by hand only</source>
+        <translation>主臂：只用手转动</translation>
+    </message>
+    <message>
+        <source>LeRobot sets neither gains nor gripper limits of a leader</source>
+        <translation>LeRobot 不设置主臂的增益和夹爪限制</translation>
     </message>
 </context>
 <context>
@@ -9763,12 +9905,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>行程</translation>
     </message>
     <message>
-        <source>%1: the mode becomes position</source>
-        <translation>%1：模式改为位置</translation>
+        <source>%1: %2</source>
+        <comment>joint, changes</comment>
+        <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1: the feedback shows one turn only</source>
-        <translation>%1：反馈改为单圈</translation>
+        <source>, </source>
+        <comment>between changes</comment>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -9819,19 +9963,9 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Write to servos</source>
         <translation>写入舵机</translation>
     </message>
-    <message numerus="yes">
-        <source>Offset and limits of %n joint(s) written and read back.</source>
-        <translation>
-            <numerusform>已写入并回读 %n 个关节的位置校正和角度限制。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not all joints could be written: ID %1</source>
         <translation>有关节未能写入：ID %1</translation>
-    </message>
-    <message>
-        <source>Calibrate these joints again.</source>
-        <translation>请重新校准这些关节。</translation>
     </message>
     <message>
         <source>Torque is off. Move every joint from stop to stop, in any order. The encoder&apos;s seam may lie anywhere in the range. Click Continue when every joint is recorded.</source>
@@ -9848,10 +9982,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Not in the list of servos: %1. Search the bus, or select another arm.</source>
         <translation>不在舵机列表中：%1。请搜索总线，或选择其他机械臂。</translation>
-    </message>
-    <message>
-        <source>Hold the arm and turn its torque off, then move every joint through its range. The middle of each range becomes 2048, and its ends become the limits.</source>
-        <translation>扶住机械臂并卸力，然后把每个关节转过整个范围。各范围的中点成为 2048，两端成为角度限制。</translation>
     </message>
     <message>
         <source>Record ranges…</source>
@@ -9894,16 +10024,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>取消</translation>
     </message>
     <message>
-        <source>Ends the calibration; the servos keep their offsets and limits</source>
-        <translation>结束校准；舵机保留其位置校正和角度限制</translation>
-    </message>
-    <message>
         <source>Joints</source>
         <translation>关节</translation>
-    </message>
-    <message>
-        <source>One row per joint of the arm</source>
-        <translation>机械臂的每个关节一行</translation>
     </message>
     <message>
         <source>Last pose is the middle</source>
@@ -9912,6 +10034,126 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Uses the pose in which you click Continue as the middle, instead of the middle of each range</source>
         <translation>以单击“继续”时的姿态作为中位，而不是各范围的中点</translation>
+    </message>
+    <message>
+        <source>Only the selected joints: %1.</source>
+        <translation>仅所选关节：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between joints</comment>
+        <translation>、</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) written and read back.</source>
+        <translation>
+            <numerusform>%n 个关节已写入并回读。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Write these joints again.</source>
+        <translation>请重新写入这些关节。</translation>
+    </message>
+    <message>
+        <source>Move at %1 % torque</source>
+        <translation>以 %1% 扭矩运动</translation>
+    </message>
+    <message>
+        <source>Move the joints to their limits?</source>
+        <translation>让关节运动到角度限制？</translation>
+    </message>
+    <message>
+        <source>One joint after the other turns torque on, moves slowly to both ends of its limits and back, and turns torque off. With little torque a heavy arm may not get there.</source>
+        <translation>各关节依次打开扭矩，缓慢运动到角度限制的两端并返回，然后卸力。扭矩较小时，较重的机械臂可能无法到达。</translation>
+    </message>
+    <message>
+        <source>The arm moves: keep hands and objects away, and hold what would drop.</source>
+        <translation>机械臂会运动：请勿靠近，移开障碍物，并扶住可能下落的部分。</translation>
+    </message>
+    <message>
+        <source>For a heavy arm</source>
+        <translation>用于较重的机械臂</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) reached both ends.</source>
+        <translation>
+            <numerusform>%n 个关节已到达两端。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not at both ends: %1</source>
+        <translation>未到达两端：%1</translation>
+    </message>
+    <message>
+        <source>Something is in the way, the limits are beyond a mechanical stop, or the torque is too little.</source>
+        <translation>有障碍物、角度限制超出机械限位，或扭矩不足。</translation>
+    </message>
+    <message>
+        <source>Clear the range and test again with more torque, or calibrate these joints again.</source>
+        <translation>清除障碍物后以更大扭矩重新测试，或重新校准这些关节。</translation>
+    </message>
+    <message>
+        <source>The joints move one after the other. Esc turns torque off at once.</source>
+        <translation>各关节依次运动。按 Esc 立即卸力。</translation>
+    </message>
+    <message>
+        <source>Hold the arm and turn its torque off, then move every joint through its range. The middle of each range becomes 2048, and its ends become the limits. Select rows to record or test only these joints.</source>
+        <translation>扶住机械臂并卸力，然后将每个关节转过其全部范围。各范围的中点将变为 2048，两端成为角度限制。选中若干行则只采集或测试这些关节。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Test %n joint(s)…</source>
+        <translation>
+            <numerusform>测试 %n 个关节…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Test moves…</source>
+        <translation>运动测试…</translation>
+    </message>
+    <message>
+        <source>Moves the joints to both ends of their limits, slowly and with little torque, after a question</source>
+        <translation>确认后让关节以低速、小扭矩运动到角度限制的两端</translation>
+    </message>
+    <message numerus="yes">
+        <source>Record %n joint(s)…</source>
+        <translation>
+            <numerusform>采集 %n 个关节…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>编辑…</translation>
+    </message>
+    <message>
+        <source>Changes the joints of the arm and saves them to a file</source>
+        <translation>修改机械臂的关节并保存到文件</translation>
+    </message>
+    <message>
+        <source>One row per joint of the arm; select rows to record or test only these</source>
+        <translation>机械臂的每个关节一行；选中若干行则只采集或测试这些关节</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>joint, result</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>The move test has ended there.</source>
+        <translation>运动测试到此结束。</translation>
+    </message>
+    <message>
+        <source>Check the servo&apos;s alarms and supply.</source>
+        <translation>请检查舵机的报警和供电。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stopped after %n joint(s), which reached both ends.</source>
+        <translation>
+            <numerusform>已停止；之前有 %n 个关节到达两端。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Ends the recording or the test; the servos keep their offsets and limits</source>
+        <translation>结束采集或测试；舵机保持原有的位置校正和角度限制</translation>
     </message>
 </context>
 <context>
@@ -11985,6 +12227,121 @@ Retries: %9</source>
     <message>
         <source>Writes, snapshots, labels and tests from this bench are copied to a PostgreSQL server, where all benches can be viewed together. This computer keeps its own complete history; an unreachable server never blocks a write.</source>
         <translation>本工位的写入、快照、标签和测试会复制到 PostgreSQL 服务器，可在那里集中查看所有工位的记录。本机仍保存完整的历史记录；即使服务器连接不上，也绝不影响写入。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LerobotCard</name>
+    <message>
+        <source>LeRobot</source>
+        <translation>LeRobot</translation>
+    </message>
+    <message>
+        <source>Prepare servos…</source>
+        <translation>准备舵机…</translation>
+    </message>
+    <message>
+        <source>Writes the settings that LeRobot writes at each start: mode, gains, reply delay, gripper limits</source>
+        <translation>写入 LeRobot 每次启动时写入的参数：模式、增益、返回延时、夹爪限制</translation>
+    </message>
+    <message>
+        <source>Compare with file…</source>
+        <translation>与文件对比…</translation>
+    </message>
+    <message>
+        <source>Selects a calibration file and compares it with the servos</source>
+        <translation>选择校准文件并与舵机对比</translation>
+    </message>
+    <message>
+        <source>Write file to servos…</source>
+        <translation>把文件写入舵机…</translation>
+    </message>
+    <message>
+        <source>Writes offsets and limits of the file to the servos</source>
+        <translation>把文件中的位置校正和角度限制写入舵机</translation>
+    </message>
+    <message>
+        <source>Save servos to file…</source>
+        <translation>把舵机保存到文件…</translation>
+    </message>
+    <message>
+        <source>Saves what the servos hold as a calibration file</source>
+        <translation>把舵机中的值保存为校准文件</translation>
+    </message>
+    <message>
+        <source>LeRobot accepts its file only if it equals what the servos hold. Select the file to compare it.</source>
+        <translation>只有文件与舵机中的值相同时，LeRobot 才接受。请选择要对比的文件。</translation>
+    </message>
+    <message>
+        <source>%1: cannot be compared before all servos have been read.</source>
+        <translation>%1：读取所有舵机后才能对比。</translation>
+    </message>
+    <message>
+        <source>✓ %1 equals the servos.</source>
+        <translation>✓ %1 与舵机相同。</translation>
+    </message>
+    <message>
+        <source>! %1 differs from the servos: LeRobot would ask for a new calibration.</source>
+        <translation>! %1 与舵机不同：LeRobot 会要求重新校准。</translation>
+    </message>
+    <message>
+        <source> The Firmware page shows and updates them.</source>
+        <translation>可在固件页查看和更新。</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>位置校正</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>%1: not in the file with ID %2</source>
+        <translation>%1：文件中没有 ID 为 %2 的此关节</translation>
+    </message>
+    <message>
+        <source>%1: not a joint of this arm</source>
+        <translation>%1：不是此机械臂的关节</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3 in the file, %4 in the servo</source>
+        <translation>%1：%2 在文件中为 %3，在舵机中为 %4</translation>
+    </message>
+    <message>
+        <source>Select the calibration file</source>
+        <translation>选择校准文件</translation>
+    </message>
+    <message>
+        <source>Calibration files (*.json)</source>
+        <translation>校准文件 (*.json)</translation>
+    </message>
+    <message>
+        <source>Write %1 to the servos?</source>
+        <translation>把 %1 写入舵机？</translation>
+    </message>
+    <message>
+        <source>Torque is turned off: hold the arm. Offsets shift the zero positions.</source>
+        <translation>将会卸力：请扶住机械臂。位置校正会移动零位。</translation>
+    </message>
+    <message>
+        <source>Write to servos</source>
+        <translation>写入舵机</translation>
+    </message>
+    <message>
+        <source>Write LeRobot&apos;s settings to the servos?</source>
+        <translation>将 LeRobot 的参数写入舵机？</translation>
+    </message>
+    <message>
+        <source>Torque is turned off: hold the arm.</source>
+        <translation>会卸力：请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>保存校准</translation>
     </message>
 </context>
 <context>

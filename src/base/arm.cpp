@@ -14,6 +14,12 @@ constexpr EnumName<JointState> jointStateNames[]{
     {JointState::NotMoved, "not-moved"},   {JointState::KeepMoving, "keep-moving"},
     {JointState::Recorded, "recorded"},    {JointState::FullTurn, "full-turn"},
     {JointState::LostTrack, "lost-track"}, {JointState::NoReply, "no-reply"}};
+
+constexpr EnumName<MoveTestState> moveTestStateNames[]{{MoveTestState::Moving, "moving"},
+                                                       {MoveTestState::Reached, "reached"},
+                                                       {MoveTestState::NotReached, "not-reached"},
+                                                       {MoveTestState::Alarm, "alarm"},
+                                                       {MoveTestState::TorqueLost, "torque-lost"}};
 } // namespace
 
 QString jointKindName(JointKind kind)
@@ -29,5 +35,10 @@ std::optional<JointKind> jointKindOf(const QString& name)
 QString jointStateName(JointState state)
 {
     return nameOf(jointStateNames, state);
+}
+
+QString moveTestStateName(MoveTestState state)
+{
+    return nameOf(moveTestStateNames, state);
 }
 } // namespace base

@@ -3,7 +3,7 @@
 // thread.
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <optional>
@@ -28,4 +28,29 @@ enum class JointState : std::uint8_t {
     NoReply,   ///< its servo has not replied yet
 };
 QString jointStateName(JointState state); ///< "not-moved", "keep-moving" …
+
+/// How a joint has moved between its limits.
+enum class MoveTestState : std::uint8_t {
+    Moving,
+    Reached,
+    NotReached, ///< something is in its way, or the torque is too little
+    Alarm,
+    TorqueLost, ///< it no longer takes goals: switched off, restarted or exchanged
+};
+QString moveTestStateName(MoveTestState state); ///< "moving", "reached" …
+
+/// What LeRobot refuses of an arm, leaves behind, or writes at its next start.
+enum class ArmRemarkKind : std::uint8_t {
+    NoReply,
+    OtherModel,
+    OtherFirmware, ///< of several versions
+    OpenLock,
+    OtherSettings,
+};
+struct ArmRemark {
+    ArmRemarkKind kind = ArmRemarkKind::NoReply;
+    QStringList joints{}; ///< "elbow_flex (ID 3)"; OpenLock and OtherSettings: "3"
+    QString model{};      ///< OtherModel: found, and expected
+    QString expectedModel{};
+};
 } // namespace base

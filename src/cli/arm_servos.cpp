@@ -7,8 +7,7 @@
 #include "cli/translate.h"
 #include "jobs/arm/apply_calibration.h"
 #include "jobs/arm/calibration.h"
-
-#include <QSet>
+#include "text/arm_text.h"
 
 #include <algorithm>
 
@@ -42,19 +41,20 @@ QString firmwareOf(const device::Servo& servo)
     return servo.profile->identity.firmware();
 }
 
-void addModelNotes(const ArmJoint& one, QStringList& notes)
+QString remedyFor(base::ArmRemarkKind kind)
 {
-    if (!one.servo) {
-        notes
-            << translate("cli", "%1 (ID %2) does not reply.").arg(one.joint.name).arg(one.joint.id);
-        return;
+    switch (kind) {
+    case base::ArmRemarkKind::OtherFirmware:
+        return translate("cli", "To see them: servodesk-cli firmware list");
+    case base::ArmRemarkKind::OpenLock:
+        return translate("cli", "To close it: servodesk-cli write ID lock=1");
+    case base::ArmRemarkKind::OtherSettings:
+        return translate("cli", "To write them now: servodesk-cli arm prepare");
+    case base::ArmRemarkKind::NoReply:
+    case base::ArmRemarkKind::OtherModel:
+        break;
     }
-    if (!one.joint.model.isEmpty() && one.servo->profile->modelName != one.joint.model)
-        notes << translate("cli",
-                           "%1 (ID %2) has the model %3; LeRobot expects %4 and refuses the bus.")
-                     .arg(one.joint.name)
-                     .arg(one.joint.id)
-                     .arg(one.servo->profile->modelName, one.joint.model);
+    return {};
 }
 } // namespace
 
@@ -103,7 +103,8 @@ base::Result<std::vector<ArmJoint>> findJoints(Run& run, const Values& values)
         isAnyFound |= servo.has_value();
         if (!servo && !silence)
             silence = servo.error();
-        joints.push_back({joint, servo ? std::optional(std::move(*servo)) : std::nullopt});
+        joints.push_back(
+            {joint, servo ? std::optional(std::move(*servo)) : std::nullopt, arm->isLeader});
     }
     if (!isAnyFound)
         return tl::unexpected(*silence);
@@ -120,6 +121,30 @@ base::Result<void> requireJoints(const std::vector<ArmJoint>& joints)
                               QStringLiteral("no-position-limits"), one.joint.id);
     }
     return {};
+}
+
+base::Result<std::vector<ArmJoint>> selectJoints(const Values& values, std::vector<ArmJoint> joints)
+{
+    const QStringList wanted = values.option(jointOption.flag)
+                                   .value_or(QString())
+                                   .split(QLatin1Char(','), Qt::SkipEmptyParts);
+    QStringList known;
+    std::vector<ArmJoint> selected;
+    for (ArmJoint& one : joints) {
+        if (one.joint.kind == base::JointKind::Wheel)
+            continue;
+        known << one.joint.name;
+        if (wanted.isEmpty() || wanted.contains(one.joint.name))
+            selected.push_back(std::move(one));
+    }
+    for (const QString& name : wanted) {
+        if (!known.contains(name))
+            return badArgument(translate("cli", "no joint %1; the arm has %2")
+                                   .arg(name, known.join(QStringLiteral(", "))));
+    }
+    if (selected.empty())
+        return badArgument(translate("cli", "the arm has no joint to move"));
+    return selected;
 }
 
 base::Result<Exit> writeCalibration(Run& run, const Values& values,
@@ -175,15 +200,11 @@ QString jointsText(const std::vector<ArmJoint>& joints)
     return table.text();
 }
 
-QString settingsText(const device::Servo& servo, base::JointKind kind)
+QString changesText(const std::vector<jobs::SettingChange>& changes)
 {
-    const jobs::JointSettings settings = jobs::settingsFor(servo, kind);
     QStringList texts;
-    if (settings.mode)
-        texts << translate("cli", "mode %1 → position")
-                     .arg(servo.mode() != nullptr ? servo.mode()->key : noValue());
-    if (settings.phase)
-        texts << translate("cli", "feedback of several turns → one turn");
+    for (const jobs::SettingChange& one : changes)
+        texts << QStringLiteral("%1 %2 → %3").arg(one.reg->key).arg(one.now).arg(one.wanted);
     return texts.join(QStringLiteral(", "));
 }
 
@@ -206,27 +227,24 @@ QString plansText(const std::vector<JointPlan>& plans)
     return table.text();
 }
 
-QStringList armNotes(const std::vector<ArmJoint>& joints)
+std::vector<jobs::JointServo> servosOf(const std::vector<ArmJoint>& joints)
 {
-    QStringList notes;
-    QSet<QString> versions;
-    QStringList open;
-    for (const ArmJoint& one : joints) {
-        addModelNotes(one, notes);
-        if (!one.servo)
-            continue;
-        versions << firmwareOf(*one.servo);
-        if (one.servo->raw(Role::Lock) == 0)
-            open << QString::number(one.joint.id);
+    std::vector<jobs::JointServo> all;
+    for (const ArmJoint& one : joints)
+        all.push_back({one.joint, one.servo ? &*one.servo : nullptr, one.isLeader});
+    return all;
+}
+
+QStringList remarksOn(const std::vector<ArmJoint>& joints)
+{
+    QStringList lines;
+    for (const base::ArmRemark& remark : jobs::lerobotRemarks(servosOf(joints))) {
+        const QString remedy = remedyFor(remark.kind);
+        lines << (remedy.isEmpty() ? text::armRemarkText(remark)
+                                   : translate("cli", "%1 %2", "cause, remedy")
+                                         .arg(text::armRemarkText(remark), remedy));
     }
-    if (versions.size() > 1)
-        notes << translate("cli", "The firmware versions differ, and LeRobot refuses the bus. To "
-                                  "see them: servodesk-cli firmware list");
-    if (!open.isEmpty())
-        notes << translate("cli", "The EPROM lock is open (ID %1), as LeRobot leaves it. To close "
-                                  "it: servodesk-cli write ID lock=1")
-                     .arg(open.join(QStringLiteral(", ")));
-    return notes;
+    return lines;
 }
 
 std::vector<jobs::LerobotJoint> lerobotJoints(const std::vector<ArmJoint>& joints)

@@ -4,17 +4,22 @@
 #pragma once
 
 #include "cli/run.h"
-#include "jobs/arm/arm.h"
-#include "jobs/arm/lerobot_file.h"
+#include "jobs/arm/joint_template.h"
+#include "jobs/arm/lerobot_check.h"
 #include "snapshot/snapshot.h"
 #include "transport/stdin_reader.h"
 
 namespace cli {
 inline constexpr Option armOption{
-    "--arm", QT_TRANSLATE_NOOP("cli", "so101 (default), lekiwi, six-joint, or a file with an arm"),
+    "--arm",
+    QT_TRANSLATE_NOOP("cli",
+                      "so101 (default), so101-leader, lekiwi, six-joint, or a file with an arm"),
     "ARM"};
 
 base::Result<jobs::Arm> armOf(const Values& values);
+
+inline constexpr Option jointOption{
+    "--joint", QT_TRANSLATE_NOOP("cli", "only these joints: NAME,NAME (default: all)"), "NAMES"};
 
 inline constexpr Option yesOption{
     "--yes", QT_TRANSLATE_NOOP("cli", "do not ask before torque off and writing")};
@@ -37,7 +42,8 @@ private:
 
 struct ArmJoint {
     jobs::Joint joint;
-    std::optional<device::Servo> servo{}; ///< settings, position and lock read; none: no reply
+    std::optional<device::Servo> servo{}; ///< with readCalibration(); none: no reply
+    bool isLeader = false;                ///< jobs::Arm::isLeader
 
     std::optional<jobs::JointCalibration> calibration() const;
 };
@@ -46,6 +52,10 @@ struct ArmJoint {
 base::Result<std::vector<ArmJoint>> findJoints(Run& run, const Values& values);
 /// NoReply with the ID of the first joint that does not reply; NotSupported if one has no limits.
 base::Result<void> requireJoints(const std::vector<ArmJoint>& joints);
+
+/// Those of --joint, or all; wheels, which have no range, are left out.
+base::Result<std::vector<ArmJoint>> selectJoints(const Values& values,
+                                                 std::vector<ArmJoint> joints);
 
 /// Each template onto the servo with its ID, or with --dry-run only its plan; prints the result.
 /// `document`: what it begins with.
@@ -62,12 +72,13 @@ struct JointPlan {
     std::optional<jobs::JointCalibration> now{};
     std::optional<jobs::JointCalibration> next{}; ///< none: stays as it is
 };
-/// "mode speed → position"; empty: only offset and limits are written.
-QString settingsText(const device::Servo& servo, base::JointKind kind);
+/// "operating_mode 1 → 0, phase 28 → 12"; empty: all are set.
+QString changesText(const std::vector<jobs::SettingChange>& changes);
 QString plansText(const std::vector<JointPlan>& plans);
 QString jointsText(const std::vector<ArmJoint>& joints);
-/// What LeRobot would refuse, or leaves behind, with the remedy; each a line.
-QStringList armNotes(const std::vector<ArmJoint>& joints);
+std::vector<jobs::JointServo> servosOf(const std::vector<ArmJoint>& joints);
+/// What LeRobot would refuse, leaves behind or writes, with the remedy; each a line.
+QStringList remarksOn(const std::vector<ArmJoint>& joints);
 
 /// As LeRobot's file has them: what was read from the servos.
 std::vector<jobs::LerobotJoint> lerobotJoints(const std::vector<ArmJoint>& joints);

@@ -26,7 +26,7 @@ const std::vector<CommandGroup>& commandGroups()
           templateMakeCommand(), templateApplyCommand()}},
         {QT_TRANSLATE_NOOP("cli", "Robot arm:"),
          {armShowCommand(), armCalibrateCommand(), armExportCommand(), armCompareCommand(),
-          armApplyCommand()}},
+          armApplyCommand(), armPrepareCommand(), armTestCommand()}},
         // "history" comes after its subcommands, because the first match is taken.
         {QT_TRANSLATE_NOOP("cli", "History:"),
          {historyShowCommand(), historyLabelCommand(), historySnapshotCommand(),

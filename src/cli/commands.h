@@ -48,6 +48,8 @@ Command armCalibrateCommand();
 Command armCompareCommand();
 Command armApplyCommand();
 Command armExportCommand();
+Command armPrepareCommand();
+Command armTestCommand();
 Command bundleSaveCommand();
 Command bundleRestoreCommand();
 Command templateMakeCommand();

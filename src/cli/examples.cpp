@@ -72,6 +72,9 @@ const std::vector<Examples>& allExamples()
         {"arm export", "arm export so101.json", "arm export my-arm.json --format arm"},
         {"arm compare", "arm compare so101.json", "arm compare so101.json --json"},
         {"arm apply", "arm apply so101.json --dry-run", "arm apply so101.json --yes"},
+        {"arm prepare", "arm prepare --dry-run", "arm prepare --yes"},
+        {"arm test", "arm test --joint wrist_roll --yes",
+         "arm test --joint wrist_roll --torque 50 --yes"},
 
         {"history label", "history label 1 knee", "history label 2 \"left hip\""},
         {"history show", "history show 1", "history show 1 --json"},

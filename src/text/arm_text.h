@@ -7,4 +7,7 @@
 namespace text {
 /// What to do with the joint while its range is recorded: "keep moving".
 QString jointStateText(base::JointState state);
+QString moveTestStateText(base::MoveTestState state); ///< "reached both ends"
+/// One sentence with the cause; the remedy differs between window and command line.
+QString armRemarkText(const base::ArmRemark& remark);
 } // namespace text

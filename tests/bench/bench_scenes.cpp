@@ -456,12 +456,17 @@ void rescueFirmware(gui::MainWindowFixture& fixture)
     runEventLoop(4000);
 }
 
-void recordArm(gui::MainWindowFixture& fixture)
+void openArmPage(gui::MainWindowFixture& fixture)
 {
     onTheWire(fixture, [](sim::VirtualBus& wire) { wire.plug(1); }); // all joints
     fixture.action(ui::Command::Search)->trigger();
     fixture.action(ui::Command::PageArm)->trigger();
     runEventLoop(2500);
+}
+
+void recordArm(gui::MainWindowFixture& fixture)
+{
+    openArmPage(fixture);
     fixture.workbench().armCalibration().startRecording();
     runEventLoop(700);
 }
@@ -475,7 +480,42 @@ void planArm(gui::MainWindowFixture& fixture)
     runEventLoop(500);
 }
 
+void clickOnArmPage(gui::MainWindowFixture& fixture, const char* button)
+{
+    openArmPage(fixture);
+    fixture.find<QPushButton>(button)->click();
+    runEventLoop(300);
+}
+
+void editArm(gui::MainWindowFixture& fixture)
+{
+    clickOnArmPage(fixture, "armEdit");
+}
+
+void prepareArm(gui::MainWindowFixture& fixture)
+{
+    clickOnArmPage(fixture, "armPrepare");
+}
+
+void askToTestArm(gui::MainWindowFixture& fixture)
+{
+    clickOnArmPage(fixture, "armTest");
+}
+
+/// With the limits as from the factory, behind the joints' stops.
+void testArm(gui::MainWindowFixture& fixture)
+{
+    askToTestArm(fixture);
+    fixture.find<QPushButton>("questionYes")->click();
+    fixture.waitUntilIdle();
+    runEventLoop(500);
+}
+
 constexpr ErrorScene troubleScenes[] = {
+    {"arm-edit", "sim:so101", editArm, "armDialog"},
+    {"arm-prepare", "sim:so101", prepareArm, "question"},
+    {"arm-test-question", "sim:so101", askToTestArm, "question"},
+    {"arm-tested", "sim:so101", testArm, ""},
     {"arm-recording", "sim:so101", recordArm, ""},
     {"arm-plan", "sim:so101", planArm, ""},
     {"firmware-checks", "sim:sts3215@1,sts3215@2,scs15@3", checkFirmwareScene,

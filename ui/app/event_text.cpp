@@ -364,6 +364,7 @@ QString taskLabel(const QString& task)
         {"reboot", QT_TRANSLATE_NOOP("EventText", "reboot")},
         {"record-ranges", QT_TRANSLATE_NOOP("EventText", "record joint ranges")},
         {"calibrate-arm", QT_TRANSLATE_NOOP("EventText", "calibrate arm")},
+        {"move-test", QT_TRANSLATE_NOOP("EventText", "move test")},
         {"check-firmware", QT_TRANSLATE_NOOP("EventText", "check before the firmware update")},
         {"update-firmware", QT_TRANSLATE_NOOP("EventText", "update firmware")},
         {"rescue-firmware", QT_TRANSLATE_NOOP("EventText", "rescue firmware")},

@@ -3,6 +3,7 @@
 
 #include "text/arm_text.h"
 #include "ui/common/theme.h"
+#include "ui/widgets/task_text.h"
 #include "ui/widgets/test_text.h"
 
 #include <array>
@@ -34,6 +35,8 @@ QString positionText(const device::Servo* servo, const ArmJoint& one)
     if (servo == nullptr)
         return QStringLiteral("–");
     const auto read = servo->raw(catalog::Role::PresentPosition);
+    if (one.test && one.test->state == base::MoveTestState::Moving)
+        return QString::number(one.test->position);
     if (one.range.state != JointState::NoReply)
         return QString::number(one.range.reading);
     return read ? QString::number(*read) : QStringLiteral("–");
@@ -47,22 +50,49 @@ QString changeText(const ArmJoint& one, Field field)
         return held;
     return QStringLiteral("%1 → %2").arg(held).arg((*one.planned).*field);
 }
+
+/// "elbow_flex: Operating mode speed → position, Position loop P 32 → 16"; empty: no changes.
+QString changesLine(const jobs::JointServo& joint, const jobs::JointSettings& settings)
+{
+    QStringList texts;
+    for (const jobs::SettingChange& one : jobs::changesOf(*joint.servo, settings)) {
+        const auto value = [&](std::int64_t raw) {
+            return one.reg->encoding == catalog::Encoding::Bits
+                       ? QString::number(raw)
+                       : valueText(*joint.servo, one.reg->key, raw);
+        };
+        texts << QStringLiteral("%1 %2 → %3")
+                     .arg(registerText(*joint.servo, one.reg->key), value(one.now),
+                          value(one.wanted));
+    }
+    return texts.isEmpty()
+               ? QString()
+               : ArmModel::tr("%1: %2", "joint, changes")
+                     .arg(joint.joint.name, texts.join(ArmModel::tr(", ", "between changes")));
+}
 } // namespace
 
-QStringList armSettingsLines(const session::Workbench& workbench,
-                             const std::vector<ArmJoint>& joints)
+QStringList positionChanges(const ArmCalibration& calibration, bool isPlannedOnly)
 {
     QStringList lines;
-    for (const ArmJoint& one : joints) {
-        const device::Servo* servo = servoOf(workbench, one);
-        if (servo == nullptr)
-            continue;
-        const jobs::JointSettings settings = jobs::settingsFor(*servo, one.joint.kind);
-        if (settings.mode)
-            lines << ArmModel::tr("%1: the mode becomes position").arg(one.joint.name);
-        if (settings.phase)
-            lines << ArmModel::tr("%1: the feedback shows one turn only").arg(one.joint.name);
+    const std::vector<jobs::JointServo> servos = calibration.jointServos();
+    for (std::size_t i = 0; i < servos.size(); ++i) {
+        if (servos[i].servo != nullptr && (!isPlannedOnly || calibration.joints()[i].planned))
+            lines << changesLine(servos[i],
+                                 jobs::positionSettings(*servos[i].servo, servos[i].joint.kind));
     }
+    lines.removeAll(QString());
+    return lines;
+}
+
+QStringList lerobotChanges(const ArmCalibration& calibration)
+{
+    QStringList lines;
+    for (const jobs::JointServo& one : calibration.jointServos()) {
+        if (one.servo != nullptr)
+            lines << changesLine(one, one.lerobotSettings());
+    }
+    lines.removeAll(QString());
     return lines;
 }
 
@@ -167,6 +197,8 @@ QString ArmModel::stateText(const ArmJoint& one) const
         return tr("%1 instead of %2").arg(servo->profile->modelName, one.joint.model);
     if (one.joint.kind == base::JointKind::Wheel)
         return tr("wheel: not calibrated");
+    if (one.test)
+        return text::moveTestStateText(one.test->state);
     const bool wasRecorded = one.range.state != JointState::NoReply;
     if (m_calibration.step() == ArmCalibration::Step::Recording || wasRecorded)
         return text::jointStateText(one.range.state);
@@ -180,6 +212,8 @@ QVariant ArmModel::toneOf(const ArmJoint& one) const
         return static_cast<int>(Tone::Bad);
     if (!one.joint.model.isEmpty() && servo->profile->modelName != one.joint.model)
         return static_cast<int>(Tone::Warn);
+    if (one.test)
+        return toneOfTest(one.test->state);
     switch (one.range.state) {
     case JointState::Recorded:
         return static_cast<int>(Tone::Good);
@@ -194,6 +228,13 @@ QVariant ArmModel::toneOf(const ArmJoint& one) const
         break;
     }
     return {};
+}
+
+QVariant ArmModel::toneOfTest(base::MoveTestState state)
+{
+    if (state == base::MoveTestState::Moving)
+        return {};
+    return static_cast<int>(state == base::MoveTestState::Reached ? Tone::Good : Tone::Bad);
 }
 
 QVariant ArmModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -39,16 +39,18 @@ private:
     QString text(const session::ArmJoint& one, int column) const;
     QString stateText(const session::ArmJoint& one) const;
     QVariant toneOf(const session::ArmJoint& one) const;
+    static QVariant toneOfTest(base::MoveTestState state);
 
     session::Workbench& m_workbench;
     session::ArmCalibration& m_calibration;
     int m_rows = 0;
 };
 
-/// "shoulder_pan: mode speed → position": what is written beside offset and limits; a line per
-/// joint.
-QStringList armSettingsLines(const session::Workbench& workbench,
-                             const std::vector<session::ArmJoint>& joints);
+/// What is written beside offset and limits: "elbow: Operating mode speed → position"; one line per
+/// joint that changes.
+QStringList positionChanges(const session::ArmCalibration& calibration, bool isPlannedOnly);
+/// Likewise, for LeRobot.
+QStringList lerobotChanges(const session::ArmCalibration& calibration);
 
 /// Low, high and present position as fractions of the bar; in a QVariantList of doubles, empty
 /// where nothing has been recorded.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/arm/arm_page.h"
 
+#include "text/arm_text.h"
 #include "text/error_text.h"
-#include "ui/arm/arm_file_card.h"
+#include "ui/arm/arm_dialog.h"
 #include "ui/arm/arm_model.h"
 #include "ui/arm/joint_range_delegate.h"
+#include "ui/arm/lerobot_card.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
@@ -16,6 +18,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -31,6 +34,8 @@ using session::ArmJoint;
 using Step = ArmCalibration::Step;
 
 constexpr int minRangeWidth = 120;
+constexpr int strongerTestTorque = 60; ///< %, for an arm that is heavy
+const QString armSetting = QStringLiteral("arm/arm");
 
 bool isDone(const jobs::ApplyResult& result)
 {
@@ -44,36 +49,49 @@ ArmPage::ArmPage(AppContext& context, session::Settings& settings, QWidget* pare
     , m_workbench(context.workbench)
     , m_calibration(context.workbench.armCalibration())
     , m_settings(settings)
+    , m_armKey(jobs::builtInArms().front())
     , m_model(new ArmModel(context.workbench, this))
     , m_banner(new Banner(this))
     , m_title(new QLabel(this))
     , m_arm(new QComboBox(this))
     , m_isMiddleShown(new QCheckBox(this))
+    , m_edit(new QPushButton(this))
+    , m_test(new QPushButton(this))
     , m_cancel(new QPushButton(this))
     , m_action(new QPushButton(this))
     , m_instruction(new QLabel(this))
     , m_table(new QTableView(this))
-    , m_file(new ArmFileCard(context.workbench, settings, this))
+    , m_lerobot(new LerobotCard(context.workbench, settings, this))
 {
     setObjectName(QStringLiteral("armPage"));
     m_banner->hideMessage();
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_banner);
     column->addWidget(buildJoints(), 1);
-    column->addWidget(m_file);
+    column->addWidget(m_lerobot);
     connect(&m_calibration, &ArmCalibration::changed, this, &ArmPage::update);
     connect(&m_calibration, &ArmCalibration::written, this, &ArmPage::showResults);
+    connect(&m_calibration, &ArmCalibration::tested, this, &ArmPage::showTestResults);
     const auto showError = [this](const base::Error& error) { m_banner->showMessage(error); };
     connect(&m_calibration, &ArmCalibration::failed, this, showError);
-    connect(m_file, &ArmFileCard::failed, this, showError);
-    connect(m_file, &ArmFileCard::saved, this, [this](const QString& path) {
+    connect(m_lerobot, &LerobotCard::failed, this, showError);
+    connect(m_lerobot, &LerobotCard::saved, this, [this](const QString& path) {
         m_banner->showMessage([path] {
             return BannerText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
         });
     });
     connect(m_arm, &QComboBox::activated, this, &ArmPage::chooseArm);
+    connect(m_edit, &QPushButton::clicked, this, &ArmPage::editArm);
+    connect(m_test, &QPushButton::clicked, this, &ArmPage::askToTest);
     connect(m_action, &QPushButton::clicked, this, &ArmPage::runAction);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ArmPage::updateButtons);
     connect(m_cancel, &QPushButton::clicked, &m_calibration, &ArmCalibration::cancel);
+    const QString last = settings.pageValue(armSetting, m_armKey).toString();
+    if (auto arm = jobs::loadArm(last)) { // its file may be gone
+        m_armKey = last;
+        m_calibration.setArm(std::move(*arm));
+    }
     followLanguage(this, [this] { retranslate(); });
 }
 
@@ -84,14 +102,16 @@ QWidget* ArmPage::buildJoints()
     m_arm->setObjectName(QStringLiteral("armChoice"));
     m_isMiddleShown->setObjectName(QStringLiteral("armMiddleShown"));
     m_cancel->setObjectName(QStringLiteral("armCancel"));
+    m_edit->setObjectName(QStringLiteral("armEdit"));
+    m_test->setObjectName(QStringLiteral("armTest"));
     m_action->setObjectName(QStringLiteral("armAction"));
     makeMainAction(m_action);
     m_instruction->setObjectName(QStringLiteral("armInstruction"));
     m_instruction->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("armTable"));
     m_table->setModel(m_model);
-    m_table->setSelectionMode(QAbstractItemView::NoSelection);
-    m_table->setFocusPolicy(Qt::NoFocus);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setItemDelegate(new ToneDelegate(m_table));
     m_table->setItemDelegateForColumn(ArmModel::RangeColumn, new JointRangeDelegate(m_table));
@@ -104,13 +124,17 @@ QWidget* ArmPage::buildJoints()
     auto* head = new QHBoxLayout;
     head->addWidget(m_title);
     head->addWidget(m_arm);
+    head->addWidget(m_edit);
     head->addStretch(1);
-    head->addWidget(m_isMiddleShown);
+    head->addWidget(m_test);
     head->addWidget(m_cancel);
     head->addWidget(m_action);
     auto* column = new QVBoxLayout(card);
     column->addLayout(head);
-    column->addWidget(m_instruction);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_instruction, 1);
+    below->addWidget(m_isMiddleShown, 0, Qt::AlignTop);
+    column->addLayout(below);
     column->addWidget(m_table, 1);
     makeCard(card);
     return card;
@@ -138,13 +162,58 @@ void ArmPage::chooseArm(int index)
                [this](const QString& path) { loadArm(path); });
 }
 
-void ArmPage::loadArm(const QString& path)
+void ArmPage::loadArm(const QString& nameOrPath)
 {
-    auto arm = jobs::loadArm(path);
+    auto arm = jobs::loadArm(nameOrPath);
     if (!arm)
         return m_banner->showMessage(arm.error());
     m_banner->hideMessage();
     m_calibration.setArm(std::move(*arm));
+    m_armKey = nameOrPath;
+    m_settings.setPageValue(armSetting, m_armKey);
+    fillArms();
+}
+
+/// The built-in arms, that of the user's file, and an entry that asks for a file.
+void ArmPage::fillArms()
+{
+    m_arm->clear();
+    for (const QString& name : jobs::builtInArms())
+        m_arm->addItem(jobs::loadArm(name).value_or(jobs::Arm()).name, name);
+    if (!isBuiltIn())
+        m_arm->addItem(
+            QStringLiteral("%1 (%2)").arg(m_calibration.arm().name, QFileInfo(m_armKey).fileName()),
+            m_armKey);
+    m_arm->addItem(tr("From file…"), QString());
+    m_arm->setCurrentIndex(m_arm->findData(m_armKey));
+}
+
+void ArmPage::editArm()
+{
+    auto* dialog =
+        new ArmDialog(m_calibration.arm(), isBuiltIn() ? QString() : m_armKey, m_settings, this);
+    connect(dialog, &ArmDialog::saved, this, &ArmPage::loadArm);
+    dialog->open();
+}
+
+session::JointRows ArmPage::selectedRows() const
+{
+    session::JointRows rows;
+    for (const QModelIndex& index : m_table->selectionModel()->selectedRows())
+        rows.push_back(static_cast<std::size_t>(index.row()));
+    std::sort(rows.begin(), rows.end());
+    return rows;
+}
+
+QString ArmPage::selectedNames() const
+{
+    QStringList names;
+    for (const std::size_t row : selectedRows())
+        names << m_calibration.joints()[row].joint.name;
+    return names.isEmpty()
+               ? QString()
+               : tr("Only the selected joints: %1.").arg(names.join(tr(", ", "between joints"))) +
+                     QLatin1Char(' ');
 }
 
 void ArmPage::runAction()
@@ -157,6 +226,7 @@ void ArmPage::runAction()
     case Step::Recorded:
         return askToWrite();
     case Step::Writing:
+    case Step::Testing:
         break;
     }
 }
@@ -165,28 +235,25 @@ void ArmPage::askToRecord()
 {
     ask(this,
         {.title = tr("Turn torque off?"),
-         .text = tr("The joints are then moved by hand while their positions are recorded. Nothing "
-                    "else is written."),
+         .text = selectedNames() + tr("The joints are then moved by hand while their positions are "
+                                      "recorded. Nothing else is written."),
          .risk = tr("The arm drops when torque goes off: hold it."),
          .acceptText = tr("Torque off"),
          .guard = this},
-        [this] {
+        [this, rows = selectedRows()] {
             m_banner->hideMessage();
-            m_calibration.startRecording();
+            m_calibration.startRecording(rows);
         });
 }
 
 void ArmPage::askToWrite()
 {
-    std::vector<ArmJoint> planned;
-    for (const ArmJoint& one : m_calibration.joints()) {
-        if (one.planned)
-            planned.push_back(one);
-    }
-    const int count = static_cast<int>(planned.size());
+    const auto& joints = m_calibration.joints();
+    const int count = static_cast<int>(std::count_if(
+        joints.begin(), joints.end(), [](const ArmJoint& one) { return one.planned.has_value(); }));
     QStringList text{tr("The memory tables are saved first, and every value is read back. Torque "
                         "stays off.")};
-    text << armSettingsLines(m_workbench, planned);
+    text << positionChanges(m_calibration, true);
     ask(this,
         {.title = tr("Write offset and limits of %n joint(s)?", nullptr, count),
          .text = text.join(QLatin1Char('\n')),
@@ -209,16 +276,80 @@ void ArmPage::showResults(const std::vector<jobs::ApplyResult>& results)
     const int count = static_cast<int>(results.size());
     m_banner->showMessage([failed, error, count] {
         if (failed.isEmpty())
-            return BannerText{Tone::Good, tr("Offset and limits of %n joint(s) written and read "
-                                             "back.",
-                                             nullptr, count)};
+            return BannerText{Tone::Good, tr("%n joint(s) written and read back.", nullptr, count)};
         const auto words = error ? std::optional(text::describe(*error)) : std::nullopt;
         return BannerText{
             Tone::Bad,
             tr("Not all joints could be written: ID %1").arg(failed.join(QStringLiteral(", "))),
             words ? words->message : QString(),
-            words ? words->remedy : tr("Calibrate these joints again.")};
+            words ? words->remedy : tr("Write these joints again.")};
     });
+}
+
+void ArmPage::askToTest()
+{
+    const auto start = [this, rows = selectedRows()](int torque) {
+        m_banner->hideMessage();
+        m_calibration.startMoveTest(torque, rows);
+    };
+    const auto moveText = [](int torque) { return tr("Move at %1 % torque").arg(torque); };
+    ask(this,
+        {.title = tr("Move the joints to their limits?"),
+         .text = selectedNames() +
+                 tr("One joint after the other turns torque on, moves slowly to both ends of "
+                    "its limits and back, and turns torque off. With little torque a heavy "
+                    "arm may not get there."),
+         .risk = tr("The arm moves: keep hands and objects away, and hold what would drop."),
+         .acceptText = moveText(jobs::defaultTestTorque),
+         .alternativeText = moveText(strongerTestTorque),
+         .alternativeToolTip = tr("For a heavy arm"),
+         .alternativeAction = [start] { start(strongerTestTorque); },
+         .guard = this},
+        [start] { start(jobs::defaultTestTorque); });
+}
+
+void ArmPage::showTestResults(bool isComplete)
+{
+    using base::MoveTestState;
+    QStringList notReached;
+    QString endedBy;
+    int reached = 0;
+    MoveTestState end = MoveTestState::Reached;
+    for (const ArmJoint& one : m_calibration.joints()) {
+        if (!one.test)
+            continue;
+        if (one.test->state == MoveTestState::Reached) {
+            ++reached;
+        } else if (one.test->state == MoveTestState::NotReached) {
+            notReached << one.joint.name;
+        } else {
+            endedBy = one.joint.name;
+            end = one.test->state;
+        }
+    }
+    if (!endedBy.isEmpty())
+        return m_banner->showMessage([endedBy, end] {
+            return BannerText{
+                Tone::Bad, tr("%1: %2", "joint, result").arg(endedBy, text::moveTestStateText(end)),
+                tr("The move test has ended there."), tr("Check the servo's alarms and supply.")};
+        });
+    if (!notReached.isEmpty())
+        return m_banner->showMessage([notReached] {
+            return BannerText{
+                Tone::Bad,
+                tr("Not at both ends: %1").arg(notReached.join(tr(", ", "between joints"))),
+                tr("Something is in the way, the limits are beyond a mechanical stop, or the "
+                   "torque is too little."),
+                tr("Clear the range and test again with more torque, or calibrate these joints "
+                   "again.")};
+        });
+    if (reached > 0)
+        m_banner->showMessage([reached, isComplete] {
+            return BannerText{isComplete ? Tone::Good : Tone::Warn,
+                              isComplete ? tr("%n joint(s) reached both ends.", nullptr, reached)
+                                         : tr("Stopped after %n joint(s), which reached both ends.",
+                                              nullptr, reached)};
+        });
 }
 
 QStringList ArmPage::missingJoints() const
@@ -245,13 +376,17 @@ QString ArmPage::instruction() const
                   "to the servos. Joints that were not recorded stay as they are.");
     case Step::Writing:
         return tr("Writing…");
+    case Step::Testing:
+        return tr("The joints move one after the other. Esc turns torque off at once.");
     }
     const QStringList missing = missingJoints();
     if (!missing.isEmpty())
         return tr("Not in the list of servos: %1. Search the bus, or select another arm.")
             .arg(missing.join(QStringLiteral(", ")));
-    return tr("Hold the arm and turn its torque off, then move every joint through its range. The "
-              "middle of each range becomes 2048, and its ends become the limits.");
+    return tr(
+        "Hold the arm and turn its torque off, then move every joint through its range. The "
+        "middle of each range becomes 2048, and its ends become the limits. Select rows to record "
+        "or test only these joints.");
 }
 
 void ArmPage::update()
@@ -260,22 +395,38 @@ void ArmPage::update()
         return;
     m_calibration.readUnread();
     m_model->update();
-    m_file->update();
+    m_lerobot->update();
     m_instruction->setText(instruction());
+    m_arm->setEnabled(!m_calibration.isBusy());
+    m_edit->setEnabled(!m_calibration.isBusy());
+    m_arm->setCurrentIndex(m_arm->findData(m_armKey));
+    updateButtons();
+}
+
+void ArmPage::updateButtons()
+{
     const Step step = m_calibration.step();
     const auto& joints = m_calibration.joints();
+    const session::JointRows rows = selectedRows();
+    const bool canStart = m_calibration.canStart(rows);
     const bool isPlanned = std::any_of(joints.begin(), joints.end(),
                                        [](const ArmJoint& one) { return one.planned.has_value(); });
-    m_action->setEnabled(step == Step::Recording ||
-                         (m_calibration.canStart() && (step == Step::Idle || isPlanned)));
-    m_cancel->setVisible(step == Step::Recording || step == Step::Recorded);
+    m_action->setEnabled(step == Step::Recording || (step == Step::Idle && canStart) ||
+                         (isPlanned && m_calibration.canStart()));
+    m_cancel->setVisible(step == Step::Recording || step == Step::Recorded ||
+                         step == Step::Testing);
     m_isMiddleShown->setVisible(step == Step::Idle || step == Step::Recording);
-    m_arm->setEnabled(!m_calibration.isBusy());
-    const int known = m_arm->findText(m_calibration.arm().name);
-    m_arm->setCurrentIndex(known >= 0 ? known : m_arm->count() - 1);
+    m_test->setVisible(step == Step::Idle);
+    m_test->setEnabled(canStart);
+    const int count = static_cast<int>(rows.size());
+    setButtonText(m_test, count > 0 ? tr("Test %n joint(s)…", nullptr, count) : tr("Test moves…"),
+                  tr("Moves the joints to both ends of their limits, slowly and with little "
+                     "torque, after a question"));
     switch (step) {
     case Step::Idle:
-        setButtonText(m_action, tr("Record ranges…"),
+    case Step::Testing:
+        setButtonText(m_action,
+                      count > 0 ? tr("Record %n joint(s)…", nullptr, count) : tr("Record ranges…"),
                       tr("Turns torque off after a question and records how far joints are moved"));
         break;
     case Step::Recording:
@@ -293,17 +444,17 @@ void ArmPage::update()
 void ArmPage::retranslate()
 {
     m_title->setText(tr("Arm"));
-    m_arm->clear();
-    for (const QString& name : jobs::builtInArms())
-        m_arm->addItem(jobs::loadArm(name).value_or(jobs::Arm()).name, name);
-    m_arm->addItem(tr("From file…"), QString());
+    fillArms();
     setAccessText(m_arm, tr("Arm"), tr("Selects which joints the arm has"));
+    setButtonText(m_edit, tr("Edit…"),
+                  tr("Changes the joints of the arm and saves them to a file"));
     setButtonText(m_isMiddleShown, tr("Last pose is the middle"),
                   tr("Uses the pose in which you click Continue as the middle, instead of the "
                      "middle of each range"));
     setButtonText(m_cancel, tr("Cancel"),
-                  tr("Ends the calibration; the servos keep their offsets and limits"));
-    setAccessText(m_table, tr("Joints"), tr("One row per joint of the arm"));
+                  tr("Ends the recording or the test; the servos keep their offsets and limits"));
+    setAccessText(m_table, tr("Joints"),
+                  tr("One row per joint of the arm; select rows to record or test only these"));
     update();
 }
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arm page: the joints of a robot arm with what their servos hold, their calibration by moving
-// them by hand, and LeRobot's calibration file beside it. Opening it writes nothing; torque off and
-// writing are asked about. Owned by the window; main thread.
+// them by hand, their move test, and LeRobot's needs beside it. Opening it writes nothing; torque
+// off, writing and moving are asked about. Owned by the window; main thread.
 #pragma once
 
 #include "session/arm/arm_calibration.h"
@@ -17,7 +17,7 @@ class QPushButton;
 class QTableView;
 
 namespace ui {
-class ArmFileCard;
+class LerobotCard;
 class ArmModel;
 class Banner;
 
@@ -33,12 +33,20 @@ protected:
 private:
     QWidget* buildJoints();
     void chooseArm(int index);
-    void loadArm(const QString& path);
+    void loadArm(const QString& nameOrPath);
+    void fillArms();
+    bool isBuiltIn() const { return jobs::builtInArms().contains(m_armKey); }
+    void editArm();
     void runAction();
     void askToRecord();
     void askToWrite();
+    void askToTest();
     void showResults(const std::vector<jobs::ApplyResult>& results);
+    void showTestResults(bool isComplete);
+    session::JointRows selectedRows() const;
+    QString selectedNames() const; ///< "Joints: elbow_flex, gripper"; empty: all
     void update();
+    void updateButtons();
     void retranslate();
     QString instruction() const;
     QStringList missingJoints() const;
@@ -46,15 +54,18 @@ private:
     session::Workbench& m_workbench;
     session::ArmCalibration& m_calibration;
     session::Settings& m_settings;
+    QString m_armKey; ///< name of a built-in arm, or path of its file
     ArmModel* m_model;
     Banner* m_banner;
     QLabel* m_title;
     QComboBox* m_arm;
     QCheckBox* m_isMiddleShown;
+    QPushButton* m_edit;
+    QPushButton* m_test;
     QPushButton* m_cancel;
     QPushButton* m_action;
     QLabel* m_instruction;
     QTableView* m_table;
-    ArmFileCard* m_file;
+    LerobotCard* m_lerobot;
 };
 } // namespace ui

@@ -8,8 +8,6 @@
 #include "jobs/arm/calibration.h"
 #include "session/snapshot/safety_snapshot.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 
 namespace cli {
@@ -35,7 +33,7 @@ base::Result<Exit> runShow(Run& run, const Values& values)
     const auto joints = findJoints(run, values);
     if (!joints)
         return tl::unexpected(joints.error());
-    const QStringList notes = armNotes(*joints);
+    const QStringList notes = remarksOn(*joints);
     const QStringList files = jobs::findLerobotFiles();
     QStringList lines = notes;
     if (!files.isEmpty())
@@ -46,48 +44,6 @@ base::Result<Exit> runShow(Run& run, const Values& values)
                    .add("lerobot_files", files),
                jointsText(*joints) + linesOf(lines));
     return requireJoints(*joints) ? Exit::Success : Exit::NoReply;
-}
-
-/// A value in the file and in the servo.
-struct Difference {
-    QString joint;
-    const char* key;
-    std::optional<int> inFile;
-    std::optional<int> inServo;
-};
-
-std::vector<Difference> differences(const std::vector<ArmJoint>& joints,
-                                    const jobs::LerobotFile& file)
-{
-    using Value = int jobs::JointCalibration::*;
-    constexpr std::pair<const char*, Value> fields[]{
-        {"homing_offset", &jobs::JointCalibration::homingOffset},
-        {"range_min", &jobs::JointCalibration::rangeMin},
-        {"range_max", &jobs::JointCalibration::rangeMax}};
-    std::vector<Difference> all;
-    for (const ArmJoint& one : joints) {
-        const jobs::LerobotJoint* saved = file.find(one.joint.name);
-        if (saved == nullptr || saved->id != one.joint.id) {
-            all.push_back({one.joint.name, "id",
-                           saved != nullptr ? std::optional(saved->id) : std::nullopt,
-                           one.joint.id});
-            continue;
-        }
-        const auto held = one.calibration();
-        for (const auto& [key, value] : fields) {
-            const auto inServo = held ? std::optional((*held).*value) : std::nullopt;
-            if (inServo != saved->calibration.*value)
-                all.push_back({one.joint.name, key, saved->calibration.*value, inServo});
-        }
-    }
-    for (const jobs::LerobotJoint& saved : file.joints) {
-        const bool isOurs = std::any_of(joints.begin(), joints.end(), [&](const ArmJoint& one) {
-            return one.joint.name == saved.name;
-        });
-        if (!isOurs)
-            all.push_back({saved.name, "id", saved.id, std::nullopt});
-    }
-    return all;
 }
 
 base::Result<Exit> runCompare(Run& run, const Values& values)
@@ -101,7 +57,7 @@ base::Result<Exit> runCompare(Run& run, const Values& values)
         return tl::unexpected(joints.error());
     if (const auto all = requireJoints(*joints); !all)
         return tl::unexpected(all.error());
-    const std::vector<Difference> found = differences(*joints, *file);
+    const auto found = jobs::differences(servosOf(*joints), *file);
     Table table({translate("cli", "Joint"), translate("cli", "Key"), translate("cli", "File"),
                  translate("cli", "Servo")});
     table.alignRight({2, 3});
@@ -109,11 +65,11 @@ base::Result<Exit> runCompare(Run& run, const Values& values)
     const auto cell = [](std::optional<int> value) {
         return value ? QString::number(*value) : noValue();
     };
-    for (const Difference& one : found) {
-        table.add({one.joint, QLatin1String(one.key), cell(one.inFile), cell(one.inServo)});
+    for (const jobs::CalibrationDifference& one : found) {
+        table.add({one.joint, one.key, cell(one.inFile), cell(one.inServo)});
         rows.push_back(Json::object()
                            .add("joint", one.joint)
-                           .add("key", QString::fromLatin1(one.key))
+                           .add("key", one.key)
                            .add("file", Json(one.inFile))
                            .add("servo", Json(one.inServo)));
     }
@@ -124,7 +80,7 @@ base::Result<Exit> runCompare(Run& run, const Values& values)
                   "servodesk-cli arm apply \"%1\"; to write the servos to the file: "
                   "servodesk-cli arm export \"%1\"")
             .arg(path);
-    const QStringList notes = armNotes(*joints);
+    const QStringList notes = remarksOn(*joints);
     run.finish(
         Json::object()
             .add("file", path)
@@ -157,8 +113,9 @@ base::Result<Exit> runApply(Run& run, const Values& values)
                                    .arg(one.joint.id));
         if (const auto valid = jobs::requireValid(*one.servo, saved->calibration); !valid)
             return tl::unexpected(valid.error());
-        plans.push_back({one.joint, settingsText(*one.servo, one.joint.kind), one.calibration(),
-                         saved->calibration});
+        const auto settings = jobs::positionSettings(*one.servo, one.joint.kind);
+        plans.push_back({one.joint, changesText(jobs::changesOf(*one.servo, settings)),
+                         one.calibration(), saved->calibration});
         templates.push_back(jobs::calibrationTemplate(*one.servo, one.joint.kind,
                                                       saved->calibration, session::programName()));
     }
@@ -173,6 +130,44 @@ base::Result<Exit> runApply(Run& run, const Values& values)
     return writeCalibration(run, values, templates, path);
 }
 
+/// LeRobot writes these at each start; with the EPROM lock that it leaves open, each time anew.
+base::Result<Exit> runPrepare(Run& run, const Values& values)
+{
+    const auto joints = findJoints(run, values);
+    if (!joints)
+        return tl::unexpected(joints.error());
+    std::vector<snapshot::Snapshot> templates;
+    Table table({translate("cli", "Joint"), translate("cli", "ID"), translate("cli", "Changes")});
+    table.alignRight({1});
+    bool isAnyChanged = false;
+    const std::vector<jobs::JointServo> servos = servosOf(*joints);
+    for (const jobs::JointServo& one : servos) {
+        if (one.servo == nullptr)
+            return base::fail(base::ErrorCode::NoReply, QStringLiteral("arm"), {}, one.joint.id);
+        const jobs::JointSettings settings = one.lerobotSettings();
+        const auto changes = jobs::changesOf(*one.servo, settings);
+        isAnyChanged |= !changes.empty();
+        table.add({one.joint.name, QString::number(one.joint.id),
+                   settings.empty()  ? translate("cli", "not known for this family")
+                   : changes.empty() ? translate("cli", "none")
+                                     : changesText(changes)});
+        if (!settings.empty())
+            templates.push_back(jobs::jointTemplate(*one.servo, settings, session::programName()));
+    }
+    if (templates.empty())
+        return base::fail(base::ErrorCode::NotSupported, QStringLiteral("arm"),
+                          QStringLiteral("no-lerobot-settings"), servos.front().joint.id);
+    run.console().print(table.text());
+    if (isAnyChanged && !values.has(dryRunOption.flag) && !values.has(yesOption.flag)) {
+        run.console().printMessage(translate(
+            "cli", "Torque will be turned off, so the arm drops: hold it. Press Enter to write."));
+        EnterKey enter(run);
+        if (!enter.wait())
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("arm"));
+    }
+    return writeCalibration(run, values, templates, QString());
+}
+
 /// The arm itself, as a file for --arm that the user can change.
 base::Result<Exit> exportArm(Run& run, const Values& values)
 {
@@ -180,10 +175,6 @@ base::Result<Exit> exportArm(Run& run, const Values& values)
     const auto arm = armOf(values);
     if (!arm)
         return tl::unexpected(arm.error());
-    if (QFileInfo::exists(path)) { // replaces an arm, nothing else
-        if (const auto existing = jobs::loadArm(path); !existing)
-            return tl::unexpected(existing.error());
-    }
     if (const auto saved = jobs::saveArm(*arm, path); !saved)
         return tl::unexpected(saved.error());
     run.finish(Json::object().add("file", path),
@@ -209,7 +200,7 @@ base::Result<Exit> runExport(Run& run, const Values& values)
         return tl::unexpected(file.error());
     if (const auto saved = jobs::saveLerobotFile(*file, path); !saved)
         return tl::unexpected(saved.error());
-    const QStringList notes = armNotes(*joints);
+    const QStringList notes = remarksOn(*joints);
     run.finish(
         Json::object().add("file", path).add("joints", jsonJoints(*joints)).add("remarks", notes),
         jointsText(*joints) + translate("cli", "Saved to %1").arg(path) + QLatin1Char('\n') +
@@ -246,6 +237,16 @@ Command armApplyCommand()
             {calibrationFile},
             {armOption, yesOption, dryRunOption},
             runApply};
+}
+
+Command armPrepareCommand()
+{
+    return {"arm prepare",
+            QT_TRANSLATE_NOOP("cli", "write the settings that LeRobot writes at each start (mode, "
+                                     "gains, reply delay, gripper limits); torque is turned off"),
+            {},
+            {armOption, yesOption, dryRunOption},
+            runPrepare};
 }
 
 Command armExportCommand()

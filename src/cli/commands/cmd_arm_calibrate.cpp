@@ -16,11 +16,8 @@
 
 namespace cli {
 namespace {
-using base::JointKind;
 using jobs::JointRange;
 
-constexpr Option jointOption{
-    "--joint", QT_TRANSLATE_NOOP("cli", "only these joints: NAME,NAME (default: all)"), "NAMES"};
 constexpr Option secondsOption{
     "--seconds", QT_TRANSLATE_NOOP("cli", "recording time (default: until Enter)"), "S"};
 constexpr Option middleOption{
@@ -83,34 +80,16 @@ private:
         auto joints = findJoints(m_run, m_values);
         if (!joints)
             return tl::unexpected(joints.error());
-        if (const auto all = requireJoints(*joints); !all)
+        auto selected = selectJoints(m_values, std::move(*joints));
+        if (!selected)
+            return tl::unexpected(selected.error());
+        if (const auto all = requireJoints(*selected); !all)
             return all;
-        return select(std::move(*joints));
-    }
-
-    /// Wheels have no range; --joint leaves out other joints.
-    base::Result<void> select(std::vector<ArmJoint> joints)
-    {
-        const QStringList wanted = m_values.option(jointOption.flag)
-                                       .value_or(QString())
-                                       .split(QLatin1Char(','), Qt::SkipEmptyParts);
-        QStringList known;
-        for (ArmJoint& one : joints) {
-            if (one.joint.kind == JointKind::Wheel)
-                continue;
-            known << one.joint.name;
-            if (!wanted.isEmpty() && !wanted.contains(one.joint.name))
-                continue;
+        for (ArmJoint& one : *selected) {
             m_servos.push_back(std::move(*one.servo));
             m_joints.push_back(one.joint);
         }
-        for (const QString& name : wanted) {
-            if (!known.contains(name))
-                return badArgument(translate("cli", "no joint %1; the arm has %2")
-                                       .arg(name, known.join(QStringLiteral(", "))));
-        }
-        return m_joints.empty() ? badArgument(translate("cli", "the arm has no joint to calibrate"))
-                                : base::Result<void>{};
+        return {};
     }
 
     bool confirm(const QString& question)
@@ -190,7 +169,9 @@ private:
     {
         QStringList remarks{QStringLiteral("%1°").arg(degrees(index, m_ranges[index]), 0, 'f', 0),
                             text::jointStateText(m_ranges[index].state)};
-        const QString settings = settingsText(m_servos[index], m_joints[index].kind);
+        const device::Servo& servo = m_servos[index];
+        const QString settings = changesText(
+            jobs::changesOf(servo, jobs::positionSettings(servo, m_joints[index].kind)));
         if (values && !settings.isEmpty())
             remarks << settings;
         return {m_joints[index], remarks.join(QStringLiteral(", ")),

@@ -2,20 +2,24 @@
 #include "jobs/arm/apply_calibration.h"
 
 #include "device/reader.h"
+#include "jobs/arm/lerobot_settings.h"
+
+#include <algorithm>
 
 namespace jobs {
 using catalog::Role;
 
 base::Result<void> readCalibration(const device::Context& context, device::Servo& servo)
 {
-    std::vector<Role> roles;
-    for (const Role role : {Role::MinAngle, Role::MaxAngle, Role::PositionOffset, Role::Lock,
-                            Role::PresentPosition}) {
-        if (servo.profile->byRole(role) != nullptr)
-            roles.push_back(role);
-    }
+    std::vector<const catalog::Register*> registers{servo.profile->find(returnDelayKey)};
+    for (const Role role :
+         {Role::MinAngle, Role::MaxAngle, Role::PositionOffset, Role::Lock, Role::PresentPosition,
+          Role::PositionP, Role::PositionI, Role::PositionD, Role::MaxTorque,
+          Role::ProtectionCurrent, Role::OverloadTorque})
+        registers.push_back(servo.profile->byRole(role));
+    registers.erase(std::remove(registers.begin(), registers.end(), nullptr), registers.end());
     return device::readSettings(context, servo).and_then([&] {
-        return device::readRoles(context, servo, roles);
+        return device::read(context, servo, registers);
     });
 }
 

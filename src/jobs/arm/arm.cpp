@@ -15,7 +15,6 @@ const QString armOperation = QStringLiteral("arm-file");
 const QLatin1StringView armFormat("servodesk-arm");
 constexpr int armVersion = 1;
 constexpr qint64 maxArmFileSize = 1024 * 1024;
-constexpr int maxServoId = 253;
 
 /// The six joints that most small arms have.
 std::vector<Joint> sixJoints(const QString& prefix, const QString& model)
@@ -35,12 +34,18 @@ const QString sts3215 = QStringLiteral("STS3215");
 
 Arm so101()
 {
-    return {QStringLiteral("SO-101"), sixJoints({}, sts3215)};
+    return {QStringLiteral("SO-100/SO-101"), false, sixJoints({}, sts3215)};
+}
+
+Arm so101Leader()
+{
+    return {QStringLiteral("SO-100/SO-101 leader"), true, sixJoints({}, sts3215)};
 }
 
 Arm lekiwi()
 {
-    Arm arm{QStringLiteral("LeKiwi"), sixJoints(QStringLiteral("arm_"), sts3215)};
+    Arm arm{QStringLiteral("LeKiwi"), false, sixJoints(QStringLiteral("arm_"), sts3215)};
+    arm.joints.back().kind = JointKind::Limited; // LeRobot gives its gripper no limits
     int id = 7;
     for (const char* wheel : {"base_left_wheel", "base_back_wheel", "base_right_wheel"})
         arm.joints.push_back({QLatin1String(wheel), id++, sts3215, JointKind::Wheel, false});
@@ -49,14 +54,17 @@ Arm lekiwi()
 
 Arm sixJointArm()
 {
-    return {QStringLiteral("Six joints"), sixJoints({}, {})};
+    return {QStringLiteral("Six joints"), false, sixJoints({}, {})};
 }
 
 struct BuiltInArm {
     const char* name;
     Arm (*make)();
 };
-constexpr BuiltInArm builtIn[]{{"so101", so101}, {"lekiwi", lekiwi}, {"six-joint", sixJointArm}};
+constexpr BuiltInArm builtIn[]{{"so101", so101},
+                               {"so101-leader", so101Leader},
+                               {"lekiwi", lekiwi},
+                               {"six-joint", sixJointArm}};
 
 Joint readJoint(const files::JsonReader& json)
 {
@@ -65,7 +73,7 @@ Joint readJoint(const files::JsonReader& json)
                             QStringLiteral("kind"), QStringLiteral("reversed")});
     joint.name = json.nonEmptyText("name");
     joint.id = json.smallInteger("id");
-    if (joint.id < 0 || joint.id > maxServoId)
+    if (joint.id < 0 || joint.id > maxJointId)
         json.reportError("id", QStringLiteral("expected a number from 0 to 253"));
     if (json.contains("model"))
         joint.model = json.text("model");
@@ -84,6 +92,7 @@ tl::expected<Arm, QString> decodeArm(const QByteArray& text)
     files::checkFormat(json, armFormat, armVersion, QStringLiteral("not a file with an arm"));
     Arm arm;
     arm.name = json.text("name");
+    arm.isLeader = json.contains("leader") && json.flag("leader");
     QSet<QString> names;
     QSet<int> ids;
     for (const files::JsonReader& one : json.objects("joints")) {
@@ -129,6 +138,9 @@ base::Result<Arm> loadArm(const QString& nameOrPath)
 
 base::Result<void> saveArm(const Arm& arm, const QString& path)
 {
+    const auto existing = loadArm(path);
+    if (!existing && existing.error().code != base::ErrorCode::FileMissing)
+        return tl::unexpected(existing.error());
     const QByteArray joints = files::jsonLines(arm.joints, "  ", [](const Joint& joint) {
         return files::JsonObjectWriter()
             .text("name", joint.name)
@@ -141,6 +153,7 @@ base::Result<void> saveArm(const Arm& arm, const QString& path)
     const QByteArray text = "{\n  \"format\": " + files::jsonText(armFormat) +
                             ",\n  \"version\": " + QByteArray::number(armVersion) +
                             ",\n  \"name\": " + files::jsonText(arm.name) +
+                            ",\n  \"leader\": " + (arm.isLeader ? "true" : "false") +
                             ",\n  \"joints\": " + joints + "\n}\n";
     return files::saveTextFile(armOperation, text, path);
 }

@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace jobs {
+constexpr int maxJointId = 253;
+
 struct Joint {
     QString name; ///< "shoulder_pan"
     int id = 0;
@@ -23,12 +25,15 @@ struct Joint {
 
 struct Arm {
     QString name;
+    /// Moved by hand only: LeRobot sets neither gains nor limits of the gripper.
+    bool isLeader = false;
     std::vector<Joint> joints;
     bool operator==(const Arm&) const = default;
 };
 
-QStringList builtInArms(); ///< "so101", "lekiwi", "six-joint"
+QStringList builtInArms(); ///< "so101", "so101-leader", "lekiwi", "six-joint"
 /// A built-in arm, or the file with this path.
 base::Result<Arm> loadArm(const QString& nameOrPath);
+/// An existing file that is no arm is kept: the error of loading it.
 base::Result<void> saveArm(const Arm& arm, const QString& path);
 } // namespace jobs

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/arm/calibration.h"
 
-#include "jobs/restore/take_snapshot.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -30,14 +28,6 @@ int nearestOffset(std::int64_t steps, std::int64_t turn)
     const std::int64_t half = turn / 2;
     const std::int64_t offset = withinTurn(steps + half, turn) - half;
     return static_cast<int>(std::max(offset, 1 - half));
-}
-
-const catalog::Mode* positionMode(const catalog::Profile& profile)
-{
-    const auto mode =
-        std::find_if(profile.modes.begin(), profile.modes.end(),
-                     [](const catalog::Mode& one) { return one.key == QLatin1String("position"); });
-    return mode == profile.modes.end() ? nullptr : &*mode;
 }
 } // namespace
 
@@ -127,46 +117,28 @@ base::Result<void> requireValid(const device::Servo& servo, const JointCalibrati
     return {};
 }
 
-JointSettings settingsFor(const device::Servo& servo, base::JointKind kind)
+JointSettings positionSettings(const device::Servo& servo, base::JointKind kind)
 {
     JointSettings settings;
-    const catalog::Mode* mode =
-        kind == base::JointKind::Wheel ? nullptr : positionMode(*servo.profile);
-    if (mode != nullptr && mode->operatingMode &&
-        servo.raw(Role::OperatingMode) != std::optional<std::int64_t>(*mode->operatingMode))
-        settings.mode = *mode->operatingMode;
+    const catalog::Profile& profile = *servo.profile;
+    const catalog::Mode* mode = profile.mode(QStringLiteral("position"));
+    if (kind != base::JointKind::Wheel && mode != nullptr && mode->operatingMode)
+        addSetting(settings, profile.byRole(Role::OperatingMode), *mode->operatingMode);
     const auto phase = servo.raw(Role::Phase);
-    if (servo.profile->multiTurn && phase && (*phase & device::fullAnglePhaseBit) != 0)
-        settings.phase = *phase & ~device::fullAnglePhaseBit;
+    if (profile.multiTurn && phase)
+        addSetting(settings, profile.byRole(Role::Phase), *phase & ~device::fullAnglePhaseBit);
     return settings;
 }
 
 snapshot::Snapshot calibrationTemplate(const device::Servo& servo, base::JointKind kind,
                                        const JointCalibration& values, const QString& program)
 {
-    const JointSettings settings = settingsFor(servo, kind);
-    const std::vector<std::pair<Role, std::optional<std::int64_t>>> wanted{
-        {Role::PositionOffset, values.homingOffset},
-        {Role::MinAngle, values.rangeMin},
-        {Role::MaxAngle, values.rangeMax},
-        {Role::OperatingMode, settings.mode},
-        {Role::Phase, settings.phase}};
-    snapshot::Snapshot result;
-    result.program = program;
-    result.at = QDateTime::currentDateTimeUtc();
-    result.port = servo.port;
-    result.baud = servo.baud;
-    result.servo = snapshotServo(servo);
-    result.isTemplate = true;
-    for (const auto& [role, raw] : wanted) {
-        const catalog::Register* reg = servo.profile->byRole(role);
-        if (reg == nullptr || !raw)
-            continue;
-        const catalog::ValueFormat meaning = servo.meaning(*reg);
-        result.registers.push_back({reg->key, reg->address, *raw,
-                                    catalog::toPhysical(*raw, meaning), meaning.unit, reg->area,
-                                    reg->access});
-    }
-    return result;
+    JointSettings settings;
+    addSetting(settings, servo.profile->byRole(Role::PositionOffset), values.homingOffset);
+    addSetting(settings, servo.profile->byRole(Role::MinAngle), values.rangeMin);
+    addSetting(settings, servo.profile->byRole(Role::MaxAngle), values.rangeMax);
+    for (const JointSetting& one : positionSettings(servo, kind))
+        settings.push_back(one);
+    return jointTemplate(servo, settings, program);
 }
 } // namespace jobs

@@ -8,6 +8,7 @@
 
 #include "jobs/arm/arm.h"
 #include "jobs/arm/joint_range.h"
+#include "jobs/arm/joint_template.h"
 #include "jobs/arm/lerobot_file.h"
 #include "snapshot/snapshot.h"
 
@@ -32,14 +33,11 @@ std::optional<JointCalibration> calibrationIn(const device::Servo& servo);
 /// Whether the servo can hold these values: they may come from a file for another one.
 base::Result<void> requireValid(const device::Servo& servo, const JointCalibration& values);
 
-/// Position mode and single-turn feedback, without which offset and limits mean something else.
-struct JointSettings {
-    std::optional<std::int64_t> mode{};  ///< to be written; none: stays
-    std::optional<std::int64_t> phase{}; ///< likewise
-};
-JointSettings settingsFor(const device::Servo& servo, base::JointKind kind);
+/// Position mode (a wheel keeps its own) and single-turn feedback, without which offset and limits
+/// mean something else.
+JointSettings positionSettings(const device::Servo& servo, base::JointKind kind);
 
-/// The values as a template for this servo, with settingsFor().
+/// The values as a template for this servo, with positionSettings().
 snapshot::Snapshot calibrationTemplate(const device::Servo& servo, base::JointKind kind,
                                        const JointCalibration& values, const QString& program);
 } // namespace jobs

@@ -6,6 +6,7 @@
 #include "session/snapshot/safety_snapshot.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace session {
 namespace {
@@ -36,6 +37,7 @@ struct ArmCalibration::Live {
     std::atomic<bool> isEnough = false;
     std::mutex mutex{};
     std::vector<jobs::JointRange> ranges{};
+    std::vector<jobs::MoveTestReport> tests{};
     std::vector<device::Servo> servos{}; ///< as they were recorded
 };
 
@@ -76,7 +78,11 @@ void ArmCalibration::matchServos()
     for (ArmJoint& one : m_joints) {
         const ServoRef now =
             m_workbench.registry().findServo(base::Protocol::Feetech, one.joint.id);
-        isOther |= std::exchange(one.servo, now) != now;
+        if (std::exchange(one.servo, now) == now)
+            continue;
+        isOther = true;
+        if (m_step != Step::Testing)
+            one.test.reset();
     }
     if (isOther && m_step == Step::Recorded) // the plan is for the servos that were moved
         forgetPlan();
@@ -87,18 +93,44 @@ void ArmCalibration::updateHeld()
 {
     for (ArmJoint& one : m_joints) {
         const ServoEntry* entry = m_workbench.registry().servo(one.servo);
-        one.held = entry != nullptr && entry->servo.profile ? jobs::calibrationIn(entry->servo)
-                                                            : std::nullopt;
+        const auto held = entry != nullptr && entry->servo.profile
+                              ? jobs::calibrationIn(entry->servo)
+                              : std::nullopt;
+        if (std::exchange(one.held, held) != held && m_step == Step::Idle)
+            one.test.reset(); // it was for the limits that it had
     }
     Q_EMIT changed();
 }
 
-std::vector<ServoRef> ArmCalibration::movedServos() const
+JointRows ArmCalibration::movable(const JointRows& rows) const
+{
+    JointRows all = rows;
+    if (all.empty()) {
+        all.resize(m_joints.size());
+        std::iota(all.begin(), all.end(), std::size_t(0));
+    }
+    const auto isLeftOut = [this](std::size_t row) {
+        return row >= m_joints.size() || m_joints[row].joint.kind == JointKind::Wheel;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), isLeftOut), all.end());
+    return all;
+}
+
+std::vector<ServoRef> ArmCalibration::servosAt(const JointRows& rows) const
 {
     std::vector<ServoRef> all;
+    for (const std::size_t row : rows)
+        all.push_back(m_joints[row].servo);
+    return all;
+}
+
+std::vector<jobs::JointServo> ArmCalibration::jointServos() const
+{
+    std::vector<jobs::JointServo> all;
     for (const ArmJoint& one : m_joints) {
-        if (one.joint.kind != JointKind::Wheel)
-            all.push_back(one.servo);
+        const ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        const bool isKnown = entry != nullptr && entry->servo.profile;
+        all.push_back({one.joint, isKnown ? &entry->servo : nullptr, m_arm.isLeader});
     }
     return all;
 }
@@ -124,9 +156,9 @@ bool ArmCalibration::isFree() const
            !m_workbench.tasks().isBusy() && !m_workbench.search().isSearching();
 }
 
-bool ArmCalibration::canStart() const
+bool ArmCalibration::canStart(const JointRows& rows) const
 {
-    const std::vector<ServoRef> all = movedServos();
+    const std::vector<ServoRef> all = servosAt(movable(rows));
     const bool isThere = !all.empty() && std::all_of(all.begin(), all.end(), [this](ServoRef ref) {
         const ServoEntry* entry = m_workbench.registry().servo(ref);
         return entry != nullptr && entry->servo.profile;
@@ -165,11 +197,12 @@ void ArmCalibration::readUnread()
     (void)perform(std::move(task), std::move(unread));
 }
 
-void ArmCalibration::startRecording()
+void ArmCalibration::startRecording(const JointRows& rows)
 {
-    if (!canStart())
+    if (!canStart(rows))
         return;
     forgetPlan();
+    m_moving = movable(rows);
     m_live = std::make_shared<Live>();
     Task task;
     task.name = QStringLiteral("record-ranges");
@@ -195,7 +228,7 @@ void ArmCalibration::startRecording()
         return recorded.map([](const auto&) {});
     };
     task.done = [this](const TaskCompletion& end) { recordingEnded(end); };
-    if (!perform(std::move(task), movedServos()))
+    if (!perform(std::move(task), servosAt(m_moving)))
         return;
     m_step = Step::Recording;
     if (Connection* connection = m_workbench.link().connection())
@@ -218,6 +251,7 @@ void ArmCalibration::forgetPlan()
     for (ArmJoint& one : m_joints) {
         one.range = {};
         one.planned.reset();
+        one.test.reset();
     }
     if (m_step == Step::Recorded)
         m_step = Step::Idle;
@@ -225,7 +259,7 @@ void ArmCalibration::forgetPlan()
 
 void ArmCalibration::cancel()
 {
-    if (m_step == Step::Recording)
+    if (m_step == Step::Recording || m_step == Step::Testing)
         return m_workbench.tasks().stopTest();
     if (m_step != Step::Recorded)
         return;
@@ -233,18 +267,14 @@ void ArmCalibration::cancel()
     Q_EMIT changed();
 }
 
-/// The ranges follow the joints that were recorded, wheels left out.
 void ArmCalibration::drain()
 {
-    std::vector<jobs::JointRange> ranges;
     {
         const std::lock_guard lock(m_live->mutex);
-        ranges = m_live->ranges;
-    }
-    std::size_t index = 0;
-    for (ArmJoint& one : m_joints) {
-        if (one.joint.kind != JointKind::Wheel && index < ranges.size())
-            one.range = ranges[index++];
+        for (std::size_t i = 0; i < m_live->ranges.size(); ++i)
+            m_joints[m_moving[i]].range = m_live->ranges[i];
+        for (std::size_t i = 0; i < m_live->tests.size(); ++i)
+            m_joints[m_moving[i]].test = m_live->tests[i];
     }
     Q_EMIT changed();
 }
@@ -257,11 +287,9 @@ void ArmCalibration::recordingEnded(const TaskCompletion& end)
     m_step = end.error ? Step::Idle : Step::Recorded;
     drain();
     std::optional<base::Error> refusal;
-    std::size_t index = 0;
-    for (ArmJoint& one : m_joints) {
-        if (end.error || one.joint.kind == JointKind::Wheel || index >= m_live->servos.size())
-            continue;
-        const device::Servo& servo = m_live->servos[index++];
+    for (std::size_t i = 0; !end.error && i < m_live->servos.size(); ++i) {
+        ArmJoint& one = m_joints[m_moving[i]];
+        const device::Servo& servo = m_live->servos[i];
         const auto middle = m_isMiddleShown ? std::optional(one.range.now) : std::nullopt;
         const auto values = jobs::calibrationOf(servo, one.joint.kind, one.range, middle);
         if (!values) {
@@ -287,7 +315,7 @@ void ArmCalibration::write()
 
 void ArmCalibration::writeFile(const std::vector<jobs::LerobotJoint>& file)
 {
-    if (isBusy())
+    if (m_step != Step::Idle)
         return;
     std::vector<snapshot::Snapshot> templates;
     for (const ArmJoint& one : m_joints) {
@@ -304,6 +332,81 @@ void ArmCalibration::writeFile(const std::vector<jobs::LerobotJoint>& file)
                                                       saved->calibration, programName()));
     }
     writeTemplates(std::move(templates));
+}
+
+void ArmCalibration::prepare()
+{
+    if (m_step != Step::Idle)
+        return;
+    std::vector<snapshot::Snapshot> templates;
+    for (const jobs::JointServo& one : jointServos()) {
+        const jobs::JointSettings settings = one.lerobotSettings();
+        if (!settings.empty() && !jobs::changesOf(*one.servo, settings).empty())
+            templates.push_back(jobs::jointTemplate(*one.servo, settings, programName()));
+    }
+    writeTemplates(std::move(templates));
+}
+
+void ArmCalibration::startMoveTest(int torquePercent, const JointRows& rows)
+{
+    if (!canStart(rows))
+        return;
+    forgetPlan();
+    m_moving = movable(rows);
+    m_live = std::make_shared<Live>();
+    Task task;
+    task.name = QStringLiteral("move-test");
+    task.effect = Effect::Moves;
+    task.isLongRunning = true;
+    task.holdsTorqueAfterwards = false;
+    task.quiet = true;
+    task.work = [live = m_live, torquePercent](TaskContext& context) -> base::Result<void> {
+        if (const auto read = readCalibrations(context); !read)
+            return read;
+        for (device::Servo* servo : allServos(context)) {
+            if (context.stop.isRequested())
+                return base::fail(base::ErrorCode::Stopped, QStringLiteral("move-test"));
+            const auto show = [&](const jobs::MoveTestReport& report) {
+                const std::lock_guard lock(live->mutex);
+                live->tests.back() = report;
+            };
+            {
+                const std::lock_guard lock(live->mutex);
+                live->tests.push_back({base::MoveTestState::Moving,
+                                       servo->raw(catalog::Role::PresentPosition).value_or(0)});
+            }
+            const auto report = jobs::testMoves(context.device, *servo, torquePercent, show);
+            if (!report) {
+                const std::lock_guard lock(live->mutex);
+                live->tests.pop_back();
+                return tl::unexpected(report.error());
+            }
+            show(*report);
+            if (report->state != base::MoveTestState::Reached &&
+                report->state != base::MoveTestState::NotReached)
+                return {}; // an alarm, say, of the supply: the others do not start
+        }
+        return {};
+    };
+    task.done = [this](const TaskCompletion& end) { testEnded(end); };
+    if (!perform(std::move(task), servosAt(m_moving)))
+        return;
+    m_step = Step::Testing;
+    m_drainTimer.start();
+    Q_EMIT changed();
+}
+
+void ArmCalibration::testEnded(const TaskCompletion& end)
+{
+    m_drainTimer.stop();
+    m_step = Step::Idle;
+    for (const std::size_t row : m_moving) // one may have been ended while it moved
+        m_joints[row].test.reset();
+    drain();
+    updateHeld();
+    Q_EMIT tested(!end.error);
+    if (end.error && end.error->code != base::ErrorCode::Stopped)
+        Q_EMIT failed(*end.error);
 }
 
 void ArmCalibration::writeTemplates(std::vector<snapshot::Snapshot> templates)

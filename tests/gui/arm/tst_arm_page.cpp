@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arm page as a technician uses it: a simulated SO-101 calibrated by moving, with mouse clicks
-// only; nothing is written before the question, and LeRobot's file agrees with the servos
-// afterwards.
+// only; nothing is written or moved before the question, and LeRobot's file agrees with the servos
+// afterwards. In real time (25 s).
 #include "gui/main_window_fixture.h"
 #include "jobs/arm/lerobot_file.h"
 #include "session/arm/arm_calibration.h"
 #include "sim/host/sim_link.h"
 #include "support/test_main.h"
 #include "ui/arm/arm_model.h"
+#include "ui/arm/arm_page.h"
 
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
+#include <QTableWidget>
 
 #include <map>
 
@@ -78,8 +80,26 @@ struct Fixture : gui::MainWindowFixture {
         Q_EMIT dialog->fileSelected(path);
         dialog->close();
     }
+    bool isShown(const char* text)
+    {
+        const auto shown = window->findChildren<QLabel*>();
+        return std::any_of(shown.begin(), shown.end(), [text](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QString::fromUtf8(text));
+        });
+    }
     QString fileState() { return find<QLabel>("armFileState")->text(); }
 };
+
+bool questionSays(Fixture& fixture, const char* text)
+{
+    QDialog* question = fixture.question();
+    if (question == nullptr)
+        return false;
+    const auto words = question->findChildren<QLabel*>();
+    return std::any_of(words.begin(), words.end(), [text](const QLabel* label) {
+        return label->text().contains(QString::fromUtf8(text));
+    });
+}
 
 const QString so101 = QStringLiteral("sim:so101");
 } // namespace
@@ -103,7 +123,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.calibration().step(), Step::Idle);
         fixture.setLanguage(QStringLiteral("zh_CN"));
         QCOMPARE(fixture.find<QPushButton>("armAction")->text(), QStringLiteral("采集范围…"));
-        QCOMPARE(fixture.find<QComboBox>("armChoice")->currentText(), QStringLiteral("SO-101"));
+        QCOMPARE(fixture.find<QComboBox>("armChoice")->currentText(),
+                 QStringLiteral("SO-100/SO-101"));
     }
 
     void missingJointsAreNamed()
@@ -143,10 +164,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.raw(3, "lock"), 1);
         QTRY_COMPARE(fixture.cell(2, Column::OffsetColumn),
                      QString::number(fixture.raw(3, "position_offset")));
-        const auto shown = fixture.window->findChildren<QLabel*>();
-        QVERIFY(std::any_of(shown.begin(), shown.end(), [](const QLabel* label) {
-            return label->text().contains(QStringLiteral("6 joints written and read back"));
-        }));
+        QVERIFY(fixture.isShown("6 joints written and read back"));
     }
 
     /// Before anything is written. A wheel is not calibrated, and need not be there.
@@ -173,12 +191,7 @@ private Q_SLOTS:
         fixture.click("armAction");
         QTRY_COMPARE(fixture.calibration().step(), Step::Recorded);
         fixture.click("armAction");
-        QDialog* question = fixture.question();
-        QVERIFY(question != nullptr);
-        const auto words = question->findChildren<QLabel*>();
-        QVERIFY(std::any_of(words.begin(), words.end(), [](const QLabel* label) {
-            return label->text().contains(QStringLiteral("elbow: the mode becomes position"));
-        }));
+        QVERIFY(questionSays(fixture, "elbow: Operating mode"));
         fixture.clickYes();
         QTRY_COMPARE_WITH_TIMEOUT(fixture.raw(3, "operating_mode"), 0, 30'000);
     }
@@ -240,6 +253,147 @@ private Q_SLOTS:
         QCOMPARE(fixture.raw(3, "position_offset"), 850);
     }
 
+    /// Only this joint loses its torque and is written.
+    void oneJointIsCalibratedAgain()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        for (const int id : {1, 3})
+            fixture.workbench().link().connection()->simulation()->with(
+                [id](sim::VirtualBus& wire) {
+                    wire.servo(id)->poke(QStringLiteral("torque_switch"), 1);
+                });
+        fixture.find<QTableView>("armTable")->selectRow(2);
+        QCOMPARE(fixture.find<QPushButton>("armAction")->text(), QStringLiteral("Record 1 joint…"));
+        fixture.click("armAction");
+        QVERIFY(questionSays(fixture, "elbow_flex"));
+        fixture.clickYes();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            fixture.calibration().joints()[2].range.state == base::JointState::Recorded, 30'000);
+        QCOMPARE(fixture.raw(3, "torque_switch"), 0);
+        QCOMPARE(fixture.raw(1, "torque_switch"), 1);
+        fixture.click("armAction");
+        QTRY_COMPARE(fixture.calibration().step(), Step::Recorded);
+        fixture.click("armAction");
+        fixture.clickYes();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.calibration().step(), Step::Idle, 60'000);
+        QVERIFY(fixture.raw(3, "position_offset") != 850);
+        QCOMPARE(fixture.raw(1, "max_angle_limit"), 4095);
+        QCOMPARE(fixture.raw(1, "torque_switch"), 1);
+    }
+
+    /// Its stops lie within the limits that it comes with; within its range it gets to both ends.
+    void aJointIsTested()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.find<QTableView>("armTable")->selectRow(5);
+        fixture.click("armTest");
+        QCOMPARE(fixture.calibration().step(), Step::Idle); // nothing moves before the answer
+        QVERIFY(questionSays(fixture, "gripper"));
+        fixture.clickYes();
+        QTRY_COMPARE(fixture.calibration().step(), Step::Testing);
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.cell(5, Column::StateColumn),
+                                  QStringLiteral("end not reached"), 60'000);
+        QTRY_COMPARE(fixture.calibration().step(), Step::Idle);
+        QTRY_VERIFY(fixture.isShown("Not at both ends: gripper"));
+        fixture.workbench().link().connection()->simulation()->with([](sim::VirtualBus& wire) {
+            wire.servo(6)->poke(QStringLiteral("lock"), 0);
+            wire.servo(6)->poke(QStringLiteral("min_angle_limit"), 2000);
+            wire.servo(6)->poke(QStringLiteral("max_angle_limit"), 2400);
+        });
+        fixture.click("armTest");
+        fixture.clickYes();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.cell(5, Column::StateColumn),
+                                  QStringLiteral("reached both ends"), 60'000);
+        QTRY_VERIFY(fixture.isShown("1 joint reached both ends."));
+        QCOMPARE(fixture.raw(6, "torque_switch"), 0);
+        QCOMPARE(fixture.raw(6, "torque_limit"), 1000);
+    }
+
+    /// As with every other motion: torque has to be turned on by the user first.
+    void nothingMovesAfterAnEmergencyStop()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.action(ui::Command::TorqueOffAll)->trigger();
+        QVERIFY(fixture.waitUntilIdle());
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.calibration().canStart(), 30'000);
+        const auto before = fixture.raw(6, "goal_position");
+        fixture.calibration().startMoveTest(30, {5});
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.calibration().step(), Step::Idle, 30'000);
+        QCOMPARE(fixture.raw(6, "torque_switch"), 0);
+        QCOMPARE(fixture.raw(6, "goal_position"), before);
+        QVERIFY(!fixture.calibration().joints()[5].test);
+    }
+
+    /// Afterwards LeRobot has nothing to change, and the page says nothing of it.
+    void theServosArePreparedForLerobot()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        auto* remarks = fixture.find<QLabel>("armRemarks");
+        QTRY_VERIFY(remarks->text().contains(QStringLiteral("at its next start")));
+        fixture.click("armPrepare");
+        QVERIFY(questionSays(fixture, "gripper: Position loop P 32 → 16, Maximum torque"));
+        fixture.clickYes();
+        QTRY_VERIFY_WITH_TIMEOUT(!remarks->isVisible(), 60'000);
+        QCOMPARE(fixture.raw(6, "max_torque"), 500);
+        QCOMPARE(fixture.raw(1, "position_p"), 16);
+        QVERIFY(!fixture.find<QPushButton>("armPrepare")->isEnabled());
+        QTRY_VERIFY(fixture.isShown("6 joints written and read back."));
+    }
+
+    void whatLerobotRefusesIsSaid()
+    {
+        Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2+firmware-minor=9,sts3250@3"));
+        auto* remarks = fixture.find<QLabel>("armRemarks");
+        QTRY_VERIFY(remarks->text().contains(QStringLiteral("elbow_flex (ID 3) has the model "
+                                                            "STS3250")));
+        QVERIFY(remarks->text().contains(QStringLiteral("firmware versions differ")));
+    }
+
+    /// And is there again at the next start.
+    void theArmIsEditedAndRemembered()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("my-arm.json"));
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.click("armEdit");
+        auto* table = fixture.find<QTableWidget>("armDialogTable");
+        table->item(5, 0)->setText(QStringLiteral("elbow_flex"));
+        QVERIFY(fixture.find<QLabel>("armDialogProblem")
+                    ->text()
+                    .contains(QStringLiteral("Two joints have the name elbow_flex")));
+        QVERIFY(!fixture.find<QPushButton>("armDialogSave")->isEnabled());
+        table->item(5, 0)->setText(QStringLiteral("claw"));
+        table->item(5, 4)->setCheckState(Qt::Checked);
+        fixture.click("armDialogAdd");
+        QCOMPARE(table->item(6, 1)->data(Qt::EditRole).toInt(), 7);
+        QVERIFY(!fixture.find<QPushButton>("armDialogSave")->isEnabled()); // it has no name yet
+        table->setCurrentCell(6, 1);
+        fixture.click("armDialogRemove");
+        table->selectRow(0);
+        fixture.click("armDialogRemove");
+        fixture.chooseFile("armDialogSave", "armDialogSaveDialog", path);
+        QTRY_COMPARE(fixture.calibration().joints().size(), std::size_t(5));
+        const jobs::Joint& claw = fixture.calibration().joints().back().joint;
+        QCOMPARE(claw.name, QStringLiteral("claw"));
+        QCOMPARE(claw.id, 6);
+        QVERIFY(claw.isReversed);
+        QCOMPARE(claw.kind, base::JointKind::Gripper);
+        QVERIFY(fixture.find<QComboBox>("armChoice")
+                    ->currentText()
+                    .contains(QStringLiteral("my-arm.json")));
+        QCOMPARE(fixture.settings.pageValue(QStringLiteral("arm/arm"), QString()).toString(), path);
+        ui::ArmPage again(fixture.context, fixture.settings);
+        QCOMPARE(fixture.calibration().joints().size(), std::size_t(5));
+        QVERIFY(again.findChild<QComboBox*>(QStringLiteral("armChoice"))
+                    ->currentText()
+                    .contains(QStringLiteral("my-arm.json")));
+    }
+
     void aBrokenFileIsSaid()
     {
         Fixture fixture(so101);
@@ -250,10 +404,7 @@ private Q_SLOTS:
         file.write("{\"shoulder_pan\": 3}");
         file.close();
         fixture.chooseFile("armFileSelect", "armFileDialog", file.fileName());
-        const auto shown = fixture.window->findChildren<QLabel*>();
-        QVERIFY(std::any_of(shown.begin(), shown.end(), [](const QLabel* label) {
-            return label->isVisible() && label->text().contains(QStringLiteral("broken.json"));
-        }));
+        QVERIFY(fixture.isShown("broken.json"));
     }
 };
 

@@ -83,7 +83,10 @@ private Q_SLOTS:
         QCOMPARE(elbow[QLatin1String("id")].toInt(), 3);
         QCOMPARE(elbow[QLatin1String("homing_offset")].toInt(), 850);
         QCOMPARE(elbow[QLatin1String("range_max")].toInt(), 4095);
-        QVERIFY(result.json()[QLatin1String("remarks")].toArray().isEmpty());
+        // As new from the factory.
+        const QJsonArray remarks = result.json()[QLatin1String("remarks")].toArray();
+        QCOMPARE(remarks.size(), 1);
+        QVERIFY(remarks[0].toString().contains(QStringLiteral("servodesk-cli arm prepare")));
     }
 
     /// LeRobot refuses such a bus.
@@ -96,9 +99,74 @@ private Q_SLOTS:
         QCOMPARE(result.exit, 4);
         for (const char* remark :
              {"elbow_flex (ID 3) has the model STS3250; LeRobot expects STS3215",
-              "gripper (ID 6) does not reply", "The firmware versions differ"})
+              "No reply from gripper (ID 6)", "The firmware versions differ"})
             QVERIFY2(result.out.contains(QLatin1String(remark)), qPrintable(result.out));
         QCOMPARE(cli.run(words("arm calibrate --yes --seconds 1")).exit, 4);
+    }
+
+    /// What LeRobot writes at each start; then it has nothing to change.
+    void theServosArePrepared()
+    {
+        CliProgram cli;
+        SimProgram sim(words("--preset so101"));
+        cli.setPort(sim.port());
+        const auto planned = cli.run(words("arm prepare --dry-run"));
+        QCOMPARE(planned.exit, 0);
+        QVERIFY2(planned.out.contains(QStringLiteral("position_p 32 → 16, max_torque 1000 → 500")),
+                 qPrintable(planned.out));
+        QVERIFY(cli.run(words("arm prepare")).exit != 0); // without an answer
+        QVERIFY(!cli.run(words("arm show --json"))
+                     .json()[QLatin1String("remarks")]
+                     .toArray()
+                     .isEmpty());
+        QCOMPARE(cli.run(words("arm prepare --yes")).exit, 0);
+        QVERIFY(
+            cli.run(words("arm show --json")).json()[QLatin1String("remarks")].toArray().isEmpty());
+        const auto again = cli.run(words("arm prepare")); // nothing to ask about
+        QVERIFY2(again.exit == 0 && again.out.contains(QStringLiteral("none")),
+                 qPrintable(again.out));
+    }
+
+    /// Its stops are within the limits 0 to 4095 that it comes with.
+    void theJointsAreTested()
+    {
+        CliProgram cli;
+        SimProgram sim(words("--preset so101"));
+        cli.setPort(sim.port());
+        QVERIFY(cli.run(words("arm test --joint gripper")).exit != 0); // without an answer
+        QCOMPARE(cli.run(words("arm test --yes --torque 101")).exit, 2);
+        const auto stopped = cli.run(words("arm test --joint gripper --yes --json"));
+        QCOMPARE(stopped.exit, 1);
+        QCOMPARE(jointOf(stopped, "gripper")[QLatin1String("result")].toString(),
+                 QStringLiteral("not-reached"));
+        QCOMPARE(cli.run(words("write 6 min_angle_limit=2000 max_angle_limit=2400")).exit, 0);
+        const auto reached = cli.run(words("arm test --joint gripper --yes --json"));
+        QVERIFY2(reached.exit == 0, qPrintable(reached.out + reached.err));
+        QCOMPARE(jointOf(reached, "gripper")[QLatin1String("result")].toString(),
+                 QStringLiteral("reached"));
+        QCOMPARE(cli.run(words("read 6 torque_switch --json"))
+                     .json()[QLatin1String("registers")][0][QLatin1String("raw")]
+                     .toInt(),
+                 0);
+    }
+
+    /// The pose at the end reads 2047, so the range need not lie around it.
+    void thePoseAtTheEndBecomesTheMiddle()
+    {
+        CliProgram cli;
+        keepRealTime(cli);
+        cli.setPort(QStringLiteral("sim:so101"));
+        const auto result = cli.run(words("arm calibrate --yes --seconds 1.6 --dry-run --json "
+                                          "--middle-here --joint gripper"));
+        QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+        const QJsonObject gripper = jointOf(result, "gripper");
+        const double middle = (gripper[QLatin1String("range_min")].toDouble() +
+                               gripper[QLatin1String("range_max")].toDouble()) /
+                              2;
+        // From 1.5 to 2.4 s the hand is far from the middle.
+        QVERIFY2(std::abs(middle - 2047) > 100, QByteArray::number(middle));
+        QVERIFY(gripper[QLatin1String("range_min")].toDouble() <= 2047);
+        QVERIFY(gripper[QLatin1String("range_max")].toDouble() > 2047);
     }
 
     /// Stops at 35° and 250°, 250° and 450° (through the seam), 100° and 285° (with an old offset).

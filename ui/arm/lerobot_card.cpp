@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/arm/arm_file_card.h"
+#include "ui/arm/lerobot_card.h"
 
+#include "text/arm_text.h"
 #include "ui/arm/arm_model.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
@@ -16,11 +17,11 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <map>
 
 namespace ui {
 namespace {
 using session::ArmJoint;
-using Field = int jobs::JointCalibration::*;
 
 QString folderKey()
 {
@@ -35,30 +36,35 @@ void setTone(QLabel* label, Tone tone)
 }
 } // namespace
 
-ArmFileCard::ArmFileCard(session::Workbench& workbench, session::Settings& settings,
+LerobotCard::LerobotCard(session::Workbench& workbench, session::Settings& settings,
                          QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
     , m_calibration(workbench.armCalibration())
     , m_settings(settings)
     , m_title(new QLabel(this))
+    , m_remarks(new QLabel(this))
     , m_state(new QLabel(this))
     , m_details(new QLabel(this))
+    , m_prepare(new QPushButton(this))
     , m_select(new QPushButton(this))
     , m_apply(new QPushButton(this))
     , m_save(new QPushButton(this))
 {
-    setObjectName(QStringLiteral("armFileCard"));
+    setObjectName(QStringLiteral("lerobotCard"));
     build();
-    connect(m_select, &QPushButton::clicked, this, &ArmFileCard::select);
-    connect(m_apply, &QPushButton::clicked, this, &ArmFileCard::askToApply);
-    connect(m_save, &QPushButton::clicked, this, &ArmFileCard::save);
+    connect(m_prepare, &QPushButton::clicked, this, &LerobotCard::askToPrepare);
+    connect(m_select, &QPushButton::clicked, this, &LerobotCard::select);
+    connect(m_apply, &QPushButton::clicked, this, &LerobotCard::askToApply);
+    connect(m_save, &QPushButton::clicked, this, &LerobotCard::save);
     followLanguage(this, [this] { retranslate(); });
 }
 
-void ArmFileCard::build()
+void LerobotCard::build()
 {
     makeHeading(m_title);
+    m_remarks->setObjectName(QStringLiteral("armRemarks"));
+    m_remarks->setWordWrap(true);
+    m_prepare->setObjectName(QStringLiteral("armPrepare"));
     m_state->setObjectName(QStringLiteral("armFileState"));
     m_state->setWordWrap(true);
     m_details->setObjectName(QStringLiteral("armFileDetails"));
@@ -69,18 +75,22 @@ void ArmFileCard::build()
     m_save->setObjectName(QStringLiteral("armFileSave"));
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
-    for (QPushButton* button : {m_select, m_apply, m_save})
+    for (QPushButton* button : {m_prepare, m_select, m_apply, m_save})
         head->addWidget(button);
     auto* column = new QVBoxLayout(this);
     column->addLayout(head);
+    column->addWidget(m_remarks);
     column->addWidget(m_state);
     column->addWidget(m_details);
     makeCard(this);
 }
 
-void ArmFileCard::retranslate()
+void LerobotCard::retranslate()
 {
-    m_title->setText(tr("LeRobot calibration file"));
+    m_title->setText(tr("LeRobot"));
+    setButtonText(m_prepare, tr("Prepare servos…"),
+                  tr("Writes the settings that LeRobot writes at each start: mode, gains, reply "
+                     "delay, gripper limits"));
     setButtonText(m_select, tr("Compare with file…"),
                   tr("Selects a calibration file and compares it with the servos"));
     setButtonText(m_apply, tr("Write file to servos…"),
@@ -90,11 +100,18 @@ void ArmFileCard::retranslate()
     update();
 }
 
-void ArmFileCard::update()
+void LerobotCard::update()
 {
     const std::vector<jobs::LerobotJoint> held = m_calibration.heldAsFile();
     const bool isHeld = !held.empty() && held.size() == m_calibration.joints().size();
     const QStringList lines = differences();
+    const QString remarks = remarksText();
+    m_remarks->setText(remarks);
+    m_remarks->setVisible(!remarks.isEmpty());
+    setTone(m_remarks, Tone::Warn);
+    const bool canWrite =
+        m_calibration.step() == session::ArmCalibration::Step::Idle && m_calibration.canStart();
+    m_prepare->setEnabled(canWrite && !lerobotChanges(m_calibration).isEmpty());
     m_state->setText(stateText());
     if (m_path.isEmpty())
         m_state->setPalette({});
@@ -103,10 +120,10 @@ void ArmFileCard::update()
     m_details->setText(lines.join(QLatin1Char('\n')));
     m_details->setVisible(!lines.isEmpty());
     m_save->setEnabled(isHeld && !m_calibration.isBusy());
-    m_apply->setEnabled(isHeld && !lines.isEmpty() && hasEveryJoint() && m_calibration.canStart());
+    m_apply->setEnabled(isHeld && !lines.isEmpty() && hasEveryJoint() && canWrite);
 }
 
-QString ArmFileCard::stateText() const
+QString LerobotCard::stateText() const
 {
     if (m_path.isEmpty())
         return tr("LeRobot accepts its file only if it equals what the servos hold. Select the "
@@ -121,7 +138,7 @@ QString ArmFileCard::stateText() const
                      .arg(name);
 }
 
-bool ArmFileCard::hasEveryJoint() const
+bool LerobotCard::hasEveryJoint() const
 {
     const auto& joints = m_calibration.joints();
     return std::all_of(joints.begin(), joints.end(), [this](const ArmJoint& one) {
@@ -130,41 +147,46 @@ bool ArmFileCard::hasEveryJoint() const
     });
 }
 
-QStringList ArmFileCard::differences() const
+/// A joint that is not in the list stands there in its row.
+QString LerobotCard::remarksText() const
+{
+    QStringList lines;
+    for (const base::ArmRemark& remark : jobs::lerobotRemarks(m_calibration.jointServos())) {
+        const QString text = QStringLiteral("! ") + text::armRemarkText(remark);
+        if (remark.kind == base::ArmRemarkKind::OtherFirmware)
+            lines << text + tr(" The Firmware page shows and updates them.");
+        else if (remark.kind != base::ArmRemarkKind::NoReply)
+            lines << text;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QStringList LerobotCard::differences() const
 {
     QStringList lines;
     if (m_path.isEmpty())
         return lines;
-    for (const ArmJoint& one : m_calibration.joints()) {
-        const jobs::LerobotJoint* saved = m_file.find(one.joint.name);
-        if (saved == nullptr || saved->id != one.joint.id) {
-            lines << tr("%1: not in the file with ID %2").arg(one.joint.name).arg(one.joint.id);
-            continue;
-        }
-        const auto compare = [&](const QString& name, Field field) {
-            if (one.held && (*one.held).*field != saved->calibration.*field)
-                lines << tr("%1: %2 is %3 in the file, %4 in the servo")
-                             .arg(one.joint.name, name)
-                             .arg(saved->calibration.*field)
-                             .arg((*one.held).*field);
-        };
-        compare(tr("offset"), &jobs::JointCalibration::homingOffset);
-        compare(tr("minimum"), &jobs::JointCalibration::rangeMin);
-        compare(tr("maximum"), &jobs::JointCalibration::rangeMax);
-    }
-    for (const jobs::LerobotJoint& saved : m_file.joints) {
-        const auto& joints = m_calibration.joints();
-        const bool isOurs = std::any_of(joints.begin(), joints.end(), [&](const ArmJoint& one) {
-            return one.joint.name == saved.name;
-        });
-        if (!isOurs)
-            lines << tr("%1: not a joint of this arm").arg(saved.name);
+    const std::map<QString, QString> names{{QStringLiteral("homing_offset"), tr("offset")},
+                                           {QStringLiteral("range_min"), tr("minimum")},
+                                           {QStringLiteral("range_max"), tr("maximum")}};
+    for (const jobs::CalibrationDifference& one :
+         jobs::differences(m_calibration.jointServos(), m_file)) {
+        const auto name = names.find(one.key);
+        if (name == names.end())
+            lines << (one.inServo
+                          ? tr("%1: not in the file with ID %2").arg(one.joint).arg(*one.inServo)
+                          : tr("%1: not a joint of this arm").arg(one.joint));
+        else if (one.inServo)
+            lines << tr("%1: %2 is %3 in the file, %4 in the servo")
+                         .arg(one.joint, name->second)
+                         .arg(one.inFile.value_or(0))
+                         .arg(*one.inServo);
     }
     return lines;
 }
 
 /// Proposes a file of LeRobot's, if there is one; the user selects.
-void ArmFileCard::select()
+void LerobotCard::select()
 {
     const QStringList known = jobs::findLerobotFiles();
     askForFile(this,
@@ -177,7 +199,7 @@ void ArmFileCard::select()
                [this](const QString& path) { load(path); });
 }
 
-void ArmFileCard::load(const QString& path)
+void LerobotCard::load(const QString& path)
 {
     auto file = jobs::loadLerobotFile(path);
     if (!file)
@@ -187,19 +209,29 @@ void ArmFileCard::load(const QString& path)
     update();
 }
 
-void ArmFileCard::askToApply()
+void LerobotCard::askToApply()
 {
     ask(this,
         {.title = tr("Write %1 to the servos?").arg(QFileInfo(m_path).fileName()),
-         .text = (differences() + armSettingsLines(m_workbench, m_calibration.joints()))
-                     .join(QLatin1Char('\n')),
+         .text = (differences() + positionChanges(m_calibration, false)).join(QLatin1Char('\n')),
          .risk = tr("Torque is turned off: hold the arm. Offsets shift the zero positions."),
          .acceptText = tr("Write to servos"),
          .guard = this},
         [this] { m_calibration.writeFile(m_file.joints); });
 }
 
-void ArmFileCard::save()
+void LerobotCard::askToPrepare()
+{
+    ask(this,
+        {.title = tr("Write LeRobot's settings to the servos?"),
+         .text = lerobotChanges(m_calibration).join(QLatin1Char('\n')),
+         .risk = tr("Torque is turned off: hold the arm."),
+         .acceptText = tr("Write to servos"),
+         .guard = this},
+        [this] { m_calibration.prepare(); });
+}
+
+void LerobotCard::save()
 {
     askForSavePath(this,
                    {.objectName = QStringLiteral("armFileSaveDialog"),
@@ -211,7 +243,7 @@ void ArmFileCard::save()
                    [this](const QString& path) { saveTo(path); });
 }
 
-void ArmFileCard::saveTo(const QString& path)
+void LerobotCard::saveTo(const QString& path)
 {
     const auto file = jobs::lerobotFileFor(path, m_calibration.heldAsFile());
     if (!file)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LeRobot's calibration file beside the servos: which file, whether LeRobot would accept it, and
-// both ways to make them agree. A file is read when it is selected and when servos have changed;
-// writing to servos is asked about. Owned by the arm page; main thread.
+// What LeRobot needs of the arm: what it would refuse or change, and its calibration file beside
+// the servos, with both ways to make them agree. A file is read when it is selected; writing to
+// servos is asked about. Owned by the arm page; main thread.
 #pragma once
 
 #include "session/arm/arm_calibration.h"
@@ -13,11 +13,11 @@ class QLabel;
 class QPushButton;
 
 namespace ui {
-class ArmFileCard final : public QWidget {
+class LerobotCard final : public QWidget {
     Q_OBJECT
 
 public:
-    ArmFileCard(session::Workbench& workbench, session::Settings& settings, QWidget* parent);
+    LerobotCard(session::Workbench& workbench, session::Settings& settings, QWidget* parent);
 
     void update(); ///< the calibration has changed
 
@@ -31,21 +31,24 @@ private:
     void select();
     void load(const QString& path);
     void askToApply();
+    void askToPrepare();
     void save();
     void saveTo(const QString& path);
     QString stateText() const;
-    /// "elbow_flex: offset 87, in the file −1024"; one line per difference.
+    QString remarksText() const;
+    /// "elbow_flex: offset is −1024 in the file, 87 in the servo"; one line per difference.
     QStringList differences() const;
     bool hasEveryJoint() const;
 
-    session::Workbench& m_workbench;
     session::ArmCalibration& m_calibration;
     session::Settings& m_settings;
     QString m_path;
     jobs::LerobotFile m_file;
     QLabel* m_title;
+    QLabel* m_remarks;
     QLabel* m_state;
     QLabel* m_details;
+    QPushButton* m_prepare;
     QPushButton* m_select;
     QPushButton* m_apply;
     QPushButton* m_save;
