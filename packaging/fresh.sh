@@ -4,6 +4,7 @@
 # debootstrap, copies the current commit into it, and runs run.sh and test.sh there, which install only
 # the listed packages.
 #   packaging/fresh.sh [run | test [CTEST OPTION...]]     without an argument: run, then test
+#   packaging/fresh.sh package FILE.deb                   installs, tries and removes this package there
 # With CI=true, warnings are errors there too. Needs root, debootstrap, git, and 5 GB in TMPDIR (default:
 # /var/tmp) until it ends. Sources, keys, proxy and certificates of apt are those of this machine.
 set -euo pipefail
@@ -18,7 +19,8 @@ what=${1:-all}
 [ $# -eq 0 ] || shift
 case $what in
 run | test | all) ;;
-*) die "unknown argument \"$what\"." "Usage:  packaging/fresh.sh [run | test [CTEST OPTION...]]" ;;
+package) [ -f "${1:-}" ] || die "packaging/fresh.sh package needs a package." ;;
+*) die "unknown argument \"$what\"." "Usage:  packaging/fresh.sh [run | test [CTEST OPTION...] | package FILE.deb]" ;;
 esac
 [ "$(id -u)" -eq 0 ] || die "this script needs root."
 for tool in debootstrap git unshare; do
@@ -83,10 +85,31 @@ on_machine() {
         bash "$root" "$inside" "$@" </dev/null
 }
 
-[ -z "$(git -C "$SOURCE_DIR" status --porcelain)" ] ||
+# Only with what the package depends on: no recommended packages, no display.
+try_package() {
+    cp -- "$1" "$root/root/servodesk.deb"
+    step fresh "Installing $(basename -- "$1")"
+    on_machine sh -c 'apt-get -qq update && apt-get -qq -y --no-install-recommends install /root/servodesk.deb >/dev/null'
+    step fresh "Using it"
+    on_machine QT_QPA_PLATFORM=offscreen servodesk --self-test
+    on_machine servodesk-cli --port sim:demo scan
+    on_machine servodesk-cli --version
+    step fresh "Removing it"
+    on_machine apt-get -qq -y purge servodesk >/dev/null
+    local rest
+    rest=$(find "$root"/usr "$root"/etc "$root"/var/lib -iname '*servodesk*')
+    [ -z "$rest" ] || die "files are left behind:" "$rest"
+    step fresh "The package can be installed, used and removed."
+}
+
+[ -z "$(git -C "$SOURCE_DIR" status --porcelain)" ] || [ "$what" = package ] ||
     say "Uncommitted changes are not included."
 step fresh "Creating a machine with only the minimal packages of Debian"
 make_machine
+if [ "$what" = package ]; then
+    try_package "$1"
+    exit
+fi
 if [ "$what" != test ]; then
     step fresh "packaging/run.sh, without a display"
     on_machine packaging/run.sh

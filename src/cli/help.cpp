@@ -63,7 +63,62 @@ QString usage(const Command& command)
         line += QLatin1Char(' ') + formatName(positional);
     return line;
 }
+
+Json jsonOptions(const std::vector<Option>& options)
+{
+    Json::Array all;
+    for (const Option& option : options)
+        all.push_back(Json::object()
+                          .add("flag", QString::fromLatin1(option.flag))
+                          .add("value", option.value != nullptr
+                                            ? Json(QString::fromUtf8(option.value))
+                                            : Json())
+                          .add("help", translate("cli", option.help)));
+    return Json(std::move(all));
+}
+
+Json jsonCommand(const Command& command)
+{
+    Json::Array arguments;
+    for (const Positional& one : command.positionals)
+        arguments.push_back(Json::object()
+                                .add("name", QString::fromUtf8(one.name))
+                                .add("help", translate("cli", one.help))
+                                .add("required", one.min > 0)
+                                .add("repeated", one.max == many));
+    QStringList examples;
+    for (const Examples& one : allExamples()) {
+        if (qstrcmp(one.command, command.name) == 0)
+            examples << QString::fromLatin1(one.first) << QString::fromLatin1(one.second);
+    }
+    return Json::object()
+        .add("name", QString::fromLatin1(command.name))
+        .add("usage", usage(command))
+        .add("help", translate("cli", command.help))
+        .add("arguments", Json(std::move(arguments)))
+        .add("options", jsonOptions(command.options))
+        .add("examples", Json(examples));
+}
 } // namespace
+
+Json helpJson(const Command* command)
+{
+    if (command != nullptr)
+        return jsonCommand(*command);
+    Json::Array groups;
+    for (const CommandGroup& group : commandGroups()) {
+        Json::Array members;
+        for (const Command& one : group.commands)
+            members.push_back(jsonCommand(one));
+        groups.push_back(Json::object()
+                             .add("title", translate("cli", group.title))
+                             .add("commands", Json(std::move(members))));
+    }
+    return Json::object()
+        .add("version", QCoreApplication::applicationVersion())
+        .add("groups", Json(std::move(groups)))
+        .add("options", jsonOptions(globalOptions()));
+}
 
 QString helpText(const Command* command)
 {

@@ -3,6 +3,7 @@
 // the language must be installed first. Main thread. Errors: BadArgument.
 #pragma once
 
+#include "cli/output/json.h"
 #include "cli/run.h"
 
 namespace cli {
@@ -27,4 +28,6 @@ base::Result<QString> requestedLanguage(const QStringList& arguments);
 
 /// Usage of one command, or of the program (null).
 QString helpText(const Command* command);
+/// The same as data, in the order of the help; manual page and shell completions are made of it.
+Json helpJson(const Command* command);
 } // namespace cli

@@ -58,7 +58,8 @@ int runProgram(const QStringList& arguments, const base::StopToken& stop)
     Exit exit = Exit::Success;
     switch (parsed->action) {
     case ParsedCommandLine::Action::Help:
-        console.write(helpText(parsed->command).toUtf8());
+        console.write(console.isJson() ? helpJson(parsed->command).text()
+                                       : helpText(parsed->command).toUtf8());
         break;
     case ParsedCommandLine::Action::Version:
         console.write("servodesk-cli " + QCoreApplication::applicationVersion().toUtf8() + '\n');

@@ -5,7 +5,11 @@
 #include "support/test_main.h"
 #include "text/language.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 
 namespace {
@@ -40,6 +44,7 @@ private Q_SLOTS:
     void helpIsPerCommand();
     void languageOptionIsFoundAnywhere();
     void everyCommandIsDescribed();
+    void theHelpIsAvailableAsData();
 };
 
 void TestCliArguments::ids_data()
@@ -232,6 +237,29 @@ void TestCliArguments::everyCommandIsDescribed()
         for (const cli::Positional& positional : command.positionals)
             QVERIFY2(own.contains(QString::fromUtf8(positional.name)), command.name);
     }
+}
+
+/// Manual page and completions are made of it, and need every option.
+void TestCliArguments::theHelpIsAvailableAsData()
+{
+    const QJsonObject help = QJsonDocument::fromJson(cli::helpJson(nullptr).text()).object();
+    QSet<QString> flags;
+    std::size_t count = 0;
+    for (const QJsonValue& group : help[QLatin1String("groups")].toArray()) {
+        for (const QJsonValue& command : group[QLatin1String("commands")].toArray()) {
+            ++count;
+            QCOMPARE(command[QLatin1String("examples")].toArray().size(), 2);
+            for (const QJsonValue& option : command[QLatin1String("options")].toArray())
+                flags << option[QLatin1String("flag")].toString();
+        }
+    }
+    QCOMPARE(count, cli::commands().size());
+    for (const cli::Command& command : cli::commands()) {
+        for (const cli::Option& option : command.options)
+            QVERIFY2(flags.contains(QString::fromLatin1(option.flag)), command.name);
+    }
+    QCOMPARE(std::size_t(help[QLatin1String("options")].toArray().size()),
+             cli::globalOptions().size());
 }
 
 SERVODESK_GUILESS_TEST(TestCliArguments)
