@@ -438,6 +438,16 @@
     </message>
 </context>
 <context>
+    <name>ui::SelfTest</name>
+    <message numerus="yes">
+        <source>ServoDesk works: %n step(s) in %1 s.</source>
+        <translation>
+            <numerusform>ServoDesk works: %n step in %1 s.</numerusform>
+            <numerusform>ServoDesk works: %n steps in %1 s.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::SnapshotActions</name>
     <message numerus="yes">
         <source>Delete %n snapshot(s)?</source>

@@ -465,6 +465,14 @@
         <source>Calibrate a robot arm by moving its joints</source>
         <translation>通过转动关节校准机械臂</translation>
     </message>
+    <message>
+        <source>Use the simulated robot &amp;arm</source>
+        <translation>使用模拟机械臂(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Lets you try the calibration of a robot arm without any hardware</source>
+        <translation>无需硬件即可试用机械臂校准</translation>
+    </message>
 </context>
 <context>
     <name>CommissionText</name>
@@ -1777,16 +1785,24 @@
         <translation>--theme：未知的值“%1”</translation>
     </message>
     <message>
-        <source>unexpected argument &quot;%1&quot;</source>
-        <translation>多余的参数“%1”</translation>
-    </message>
-    <message>
         <source>--page: unknown value &quot;%1&quot;</source>
         <translation>--page：未知的值“%1”</translation>
     </message>
     <message>
         <source>page to show: operate, memory, sweep, step, snapshots, commission, arm, firmware, history</source>
         <translation>要显示的页面：operate, memory, sweep, step, snapshots, commission, arm, firmware, history</translation>
+    </message>
+    <message>
+        <source>try the program on a simulated bus, with data of its own, and quit</source>
+        <translation>在模拟总线上用独立的数据自检，然后退出</translation>
+    </message>
+    <message>
+        <source>snapshots, bundles and recordings to open</source>
+        <translation>要打开的快照、整组快照和录制文件</translation>
+    </message>
+    <message>
+        <source>%1: no such file</source>
+        <translation>%1：文件不存在</translation>
     </message>
 </context>
 <context>
@@ -14008,6 +14024,75 @@ Retries: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::SelfTest</name>
+    <message>
+        <source>Search the simulated bus</source>
+        <translation>搜索模拟总线</translation>
+    </message>
+    <message>
+        <source>no servos were found</source>
+        <translation>没有找到舵机</translation>
+    </message>
+    <message>
+        <source>Open the page %1</source>
+        <translation>打开页面：%1</translation>
+    </message>
+    <message>
+        <source>the page is not shown</source>
+        <translation>页面没有显示</translation>
+    </message>
+    <message>
+        <source>Read the memory table</source>
+        <translation>读取内存表</translation>
+    </message>
+    <message>
+        <source>it could not be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>Write a register</source>
+        <translation>写入参数</translation>
+    </message>
+    <message>
+        <source>the servo has another value</source>
+        <translation>舵机中的值不同</translation>
+    </message>
+    <message>
+        <source>Undo the write</source>
+        <translation>撤销写入</translation>
+    </message>
+    <message>
+        <source>it did not finish</source>
+        <translation>没有完成</translation>
+    </message>
+    <message>
+        <source>Run a sweep test</source>
+        <translation>运行扫描测试</translation>
+    </message>
+    <message>
+        <source>it did not start</source>
+        <translation>没有开始</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>the report is not complete</source>
+        <translation>报告不完整</translation>
+    </message>
+    <message>
+        <source>it did not end</source>
+        <translation>没有结束</translation>
+    </message>
+    <message numerus="yes">
+        <source>ServoDesk works: %n step(s) in %1 s.</source>
+        <translation>
+            <numerusform>ServoDesk 工作正常：%n 个步骤，用时 %1 秒。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::ServoHistoryModel</name>
     <message>
         <source>Written temporarily: lost at power-off.</source>
@@ -15954,6 +16039,10 @@ Retries: %9</source>
     <message>
         <source>Find servos on all ports…</source>
         <translation>在所有端口上查找舵机…</translation>
+    </message>
+    <message>
+        <source>Try a simulated robot arm</source>
+        <translation>试用模拟机械臂</translation>
     </message>
 </context>
 </TS>

@@ -301,6 +301,8 @@ void MainWindow::start(const Options& options)
         resize(options.size);
     m_autoSelection->request(options.select, !options.screenshot.isEmpty());
     m_pages->open(options.page);
+    for (const QString& file : options.files)
+        m_pages->openFile(file);
     if (options.port) {
         m_connectBar->setRequest(*options.port);
         m_workbench.link().connectTo(*options.port);

@@ -34,6 +34,7 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
          Command::FindServos,
          line,
          Command::UseSimulation,
+         Command::UseSimulatedArm,
          Command::PowerCycle,
          line,
          Command::Search,

@@ -5,6 +5,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QRegularExpression>
 
 namespace ui {
@@ -26,6 +27,7 @@ constexpr OptionRow rows[] = {
     {"screenshot", QT_TRANSLATE_NOOP("Options", "save a screenshot of the window to this PNG file and quit"), "FILE"},
     {"size", QT_TRANSLATE_NOOP("Options", "window size, for example 1280x800"), "SIZE"},
     {"after", QT_TRANSLATE_NOOP("Options", "delay before the screenshot, in milliseconds"), "MS"},
+    {"self-test", QT_TRANSLATE_NOOP("Options", "try the program on a simulated bus, with data of its own, and quit"), nullptr},
 };
 // clang-format on
 
@@ -96,6 +98,10 @@ ParsedOptions parseOptions(const QStringList& arguments)
     for (const OptionRow& row : rows)
         parser.addOption({QString::fromLatin1(row.name), text::translate("Options", row.help),
                           QString::fromLatin1(row.value)});
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        text::translate("Options", "snapshots, bundles and recordings to open"),
+        QStringLiteral("[FILE…]"));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     ParsedOptions parsed;
@@ -107,10 +113,13 @@ ParsedOptions parseOptions(const QStringList& arguments)
         parsed.print = parser.helpText();
     else if (parser.isSet(version))
         parsed.print = QStringLiteral("servodesk %1\n").arg(QCoreApplication::applicationVersion());
-    if (!parser.positionalArguments().isEmpty())
-        parsed.error = text::translate("Options", "unexpected argument \"%1\"")
-                           .arg(parser.positionalArguments().front());
     Options& options = parsed.options;
+    options.files = parser.positionalArguments();
+    for (const QString& file : options.files) {
+        if (!QFileInfo::exists(file))
+            parsed.error = text::translate("Options", "%1: no such file").arg(file);
+    }
+    options.isSelfTest = parser.isSet(QStringLiteral("self-test"));
     takeSize(parser.value(QStringLiteral("size")), parsed);
     takePort(parser, parsed);
     takeTheme(parser.value(QStringLiteral("theme")), parsed);

@@ -17,7 +17,9 @@ struct Options {
     std::optional<int> select{}; ///< ID
     QString screenshot{};        ///< file; the program then ends
     int afterMs = 1500;
-    QSize size{}; ///< of the window; invalid: as remembered
+    QSize size{};            ///< of the window; invalid: as remembered
+    bool isSelfTest = false; ///< see self_test.h; the program then ends
+    QStringList files{};     ///< snapshots, bundles and recordings to open
 };
 
 struct ParsedOptions {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/pages.h"
 
+#include "session/snapshot/snapshots.h"
 #include "ui/arm/arm_page.h"
 #include "ui/commissioning/commission_page.h"
 #include "ui/common/widget_style.h"
@@ -120,6 +121,20 @@ void Pages::open(const QString& name)
     }
 }
 
+void Pages::openFile(const QString& path)
+{
+    const bool isRecording = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive) ||
+                             path.endsWith(QLatin1String(".jsonl"), Qt::CaseInsensitive);
+    if (isRecording) {
+        openWithoutServo(m_operate);
+        openTrend().load(path);
+    } else {
+        openWithoutServo(m_snapshots);
+        (void)m_snapshots->page(); // shows what becomes of it
+        m_context.workbench.snapshots().open(path);
+    }
+}
+
 bool Pages::isUsableWithoutServo() const
 {
     return m_openedWithoutServo ||
@@ -148,6 +163,7 @@ void Pages::connectCommands()
     const auto on = [&](Command command, auto slot) {
         connect(commands.action(command), &QAction::triggered, this, slot);
     };
+    on(Command::UseSimulatedArm, [this] { open(QStringLiteral("arm")); });
     on(Command::TakeSnapshot, [this] { open(m_snapshots).takeSnapshot(); });
     on(Command::PauseTrend, [this] { openTrend().toggleFollowing(); });
     on(Command::Record, [this] { openTrend().toggleRecording(); });

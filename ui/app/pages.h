@@ -28,6 +28,8 @@ public:
 
     /// As the command line calls it: "operate", "memory" …; unknown names do nothing.
     void open(const QString& name);
+    /// A snapshot, bundle or recording, on its page; a file that cannot be read is named there.
+    void openFile(const QString& path);
     /// A page was requested that needs no servo, or a recording is shown.
     bool isUsableWithoutServo() const;
     void retranslate();

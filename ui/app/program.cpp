@@ -5,13 +5,16 @@
 #include "text/front_end.h"
 #include "ui/app/main_window.h"
 #include "ui/app/plain_text_filter.h"
+#include "ui/app/self_test.h"
 #include "ui/common/language_switch.h"
 #include "ui/common/theme.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QIcon>
 #include <QPixmap>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <algorithm>
@@ -105,8 +108,17 @@ int runProgram(int argc, char* argv[])
         print(stdout, parsed.print);
         return 0;
     }
-    session::Settings settings;
     const Options& options = parsed.options;
+    const QTemporaryDir ownData; // of the self test
+    if (options.isSelfTest && !ownData.isValid()) {
+        print(stderr,
+              QStringLiteral("servodesk: %1: %2\n").arg(QDir::tempPath(), ownData.errorString()));
+        return 1;
+    }
+    if (options.isSelfTest)
+        qputenv("SERVODESK_DATA_DIR", QFile::encodeName(ownData.path()));
+    session::Settings settings(options.isSelfTest ? ownData.filePath(QStringLiteral("settings.ini"))
+                                                  : QString());
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     ThemeSwitch theme;
     theme.apply(options.theme.value_or(settings.theme()));
@@ -116,6 +128,9 @@ int runProgram(int argc, char* argv[])
     window.show();
     window.start(options);
     screenshotLater(window, options);
+    SelfTest selfTest(appContext, window, ownData.path());
+    if (options.isSelfTest)
+        selfTest.start();
     return QApplication::exec();
 }
 } // namespace ui

@@ -48,6 +48,8 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
      QT_TRANSLATE_NOOP("Commands", "Searches every serial port at every baud rate; writes nothing"), "edit-find", "", NoPort},
     {Command::UseSimulation, QT_TRANSLATE_NOOP("Commands", "Use the &simulated bus"),
      QT_TRANSLATE_NOOP("Commands", "Lets you try all features on simulated servos without any hardware"), "system-run", "", Always},
+    {Command::UseSimulatedArm, QT_TRANSLATE_NOOP("Commands", "Use the simulated robot &arm"),
+     QT_TRANSLATE_NOOP("Commands", "Lets you try the calibration of a robot arm without any hardware"), "system-run", "", Always},
     {Command::PowerCycle, QT_TRANSLATE_NOOP("Commands", "&Power-cycle the simulated servos"),
      QT_TRANSLATE_NOOP("Commands", "Temporary values are lost, as with a real power-off"), "system-reboot", "", Open | Simulated},
     {Command::Search, QT_TRANSLATE_NOOP("Commands", "&Search"),

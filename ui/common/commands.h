@@ -17,6 +17,7 @@ enum class Command : std::uint8_t {
     Disconnect,
     FindServos,
     UseSimulation,
+    UseSimulatedArm,
     PowerCycle,
     Search,
     StopSearch,

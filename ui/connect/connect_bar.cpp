@@ -97,12 +97,14 @@ void ConnectBar::connectSignals()
             });
     connect(m_commands.action(Command::Connect), &QAction::triggered, this,
             &ConnectBar::connectNow);
-    connect(m_commands.action(Command::UseSimulation), &QAction::triggered, this, [this] {
-        session::PortRequest simulated;
-        simulated.name = session::simulatedPorts().constFirst();
-        setRequest(simulated);
-        connectNow();
-    });
+    const auto useOnCommand = [this](Command command, const QString& port) {
+        connect(m_commands.action(command), &QAction::triggered, this, [this, port] {
+            setRequest({.name = port});
+            connectNow();
+        });
+    };
+    useOnCommand(Command::UseSimulation, session::simulatedPorts().constFirst());
+    useOnCommand(Command::UseSimulatedArm, QStringLiteral("sim:so101"));
     m_timer.setInterval(1s);
     connect(&m_timer, &QTimer::timeout, this, &ConnectBar::updateState);
 }

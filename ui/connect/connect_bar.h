@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The top row of the window: port, baud rate and protocol, Connect or Disconnect, and the state of
 // the bus. Settings that worked with an adapter are remembered and restored when it is selected.
-// Executes Command::Connect and Command::UseSimulation. Owned by the window; main thread.
+// Executes Command::Connect, UseSimulation and UseSimulatedArm. Owned by the window; main thread.
 #pragma once
 
 #include "session/port_watcher.h"

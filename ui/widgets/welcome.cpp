@@ -32,11 +32,13 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     , m_adapter(new QPushButton(this))
     , m_find(new QPushButton(this))
     , m_simulation(new QPushButton(this))
+    , m_arm(new QPushButton(this))
 {
     setObjectName(QStringLiteral("welcome"));
     m_adapter->setObjectName(QStringLiteral("welcomeConnect"));
     m_find->setObjectName(QStringLiteral("welcomeFind"));
     m_simulation->setObjectName(QStringLiteral("welcomeSimulation"));
+    m_arm->setObjectName(QStringLiteral("welcomeArm"));
     makeMainAction(m_adapter);
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() * titleScale);
@@ -53,7 +55,11 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     column->addLayout(withAdapter);
     column->addSpacing(20);
     column->addWidget(m_simulationText);
-    column->addWidget(m_simulation, 0, Qt::AlignLeft);
+    auto* simulated = new QHBoxLayout;
+    simulated->addWidget(m_simulation);
+    simulated->addWidget(m_arm);
+    simulated->addStretch(1);
+    column->addLayout(simulated);
     auto* room = new QGridLayout(this);
     room->setRowStretch(0, 1);
     room->setRowStretch(2, 2);
@@ -67,7 +73,10 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
             &QAction::trigger);
     connect(m_simulation, &QPushButton::clicked, m_commands.action(Command::UseSimulation),
             &QAction::trigger);
-    for (const Command command : {Command::Connect, Command::FindServos, Command::UseSimulation})
+    connect(m_arm, &QPushButton::clicked, m_commands.action(Command::UseSimulatedArm),
+            &QAction::trigger);
+    for (const Command command :
+         {Command::Connect, Command::FindServos, Command::UseSimulation, Command::UseSimulatedArm})
         connect(m_commands.action(command), &QAction::changed, this, &Welcome::updateEnabled);
     followLanguage(this, [this] { retranslate(); });
     updateEnabled();
@@ -78,6 +87,7 @@ void Welcome::updateEnabled()
     m_adapter->setEnabled(m_commands.action(Command::Connect)->isEnabled());
     m_find->setEnabled(m_commands.action(Command::FindServos)->isEnabled());
     m_simulation->setEnabled(m_commands.action(Command::UseSimulation)->isEnabled());
+    m_arm->setEnabled(m_commands.action(Command::UseSimulatedArm)->isEnabled());
 }
 
 void Welcome::retranslate()
@@ -95,7 +105,9 @@ void Welcome::retranslate()
            "find."));
     m_simulation->setText(tr("Try a simulated bus"));
     m_simulation->setToolTip(tr("Simulated servos; nothing needs to be connected"));
-    for (QPushButton* button : {m_adapter, m_find, m_simulation})
+    m_arm->setText(tr("Try a simulated robot arm"));
+    m_arm->setToolTip(m_commands.action(Command::UseSimulatedArm)->toolTip());
+    for (QPushButton* button : {m_adapter, m_find, m_simulation, m_arm})
         button->setAccessibleName(button->text());
 }
 } // namespace ui

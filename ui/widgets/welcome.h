@@ -28,5 +28,6 @@ private:
     QPushButton* m_adapter;
     QPushButton* m_find;
     QPushButton* m_simulation;
+    QPushButton* m_arm;
 };
 } // namespace ui

@@ -69,8 +69,8 @@ private Q_SLOTS:
                             << "-3";
         QTest::newRow("option") << "--colour red"
                                 << "colour";
-        QTest::newRow("word") << "sim:demo"
-                              << "sim:demo";
+        QTest::newRow("no such file") << "sim:demo"
+                                      << "sim:demo";
     }
     void invalidOptionsAreReported()
     {
@@ -84,8 +84,30 @@ private Q_SLOTS:
     {
         const QString help = parse("--help").print;
         for (const char* option : {"port", "baud", "protocol", "lang", "theme", "page", "select",
-                                   "screenshot", "after", "size"})
+                                   "screenshot", "after", "size", "self-test"})
             QVERIFY2(help.contains(QStringLiteral("--") + QLatin1String(option)), option);
+    }
+
+    /// On a simulated bus: search, pages, write, undo, sweep, report. The user's data stay alone.
+    void theSelfTestTriesEverything()
+    {
+        const QTemporaryDir home;
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove(QStringLiteral("SERVODESK_DATA_DIR"));
+        for (const char* name : {"HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+            environment.insert(QLatin1String(name), home.path());
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        program.setProcessEnvironment(environment);
+        program.start(QStringLiteral(BIN_DIR "/servodesk"), {QStringLiteral("--self-test")});
+        QVERIFY(program.waitForFinished(120'000));
+        const QString printed = QString::fromUtf8(program.readAllStandardOutput());
+        QVERIFY2(program.exitCode() == 0, qPrintable(printed));
+        for (const char* step : {"✓ Search the simulated bus", "✓ Open the page History",
+                                 "✓ Undo the write", "✓ Run a sweep test", "✓ Save the report"})
+            QVERIFY2(printed.contains(QString::fromUtf8(step)), step);
+        QVERIFY(!QFileInfo::exists(home.filePath(QStringLiteral("servodesk"))));
+        QVERIFY(!QFileInfo::exists(home.filePath(QStringLiteral(".local"))));
     }
 
     void helpAndVersionNeedNoDisplay_data()

@@ -154,6 +154,15 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.workbench().registry().order().size(), std::size_t(6));
         QVERIFY(!button->isVisible());
     }
+
+    void theFirstStartOffersTheSimulatedArmInOneClick()
+    {
+        gui::MainWindowFixture fixture;
+        QTest::mouseClick(fixture.find<QPushButton>("welcomeArm"), Qt::LeftButton);
+        QTRY_COMPARE(fixture.workbench().link().state(), session::LinkState::Open);
+        QTRY_COMPARE(fixture.workbench().registry().order().size(), std::size_t(6));
+        QTRY_VERIFY(fixture.isShown("armPage"));
+    }
 };
 
 SERVODESK_TEST(TestStartup)
