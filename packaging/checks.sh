@@ -83,7 +83,7 @@ check_format() {
 
 check_scripts() {
     local scripts
-    mapfile -d '' scripts < <(git ls-files -z -- '*.sh' .ci/run)
+    mapfile -d '' scripts < <(git ls-files -z -- '*.sh' '*.bash' packaging/linux/postinst .ci/run)
     shellcheck -x "${scripts[@]}"
 }
 

@@ -12,6 +12,7 @@ BUILD_DIR=$SOURCE_DIR/build-package
 dist=$SOURCE_DIR/dist
 
 [ "${1:-}" = "" ] || [ "${1:-}" = --try ] || die "unknown argument \"$1\"." "Usage:  packaging/release.sh [--try]"
+[ "${1:-}" != --try ] || [ "$(id -u)" -eq 0 ] || die "--try needs root."
 [ -z "$(git -C "$SOURCE_DIR" status --porcelain)" ] || say "Uncommitted changes are in the package too."
 
 step release "Packages"
@@ -40,19 +41,21 @@ docs=$BUILD_DIR/docs
 desktop-file-validate "$SOURCE_DIR/packaging/linux/servodesk.desktop"
 appstreamcli validate --no-net "$docs/org.servodesk.servodesk.metainfo.xml"
 xmllint --noout "$SOURCE_DIR/packaging/linux/servodesk-mime.xml"
-for page in "$docs"/man/*.1; do
+for page in "$docs"/*.1; do
     # Long words leave holes in a line; that is no mistake.
     warnings=$(LC_ALL=C.UTF-8 man --warnings -l -- "$page" 2>&1 >/dev/null | grep -v 'cannot adjust line' || true)
     [ -z "$warnings" ] || die "$(basename -- "$page"): $warnings"
+    ! grep -q '???' -- "$page" || die "$(basename -- "$page") has lost characters."
 done
-bash -n "$docs/bash/servodesk-cli"
-zsh -n "$docs/zsh/_servodesk-cli"
-fish -n "$docs/fish/servodesk-cli.fish"
-[ "$(fish -c "source '$docs/fish/servodesk-cli.fish'; complete -C 'servodesk-cli scan --ti'" | cut -f 1)" = --timeout ] ||
-    die "the completion for fish does not work."
-# shellcheck source=/dev/null
-[ "$(. "$docs/bash/servodesk-cli" && COMP_WORDS=(servodesk-cli arm sh) COMP_CWORD=2 && _servodesk_cli &&
-    echo "${COMPREPLY[*]}")" = show ] || die "the completion for bash does not work."
+completions=$SOURCE_DIR/packaging/linux/completions
+PATH=$BUILD_DIR/bin:$PATH
+[ "$(fish -c "source '$completions/servodesk-cli.fish'; complete -C 'servodesk-cli --port sim:demo scan --ti'" |
+    cut -f 1)" = --timeout ] || die "the completion for fish does not work."
+# As bash calls it.
+# shellcheck source=/dev/null disable=SC2034
+[ "$(. "$completions/servodesk-cli.bash" && COMP_LINE="servodesk-cli --port sim:de" && COMP_POINT=${#COMP_LINE} &&
+    _servodesk_cli && echo "${COMPREPLY[*]}")" = demo ] || die "the completion for bash does not work."
+zsh -n "$completions/_servodesk-cli"
 lintian --allow-root --fail-on error -- "$package"
 QT_QPA_PLATFORM=offscreen "$BUILD_DIR/bin/servodesk" --self-test
 

@@ -6766,6 +6766,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Each joint moves to the ends of its limits and back, with %1 % of its torque. Keep hands and objects away. Torque is off afterwards: hold what would drop. Press Enter to begin.</source>
         <translation>每个关节以 %1% 的扭矩运动到角度限制的两端并返回。请勿靠近，并移开障碍物。结束后为卸力状态：请扶住可能下落的部分。按回车键开始。</translation>
     </message>
+    <message>
+        <source>describe a command</source>
+        <translation>说明一个命令</translation>
+    </message>
 </context>
 <context>
     <name>text</name>

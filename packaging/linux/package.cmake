@@ -7,8 +7,8 @@ install(FILES ${here}/servodesk-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mi
 install(FILES ${CMAKE_SOURCE_DIR}/resources/icons/servodesk.svg
         DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 
-# Manual pages and completions are made of what the programs say of themselves.
-option(SERVODESK_PACKAGE "Make manual pages and completions, and install udev rules, for the Debian package" OFF)
+# The manual pages are made of what the programs say of themselves.
+option(SERVODESK_PACKAGE "Make manual pages, and install udev rules, for the Debian package" OFF)
 if(NOT SERVODESK_PACKAGE)
     return()
 endif()
@@ -18,21 +18,24 @@ find_program(GZIP gzip REQUIRED)
 set(docs ${CMAKE_BINARY_DIR}/docs)
 set(pages)
 foreach(program servodesk servodesk-cli servodesk-sim)
-    list(APPEND pages ${docs}/man/${program}.1)
+    list(APPEND pages ${docs}/${program}.1)
 endforeach()
+# The dates of the package are those of the latest commit.
+foreach(part "date aD" "day as" "epoch ct")
+    separate_arguments(part)
+    list(GET part 0 name)
+    list(GET part 1 format)
+    execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} log -1 --format=%${format} OUTPUT_VARIABLE ${name}
+                    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endforeach()
+if(NOT epoch)
+    message(FATAL_ERROR "The package is made from a git checkout: its dates are those of the latest commit.")
+endif()
 add_custom_command(OUTPUT ${pages}
-    COMMAND Python3::Interpreter ${here}/generate-docs.py $<TARGET_FILE_DIR:servodesk> ${docs}
+    COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${epoch}
+            ${Python3_EXECUTABLE} ${here}/generate-docs.py $<TARGET_FILE_DIR:servodesk> ${docs}
     COMMAND ${GZIP} -9nkf ${pages}
     DEPENDS servodesk servodesk-cli servodesk-sim ${here}/generate-docs.py VERBATIM)
-# The changelog of the package refers to the one for users, with the date of the latest commit.
-execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} log -1 --format=%aD OUTPUT_VARIABLE date
-                OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-execute_process(COMMAND git -C ${CMAKE_SOURCE_DIR} log -1 --format=%as OUTPUT_VARIABLE day
-                OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(NOT date)
-    string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-    string(TIMESTAMP day "%Y-%m-%d" UTC)
-endif()
 set(maintainer "ServoDesk developers <developers@servodesk.invalid>")
 configure_file(${here}/changelog.in ${docs}/changelog @ONLY)
 configure_file(${here}/servodesk.metainfo.xml.in ${docs}/org.servodesk.servodesk.metainfo.xml @ONLY)
@@ -42,13 +45,14 @@ add_custom_target(docs ALL DEPENDS ${pages} ${docs}/changelog.gz)
 
 list(TRANSFORM pages APPEND .gz)
 install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${docs}/bash/servodesk-cli DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${docs}/zsh/_servodesk-cli DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
-install(FILES ${docs}/fish/servodesk-cli.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${here}/completions/servodesk-cli.bash RENAME servodesk-cli
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${here}/completions/_servodesk-cli DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${here}/completions/servodesk-cli.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES ${docs}/org.servodesk.servodesk.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ${docs}/changelog.gz ${here}/copyright ${CMAKE_SOURCE_DIR}/README.md
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/servodesk)
-install(FILES ${here}/60-servodesk.rules ${here}/86-servodesk.rules DESTINATION lib/udev/rules.d)
+install(FILES ${here}/60-servodesk.rules ${here}/91-servodesk-brltty.rules DESTINATION lib/udev/rules.d)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -67,6 +71,8 @@ judges them, saves and restores their parameters, calibrates robot arms.
 For Feetech (SCS, STS, SMS, HLS), SMS Modbus-RTU and Hiwonder LX servos, in
 English and Chinese, as a window (servodesk) and on the command line
 (servodesk-cli). servodesk-sim is a simulated bus.")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${here}/postinst)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

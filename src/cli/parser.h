@@ -28,6 +28,6 @@ base::Result<QString> requestedLanguage(const QStringList& arguments);
 
 /// Usage of one command, or of the program (null).
 QString helpText(const Command* command);
-/// The same as data, in the order of the help; manual page and shell completions are made of it.
+/// The same as data, in the order of the help; the manual page is made of it.
 Json helpJson(const Command* command);
 } // namespace cli

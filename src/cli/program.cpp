@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/program.h"
 
+#include "cli/completion.h"
 #include "cli/output/report_text.h"
 #include "cli/parser.h"
 #include "cli/translate.h"
@@ -52,6 +53,10 @@ int runProgram(const QStringList& arguments, const base::StopToken& stop)
     if (!language)
         return report(language.error(), console);
     text::installTranslator(*language);
+    if (arguments.value(0) == QLatin1String("--complete")) {
+        console.write(completionText(completionsOf(arguments.value(1))).toUtf8());
+        return checkOutput(Exit::Success, console);
+    }
     const auto parsed = parseCommandLine(arguments);
     if (!parsed)
         return report(parsed.error(), console);

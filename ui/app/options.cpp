@@ -101,7 +101,7 @@ ParsedOptions parseOptions(const QStringList& arguments)
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
         text::translate("Options", "snapshots, bundles and recordings to open"),
-        QStringLiteral("[FILE…]"));
+        QStringLiteral("[FILE...]"));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     ParsedOptions parsed;

@@ -14,6 +14,7 @@
 #include "ui/sweep/sweep_page.h"
 #include "ui/trends/trend_panel.h"
 
+#include <QFile>
 #include <QLayout>
 #include <QPainter>
 #include <QStackedWidget>
@@ -51,6 +52,17 @@ constexpr std::array allPages{
          QT_TRANSLATE_NOOP("ui::Pages", "Compare the firmware versions of the servos")},
     Page{"history", Command::PageHistory, QT_TRANSLATE_NOOP("ui::Pages", "History"),
          QT_TRANSLATE_NOOP("ui::Pages", "All writes, snapshots, tests and alarms")}};
+
+/// By what it begins with; a table without that is named as no recording.
+bool isRecording(const QString& path)
+{
+    constexpr qint64 headSize = 4096;
+    QFile file(path);
+    const QByteArray head = file.open(QIODevice::ReadOnly) ? file.read(headSize) : QByteArray();
+    return head.contains("# ServoDesk recording ") || head.contains("\"servodesk-recording\"") ||
+           path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".jsonl"), Qt::CaseInsensitive);
+}
 
 template <typename Page>
 Page* makePage(AppContext& context, session::Settings& settings, QWidget* parent)
@@ -123,9 +135,7 @@ void Pages::open(const QString& name)
 
 void Pages::openFile(const QString& path)
 {
-    const bool isRecording = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive) ||
-                             path.endsWith(QLatin1String(".jsonl"), Qt::CaseInsensitive);
-    if (isRecording) {
+    if (isRecording(path)) {
         openWithoutServo(m_operate);
         openTrend().load(path);
     } else {

@@ -115,10 +115,12 @@ int runProgram(int argc, char* argv[])
               QStringLiteral("servodesk: %1: %2\n").arg(QDir::tempPath(), ownData.errorString()));
         return 1;
     }
-    if (options.isSelfTest)
-        qputenv("SERVODESK_DATA_DIR", QFile::encodeName(ownData.path()));
-    session::Settings settings(options.isSelfTest ? ownData.filePath(QStringLiteral("settings.ini"))
-                                                  : QString());
+    if (options.isSelfTest) {
+        for (const char* folder : {"SERVODESK_DATA_DIR", "XDG_CONFIG_HOME"})
+            qputenv(folder, QFile::encodeName(ownData.path()));
+        QApplication::setQuitOnLastWindowClosed(false); // it would look like success
+    }
+    session::Settings settings;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     ThemeSwitch theme;
     theme.apply(options.theme.value_or(settings.theme()));
@@ -126,11 +128,13 @@ int runProgram(int argc, char* argv[])
     AppContext appContext(session);
     MainWindow window(appContext, settings, theme, language);
     window.show();
-    window.start(options);
-    screenshotLater(window, options);
     SelfTest selfTest(appContext, window, ownData.path());
-    if (options.isSelfTest)
+    if (options.isSelfTest) {
         selfTest.start();
+    } else {
+        window.start(options);
+        screenshotLater(window, options);
+    }
     return QApplication::exec();
 }
 } // namespace ui

@@ -8,7 +8,6 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QPixmap>
 #include <QTabWidget>
 
 #include <array>
@@ -67,26 +66,41 @@ void SelfTest::addSteps()
 
 void SelfTest::addPages()
 {
-    for (const Command page : pages) {
-        const QAction* action = m_context.commands.action(page);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const QAction* action = m_context.commands.action(pages[i]);
         m_steps.push_back({tr("Open the page %1").arg(action->iconText()),
-                           [this, page] { m_context.commands.action(page)->trigger(); },
+                           [this, i] { m_context.commands.action(pages[i])->trigger(); },
                            [this] { return m_stepTime.elapsed() >= pageTime && isIdle(); },
-                           [this] {
-                               const auto* tabs = m_window.findChild<QTabWidget*>();
-                               const bool isShown = tabs != nullptr && tabs->isVisible() &&
-                                                    !m_window.grab().isNull();
-                               return isShown ? QString() : tr("the page is not shown");
+                           [this, i] {
+                               return isPageShown(static_cast<int>(i))
+                                          ? QString()
+                                          : tr("the page is not shown");
                            }});
     }
 }
 
+bool SelfTest::isPageShown(int index) const
+{
+    const auto* tabs = m_window.findChild<QTabWidget*>(QStringLiteral("pages"));
+    return tabs != nullptr && tabs->currentIndex() == index && tabs->currentWidget()->isVisible() &&
+           !tabs->currentWidget()->findChildren<QWidget*>().isEmpty();
+}
+
 void SelfTest::addWrite()
 {
-    m_steps.push_back({tr("Read the memory table"),
-                       [this] { m_workbench.writes().readTable(firstServo()); },
-                       [this] { return isIdle(); },
-                       [this] { return gain() ? QString() : tr("it could not be read"); }});
+    m_steps.push_back(
+        {tr("Read the memory table"),
+         [this] {
+             m_readAt = m_workbench.now();
+             m_workbench.writes().readTable(firstServo());
+         },
+         [this] { return isIdle(); },
+         [this] {
+             const session::ServoEntry* entry = m_workbench.registry().servo(firstServo());
+             const int offset = entry->servo.profile->find(gainKey)->offset;
+             const auto readAt = entry->servo.image.readAt(offset);
+             return readAt && *readAt >= m_readAt ? QString() : tr("it could not be read");
+         }});
     m_steps.push_back(
         {tr("Write a register"),
          [this] {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tries the installed program on its simulated bus: searches, opens every page, writes and undoes,
-// sweeps, saves a report; says what came of each step on stdout. With data and settings of its own.
-// Owned by runProgram(); main thread; ends the event loop with 0 or 1.
+// sweeps, saves a report; says what came of each step on stdout. Data, settings and model files are
+// those that runProgram() has set for it. Owned by it; main thread; ends the event loop with 0
+// or 1.
 #pragma once
 
 #include "session/sweep/sweep_test.h"
@@ -41,6 +42,7 @@ private:
     session::ServoRef firstServo() const; ///< 0: none
     std::optional<std::int64_t> gain() const;
     bool isIdle() const;
+    bool isPageShown(int index) const;
 
     AppContext& m_context;
     session::Workbench& m_workbench;
@@ -48,6 +50,7 @@ private:
     const QString m_reportPath;
     std::vector<Step> m_steps;
     std::size_t m_at = 0;
+    base::Duration m_readAt{};
     std::int64_t m_oldGain = 0;
     QString m_sweepError;
     bool m_isReportSaved = false;

@@ -46,8 +46,9 @@ RecordDialog::RecordDialog(session::Settings& settings, QWidget* parent)
     build();
     const QDir folder(rememberedFolder(m_settings, recordingFolderKey()));
     const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"));
-    m_path->setText(
-        QDir::toNativeSeparators(folder.filePath(QStringLiteral("servodesk_%1.csv").arg(name))));
+    // The ending that a double click opens here: packaging/linux/servodesk-mime.xml.
+    m_path->setText(QDir::toNativeSeparators(
+        folder.filePath(QStringLiteral("servodesk_%1.recording.csv").arg(name))));
     (m_settings.pageValue(shownOnlyKey, true).toBool() ? m_shown : m_all)->setChecked(true);
     const int seconds = m_settings.pageValue(secondsKey, 0).toInt();
     m_limited->setChecked(seconds > 0);

@@ -56,7 +56,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const QString path =
-            write(folder, "servodesk_run.csv",
+            write(folder, "run.recording.csv",
                   "# ServoDesk recording 1\n# started 2026-11-29T08:00:00.000Z\n# program test\n"
                   "# port sim\n# baud 1000000\n# simulated yes\n"
                   "# servo ID1 1 1 feetech STS3215\n"
