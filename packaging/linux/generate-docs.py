@@ -90,7 +90,7 @@ def main():
         ("servodesk", "set up and test serial bus servos"),
         ("servodesk-sim", "simulated bus of serial bus servos on a pseudo-terminal"),
     ):
-        page = run("help2man", "--no-info", "--no-discard-stderr", f"--name={text}",
+        page = run("help2man", "--locale=C.UTF-8", "--no-info", "--no-discard-stderr", f"--name={text}",
                    f"--version-string={table['version']}", os.path.join(programs, name))
         write(output, f"{name}.1", page)
 
