@@ -9444,10 +9444,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>%1 无应答。</translation>
     </message>
     <message>
-        <source>%1 has the model %2; LeRobot expects %3 and refuses the bus.</source>
-        <translation>%1 的型号为 %2；LeRobot 需要 %3，会拒绝该总线。</translation>
-    </message>
-    <message>
         <source>The firmware versions differ: LeRobot refuses the bus.</source>
         <translation>固件版本不一致：LeRobot 会拒绝该总线。</translation>
     </message>
@@ -9486,6 +9482,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Only those of STS and SMS servos are known.</source>
         <translation>只有 STS 和 SMS 舵机的参数。</translation>
+    </message>
+    <message>
+        <source>%1 has the model %2; LeRobot expects %3 and refuses the bus. Fit that model, or enter %2 both in the arm and in LeRobot&apos;s code.</source>
+        <translation>%1 的型号是 %2；LeRobot 要求 %3，会拒绝此总线。请换成该型号，或在机械臂定义和 LeRobot 代码中都填 %2。</translation>
     </message>
 </context>
 <context>
@@ -9873,6 +9873,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>LeRobot sets neither gains nor gripper limits of a leader</source>
         <translation>LeRobot 不设置主臂的增益和夹爪限制</translation>
     </message>
+    <message>
+        <source>New arm</source>
+        <translation>新建机械臂</translation>
+    </message>
 </context>
 <context>
     <name>ui::ArmModel</name>
@@ -10174,6 +10178,14 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Ends the recording or the test; the servos keep their offsets and limits</source>
         <translation>结束采集或测试；舵机保持原有的位置校正和角度限制</translation>
+    </message>
+    <message>
+        <source>New arm…</source>
+        <translation>新建机械臂…</translation>
+    </message>
+    <message>
+        <source>Not calibrated, so these run into their mechanical stops: %1.</source>
+        <translation>未校准，会撞到机械限位：%1。</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,8 @@
 #include "cli/multi_servo_restore.h"
 #include "cli/output/table.h"
 #include "cli/translate.h"
-#include "jobs/arm/apply_calibration.h"
 #include "jobs/arm/calibration.h"
+#include "jobs/arm/joint_access.h"
 #include "text/arm_text.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ base::Result<device::Servo> readJoint(Run& run, int id)
     if (!servo)
         return servo;
     const auto context = run.context();
-    if (const auto read = jobs::readCalibration(*context, *servo); !read)
+    if (const auto read = jobs::readJoint(*context, *servo); !read)
         return tl::unexpected(read.error());
     return servo;
 }
@@ -147,16 +147,15 @@ base::Result<std::vector<ArmJoint>> selectJoints(const Values& values, std::vect
     return selected;
 }
 
-base::Result<Exit> writeCalibration(Run& run, const Values& values,
-                                    const std::vector<snapshot::Snapshot>& templates,
-                                    const QString& source, Json document)
+base::Result<Exit> writeTemplates(Run& run, const Values& values,
+                                  const std::vector<snapshot::Snapshot>& templates,
+                                  const QString& source, Json document)
 {
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
     MultiServoRestore several(run, values);
-    const auto all =
-        jobs::writeCalibrations(*context, templates, several.options(), several.progress());
+    const auto all = jobs::writeJoints(*context, templates, several.options(), several.progress());
     return several.finish(all, source, std::move(document));
 }
 

@@ -42,7 +42,7 @@ private:
 
 struct ArmJoint {
     jobs::Joint joint;
-    std::optional<device::Servo> servo{}; ///< with readCalibration(); none: no reply
+    std::optional<device::Servo> servo{}; ///< with readJoint(); none: no reply
     bool isLeader = false;                ///< jobs::Arm::isLeader
 
     std::optional<jobs::JointCalibration> calibration() const;
@@ -59,9 +59,9 @@ base::Result<std::vector<ArmJoint>> selectJoints(const Values& values,
 
 /// Each template onto the servo with its ID, or with --dry-run only its plan; prints the result.
 /// `document`: what it begins with.
-base::Result<Exit> writeCalibration(Run& run, const Values& values,
-                                    const std::vector<snapshot::Snapshot>& templates,
-                                    const QString& source, Json document = Json::object());
+base::Result<Exit> writeTemplates(Run& run, const Values& values,
+                                  const std::vector<snapshot::Snapshot>& templates,
+                                  const QString& source, Json document = Json::object());
 
 /// {"name","id","kind","model","firmware","position","homing_offset","range_min","range_max"}
 Json jsonJoint(const ArmJoint& one);

@@ -3,6 +3,7 @@
 
 #include "cli/parser.h"
 #include "cli/translate.h"
+#include "session/session.h"
 #include "transport/port_inventory.h"
 
 #include <QProcess>

@@ -51,7 +51,8 @@ QString armRemarkText(const base::ArmRemark& remark)
     case ArmRemarkKind::NoReply:
         return translate("text", "No reply from %1.").arg(joints);
     case ArmRemarkKind::OtherModel:
-        return translate("text", "%1 has the model %2; LeRobot expects %3 and refuses the bus.")
+        return translate("text", "%1 has the model %2; LeRobot expects %3 and refuses the bus. Fit "
+                                 "that model, or enter %2 both in the arm and in LeRobot's code.")
             .arg(joints, remark.model, remark.expectedModel);
     case ArmRemarkKind::OtherFirmware:
         return translate("text", "The firmware versions differ: LeRobot refuses the bus.");

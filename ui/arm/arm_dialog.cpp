@@ -71,6 +71,7 @@ ArmDialog::ArmDialog(const jobs::Arm& arm, const QString& path, session::Setting
     : QDialog(parent)
     , m_settings(settings)
     , m_path(path)
+    , m_isNew(arm.joints.empty())
     , m_summary(new QLabel(this))
     , m_name(new QLineEdit(this))
     , m_isLeader(new QCheckBox(this))
@@ -257,7 +258,7 @@ void ArmDialog::update()
 
 void ArmDialog::retranslate()
 {
-    setWindowTitle(tr("Edit arm"));
+    setWindowTitle(m_isNew ? tr("New arm") : tr("Edit arm"));
     m_summary->setText(tr("The joints of the arm, each with the ID of its servo. Names are those "
                           "of LeRobot's calibration file. Reversed joints turn the other way in "
                           "LeRobot (drive_mode); no register changes."));

@@ -22,7 +22,7 @@ class ArmDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// `path`: of the arm's file; empty for a built-in one.
+    /// `path`: of the arm's file; empty for a built-in or a new one, which has no joints yet.
     ArmDialog(const jobs::Arm& arm, const QString& path, session::Settings& settings,
               QWidget* parent);
 
@@ -44,6 +44,7 @@ private:
 
     session::Settings& m_settings;
     QString m_path;
+    bool m_isNew;
     QLabel* m_summary;
     QLineEdit* m_name;
     QCheckBox* m_isLeader;

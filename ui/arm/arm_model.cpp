@@ -7,6 +7,7 @@
 #include "ui/widgets/test_text.h"
 
 #include <array>
+#include <cmath>
 
 namespace ui {
 namespace {
@@ -29,17 +30,9 @@ double degreesOf(const device::Servo& servo, std::int64_t steps)
            servo.profile->stepsPerTurn;
 }
 
-/// While it is recorded, else as it was read last.
-QString positionText(const device::Servo* servo, const ArmJoint& one)
+bool wasRecorded(const ArmJoint& one)
 {
-    if (servo == nullptr)
-        return QStringLiteral("–");
-    const auto read = servo->raw(catalog::Role::PresentPosition);
-    if (one.test && one.test->state == base::MoveTestState::Moving)
-        return QString::number(one.test->position);
-    if (one.range.state != JointState::NoReply)
-        return QString::number(one.range.reading);
-    return read ? QString::number(*read) : QStringLiteral("–");
+    return one.range.state != JointState::NoReply;
 }
 
 /// "850", or "850 → 142" where another value is planned.
@@ -143,38 +136,84 @@ QVariant ArmModel::data(const QModelIndex& index, int role) const
                    : QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
     case toneRole:
         return column == StateColumn ? toneOf(one) : QVariant();
-    case jointRangeRole: {
-        const device::Servo* servo = servoOf(m_workbench, one);
-        if (servo == nullptr || one.range.state == JointState::NoReply)
-            return {};
-        // The middle of the range is the middle of the bar, so that no seam divides it.
-        const double turn = servo->profile->stepsPerTurn;
-        const double middle = static_cast<double>(one.range.low + one.range.high) / 2;
-        QVariantList fractions;
-        for (const std::int64_t steps : {one.range.low, one.range.high, one.range.now})
-            fractions << 0.5 + (static_cast<double>(steps) - middle) / turn;
-        return fractions;
-    }
+    case jointBarRole:
+        return barOf(one);
     default:
         return {};
     }
 }
 
-QString ArmModel::text(const ArmJoint& one, int column) const
+bool ArmModel::isRecording(const ArmJoint& one) const
+{
+    return m_calibration.step() == ArmCalibration::Step::Recording && wasRecorded(one);
+}
+
+/// In steps as the servo reports it. A running job reads it itself; it is polled otherwise.
+std::optional<std::int64_t> ArmModel::positionOf(const ArmJoint& one) const
 {
     const device::Servo* servo = servoOf(m_workbench, one);
+    if (servo == nullptr)
+        return std::nullopt;
+    if (one.test && one.test->state == base::MoveTestState::Moving)
+        return one.test->position;
+    return isRecording(one) ? std::optional(one.range.reading)
+                            : servo->raw(catalog::Role::PresentPosition);
+}
+
+QVariant ArmModel::barOf(const ArmJoint& one) const
+{
+    const device::Servo* servo = servoOf(m_workbench, one);
+    if (servo == nullptr || one.joint.kind == base::JointKind::Wheel ||
+        (!wasRecorded(one) && !one.held))
+        return {};
+    const double turn = servo->profile->stepsPerTurn;
+    const auto position = positionOf(one);
+    JointBar bar;
+    bar.isRecorded = wasRecorded(one);
+    const bool isFullTurn = one.range.state == JointState::FullTurn;
+    if (!bar.isRecorded || isFullTurn) {
+        bar.low = isFullTurn ? 0 : one.held->rangeMin / turn;
+        bar.high = isFullTurn ? 1 : one.held->rangeMax / turn;
+        if (position)
+            bar.now = static_cast<double>(*position) / turn;
+        return QVariant::fromValue(bar);
+    }
+    // The middle of the range is the middle of the bar, so that no seam divides it.
+    const double middle = static_cast<double>(one.range.low + one.range.high) / 2;
+    const auto fraction = [&](double steps) { return 0.5 + (steps - middle) / turn; };
+    bar.low = fraction(static_cast<double>(one.range.low));
+    bar.high = fraction(static_cast<double>(one.range.high));
+    if (position) {
+        const double moved = static_cast<double>(*position - one.range.reading);
+        bar.now = fraction(static_cast<double>(one.range.now) + std::remainder(moved, turn));
+    }
+    return QVariant::fromValue(bar);
+}
+
+QString ArmModel::travelText(const ArmJoint& one) const
+{
+    const device::Servo* servo = servoOf(m_workbench, one);
+    if (servo == nullptr || one.joint.kind == base::JointKind::Wheel ||
+        (!wasRecorded(one) && !one.held))
+        return {};
+    const std::int64_t steps =
+        wasRecorded(one) ? one.range.high - one.range.low : one.held->rangeMax - one.held->rangeMin;
+    return QStringLiteral("%1°").arg(degreesOf(*servo, steps), 0, 'f', 0);
+}
+
+QString ArmModel::text(const ArmJoint& one, int column) const
+{
     switch (column) {
     case IdColumn:
         return QString::number(one.joint.id);
     case JointColumn:
         return one.joint.name;
-    case PositionColumn:
-        return positionText(servo, one);
+    case PositionColumn: {
+        const auto position = positionOf(one);
+        return position ? QString::number(*position) : QStringLiteral("–");
+    }
     case DegreesColumn:
-        return servo == nullptr || one.range.state == JointState::NoReply
-                   ? QString()
-                   : QStringLiteral("%1°").arg(degreesOf(*servo, one.range.high - one.range.low), 0,
-                                               'f', 0);
+        return travelText(one);
     case StateColumn:
         return stateText(one);
     case OffsetColumn:
@@ -199,8 +238,7 @@ QString ArmModel::stateText(const ArmJoint& one) const
         return tr("wheel: not calibrated");
     if (one.test)
         return text::moveTestStateText(one.test->state);
-    const bool wasRecorded = one.range.state != JointState::NoReply;
-    if (m_calibration.step() == ArmCalibration::Step::Recording || wasRecorded)
+    if (m_calibration.step() == ArmCalibration::Step::Recording || wasRecorded(one))
         return text::jointStateText(one.range.state);
     return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The joints of an arm as a table: position, recorded range and state, and offset and limits as the
-// servo holds them, with the new ones beside them once they are known. Owned by its page; main
-// thread.
+// The joints of an arm as a table: position, range (as it is recorded, else the limits) and state,
+// and offset and limits as the servo holds them, with the new ones beside them once they are known.
+// Owned by its page; main thread.
 #pragma once
 
 #include "session/arm/arm_calibration.h"
@@ -17,7 +17,7 @@ public:
         IdColumn,
         JointColumn,
         PositionColumn,
-        RangeColumn, ///< how far it has been moved, as a bar: jointRangeRole
+        RangeColumn, ///< as a bar: jointBarRole
         DegreesColumn,
         StateColumn,
         OffsetColumn,
@@ -38,6 +38,10 @@ public:
 private:
     QString text(const session::ArmJoint& one, int column) const;
     QString stateText(const session::ArmJoint& one) const;
+    QVariant barOf(const session::ArmJoint& one) const;
+    bool isRecording(const session::ArmJoint& one) const; ///< has readings, and gets more
+    std::optional<std::int64_t> positionOf(const session::ArmJoint& one) const;
+    QString travelText(const session::ArmJoint& one) const;
     QVariant toneOf(const session::ArmJoint& one) const;
     static QVariant toneOfTest(base::MoveTestState state);
 
@@ -52,7 +56,14 @@ QStringList positionChanges(const session::ArmCalibration& calibration, bool isP
 /// Likewise, for LeRobot.
 QStringList lerobotChanges(const session::ArmCalibration& calibration);
 
-/// Low, high and present position as fractions of the bar; in a QVariantList of doubles, empty
-/// where nothing has been recorded.
-constexpr int jointRangeRole = Qt::UserRole + 40;
+/// Fractions of a turn.
+struct JointBar {
+    double low = 0;
+    double high = 0;
+    std::optional<double> now{}; ///< none: not read
+    bool isRecorded = false;     ///< else the limits
+};
+constexpr int jointBarRole = Qt::UserRole + 40; ///< a JointBar; invalid: nothing is known
 } // namespace ui
+
+Q_DECLARE_METATYPE(ui::JointBar)

@@ -29,13 +29,27 @@
 
 namespace ui {
 namespace {
+using catalog::Role;
 using session::ArmCalibration;
 using session::ArmJoint;
 using Step = ArmCalibration::Step;
 
 constexpr int minRangeWidth = 120;
+constexpr std::chrono::milliseconds updateInterval{50};
+constexpr std::chrono::milliseconds pollPeriod{50};
 constexpr int strongerTestTorque = 60; ///< %, for an arm that is heavy
 const QString armSetting = QStringLiteral("arm/arm");
+
+/// Those that it has.
+QStringList roleKeys(const catalog::Profile& profile, std::initializer_list<Role> roles)
+{
+    QStringList keys;
+    for (const Role role : roles) {
+        if (const catalog::Register* reg = profile.byRole(role))
+            keys << reg->key;
+    }
+    return keys;
+}
 
 bool isDone(const jobs::ApplyResult& result)
 {
@@ -47,6 +61,7 @@ bool isDone(const jobs::ApplyResult& result)
 ArmPage::ArmPage(AppContext& context, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
     , m_workbench(context.workbench)
+    , m_workbenchGuard(&context.workbench)
     , m_calibration(context.workbench.armCalibration())
     , m_settings(settings)
     , m_armKey(jobs::builtInArms().front())
@@ -69,7 +84,17 @@ ArmPage::ArmPage(AppContext& context, session::Settings& settings, QWidget* pare
     column->addWidget(m_banner);
     column->addWidget(buildJoints(), 1);
     column->addWidget(m_lerobot);
-    connect(&m_calibration, &ArmCalibration::changed, this, &ArmPage::update);
+    connectAll();
+    loadLastArm();
+    followLanguage(this, [this] { retranslate(); });
+}
+
+void ArmPage::connectAll()
+{
+    m_updateTimer.setSingleShot(true);
+    m_updateTimer.setInterval(updateInterval);
+    connect(&m_updateTimer, &QTimer::timeout, this, &ArmPage::update);
+    connect(&m_calibration, &ArmCalibration::changed, this, &ArmPage::updateSoon);
     connect(&m_calibration, &ArmCalibration::written, this, &ArmPage::showResults);
     connect(&m_calibration, &ArmCalibration::tested, this, &ArmPage::showTestResults);
     const auto showError = [this](const base::Error& error) { m_banner->showMessage(error); };
@@ -87,12 +112,6 @@ ArmPage::ArmPage(AppContext& context, session::Settings& settings, QWidget* pare
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &ArmPage::updateButtons);
     connect(m_cancel, &QPushButton::clicked, &m_calibration, &ArmCalibration::cancel);
-    const QString last = settings.pageValue(armSetting, m_armKey).toString();
-    if (auto arm = jobs::loadArm(last)) { // its file may be gone
-        m_armKey = last;
-        m_calibration.setArm(std::move(*arm));
-    }
-    followLanguage(this, [this] { retranslate(); });
 }
 
 QWidget* ArmPage::buildJoints()
@@ -146,13 +165,41 @@ void ArmPage::showEvent(QShowEvent* event)
     update();
 }
 
-/// The last entry asks for a file.
+void ArmPage::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    poll(false);
+}
+
+void ArmPage::poll(bool isOn)
+{
+    if (!m_workbenchGuard)
+        return;
+    session::Subscription subscription;
+    subscription.period = pollPeriod;
+    std::vector<session::ServoRef> polled;
+    for (const ArmJoint& one : m_calibration.joints()) {
+        const session::ServoEntry* entry = m_workbench.registry().servo(one.servo);
+        if (!isOn || entry == nullptr || !entry->servo.profile)
+            continue;
+        polled.push_back(one.servo);
+        subscription.parts.push_back(
+            {one.servo, roleKeys(*entry->servo.profile, {Role::PresentPosition}),
+             roleKeys(*entry->servo.profile,
+                      {Role::PositionOffset, Role::MinAngle, Role::MaxAngle, Role::Lock})});
+    }
+    if (polled != std::exchange(m_polled, polled))
+        m_workbench.polling().subscribe(QStringLiteral("arm"), subscription);
+}
+
 void ArmPage::chooseArm(int index)
 {
     const QString name = m_arm->itemData(index).toString();
     if (!name.isEmpty())
         return loadArm(name);
-    update(); // the choice stays until a file has been loaded
+    update(); // the choice stays until a file has been loaded or saved
+    if (index == m_arm->count() - 1)
+        return openEditor({}, {});
     askForFile(this,
                {.objectName = QStringLiteral("armChoiceDialog"),
                 .title = tr("Select the file with the arm"),
@@ -160,6 +207,16 @@ void ArmPage::chooseArm(int index)
                 .settings = &m_settings,
                 .folderKey = QStringLiteral("arm/folder")},
                [this](const QString& path) { loadArm(path); });
+}
+
+void ArmPage::loadLastArm()
+{
+    const QString last = m_settings.pageValue(armSetting, m_armKey).toString();
+    auto arm = jobs::loadArm(last);
+    if (!arm)
+        return m_banner->showMessage(arm.error());
+    m_armKey = last;
+    m_calibration.setArm(std::move(*arm));
 }
 
 void ArmPage::loadArm(const QString& nameOrPath)
@@ -174,7 +231,7 @@ void ArmPage::loadArm(const QString& nameOrPath)
     fillArms();
 }
 
-/// The built-in arms, that of the user's file, and an entry that asks for a file.
+/// The built-in arms, that of the user's file, and what asks for another one.
 void ArmPage::fillArms()
 {
     m_arm->clear();
@@ -185,13 +242,18 @@ void ArmPage::fillArms()
             QStringLiteral("%1 (%2)").arg(m_calibration.arm().name, QFileInfo(m_armKey).fileName()),
             m_armKey);
     m_arm->addItem(tr("From file…"), QString());
+    m_arm->addItem(tr("New arm…"), QString());
     m_arm->setCurrentIndex(m_arm->findData(m_armKey));
 }
 
 void ArmPage::editArm()
 {
-    auto* dialog =
-        new ArmDialog(m_calibration.arm(), isBuiltIn() ? QString() : m_armKey, m_settings, this);
+    openEditor(m_calibration.arm(), isBuiltIn() ? QString() : m_armKey);
+}
+
+void ArmPage::openEditor(const jobs::Arm& arm, const QString& path)
+{
+    auto* dialog = new ArmDialog(arm, path, m_settings, this);
     connect(dialog, &ArmDialog::saved, this, &ArmPage::loadArm);
     dialog->open();
 }
@@ -286,6 +348,16 @@ void ArmPage::showResults(const std::vector<jobs::ApplyResult>& results)
     });
 }
 
+/// Of those that a test would move.
+QStringList ArmPage::uncalibratedNames() const
+{
+    const std::vector<jobs::JointServo> all = m_calibration.jointServos();
+    std::vector<jobs::JointServo> tested;
+    for (const std::size_t row : m_calibration.movable(selectedRows()))
+        tested.push_back(all[row]);
+    return jobs::uncalibratedJoints(tested);
+}
+
 void ArmPage::askToTest()
 {
     const auto start = [this, rows = selectedRows()](int torque) {
@@ -293,13 +365,20 @@ void ArmPage::askToTest()
         m_calibration.startMoveTest(torque, rows);
     };
     const auto moveText = [](int torque) { return tr("Move at %1 % torque").arg(torque); };
+    const QStringList wide = uncalibratedNames();
+    const QString warning =
+        wide.isEmpty() ? QString()
+                       : tr("Not calibrated, so these run into their mechanical stops: %1.")
+                                 .arg(wide.join(tr(", ", "between joints"))) +
+                             QLatin1Char(' ');
     ask(this,
         {.title = tr("Move the joints to their limits?"),
          .text = selectedNames() +
                  tr("One joint after the other turns torque on, moves slowly to both ends of "
                     "its limits and back, and turns torque off. With little torque a heavy "
                     "arm may not get there."),
-         .risk = tr("The arm moves: keep hands and objects away, and hold what would drop."),
+         .risk =
+             warning + tr("The arm moves: keep hands and objects away, and hold what would drop."),
          .acceptText = moveText(jobs::defaultTestTorque),
          .alternativeText = moveText(strongerTestTorque),
          .alternativeToolTip = tr("For a heavy arm"),
@@ -389,11 +468,18 @@ QString ArmPage::instruction() const
         "or test only these joints.");
 }
 
+void ArmPage::updateSoon()
+{
+    if (!m_updateTimer.isActive())
+        m_updateTimer.start();
+}
+
 void ArmPage::update()
 {
     if (!isVisible())
         return;
     m_calibration.readUnread();
+    poll(true);
     m_model->update();
     m_lerobot->update();
     m_instruction->setText(instruction());

@@ -8,6 +8,8 @@
 #include "session/settings.h"
 #include "ui/common/app_context.h"
 
+#include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 class QCheckBox;
@@ -29,14 +31,18 @@ public:
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     QWidget* buildJoints();
+    void connectAll();
     void chooseArm(int index);
+    void loadLastArm();
     void loadArm(const QString& nameOrPath);
     void fillArms();
     bool isBuiltIn() const { return jobs::builtInArms().contains(m_armKey); }
     void editArm();
+    void openEditor(const jobs::Arm& arm, const QString& path);
     void runAction();
     void askToRecord();
     void askToWrite();
@@ -45,16 +51,22 @@ private:
     void showTestResults(bool isComplete);
     session::JointRows selectedRows() const;
     QString selectedNames() const; ///< "Joints: elbow_flex, gripper"; empty: all
+    void updateSoon();
     void update();
     void updateButtons();
+    void poll(bool isOn); ///< the positions of the joints
     void retranslate();
     QString instruction() const;
     QStringList missingJoints() const;
+    QStringList uncalibratedNames() const;
 
     session::Workbench& m_workbench;
+    QPointer<session::Workbench> m_workbenchGuard; ///< a window may hide its pages on its way out
     session::ArmCalibration& m_calibration;
     session::Settings& m_settings;
     QString m_armKey; ///< name of a built-in arm, or path of its file
+    std::vector<session::ServoRef> m_polled;
+    QTimer m_updateTimer; ///< readings arrive faster than they can be looked at
     ArmModel* m_model;
     Banner* m_banner;
     QLabel* m_title;

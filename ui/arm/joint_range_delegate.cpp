@@ -19,7 +19,7 @@ void JointRangeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
                                const QModelIndex& index) const
 {
     QStyledItemDelegate::paint(painter, option, index); // the ground of the row
-    const QVariantList fractions = index.data(jointRangeRole).toList();
+    const QVariant data = index.data(jointBarRole);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(Qt::NoPen);
@@ -33,15 +33,19 @@ void JointRangeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
                                  trackHeight / 2, trackHeight / 2);
     };
     draw(0, 1, option.palette.color(QPalette::Mid));
-    if (fractions.size() == 3) {
-        const auto fraction = [&](int i) { return std::clamp(fractions[i].toDouble(), 0.0, 1.0); };
+    if (data.isValid()) {
+        const auto bar = data.value<JointBar>();
+        const auto inside = [](double fraction) { return std::clamp(fraction, 0.0, 1.0); };
         const QColor color = tone(Tone::Accent, option.palette);
-        draw(fraction(0), fraction(1), color);
-        painter->setBrush(color);
-        painter->setPen(QPen(option.palette.color(QPalette::Base), 2));
-        painter->drawEllipse(
-            QPointF(track.left() + fraction(2) * track.width(), track.center().y()), dotRadius,
-            dotRadius);
+        draw(inside(bar.low), inside(bar.high),
+             bar.isRecorded ? color : option.palette.color(QPalette::PlaceholderText));
+        if (bar.now) {
+            painter->setBrush(color);
+            painter->setPen(QPen(option.palette.color(QPalette::Base), 2));
+            painter->drawEllipse(
+                QPointF(track.left() + inside(*bar.now) * track.width(), track.center().y()),
+                dotRadius, dotRadius);
+        }
     }
     painter->restore();
 }

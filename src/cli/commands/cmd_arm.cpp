@@ -127,7 +127,7 @@ base::Result<Exit> runApply(Run& run, const Values& values)
         if (!enter.wait())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("arm"));
     }
-    return writeCalibration(run, values, templates, path);
+    return writeTemplates(run, values, templates, path);
 }
 
 /// LeRobot writes these at each start; with the EPROM lock that it leaves open, each time anew.
@@ -165,7 +165,7 @@ base::Result<Exit> runPrepare(Run& run, const Values& values)
         if (!enter.wait())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("arm"));
     }
-    return writeCalibration(run, values, templates, QString());
+    return writeTemplates(run, values, templates, QString());
 }
 
 /// The arm itself, as a file for --arm that the user can change.

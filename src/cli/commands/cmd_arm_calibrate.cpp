@@ -222,8 +222,8 @@ private:
                                    nullptr, count)))
                 return stopped();
         }
-        const auto written = writeCalibration(m_run, m_values, templates, QString(),
-                                              Json::object().add("joints", std::move(joints)));
+        const auto written = writeTemplates(m_run, m_values, templates, QString(),
+                                            Json::object().add("joints", std::move(joints)));
         return written && *written == Exit::Success && !failures.isEmpty() ? Exit::Failed : written;
     }
 

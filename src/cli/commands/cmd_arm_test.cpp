@@ -56,8 +56,8 @@ QString resultText(const jobs::MoveTestReport& report)
         .arg(report.goal);
 }
 
-/// A joint that does not reach its ends does not keep the others from being tested; an alarm or
-/// lost torque does.
+/// A joint that does not reach its ends does not keep the others from being tested; an alarm, lost
+/// torque or an error does.
 base::Result<Exit> testJoints(Run& run, std::vector<ArmJoint> joints, int torque)
 {
     const auto context = run.context();
@@ -67,6 +67,7 @@ base::Result<Exit> testJoints(Run& run, std::vector<ArmJoint> joints, int torque
     table.alignRight({1});
     Json::Array results;
     bool isAllReached = true;
+    std::optional<base::Error> error;
     for (ArmJoint& one : joints) {
         ProgressLine line(run.console(), one.joint.name);
         const auto report =
@@ -74,9 +75,14 @@ base::Result<Exit> testJoints(Run& run, std::vector<ArmJoint> joints, int torque
                 line.show(QStringLiteral("%1 → %2").arg(now.position).arg(now.goal));
             });
         if (!report) {
-            if (!results.empty())
-                run.console().print(table.text());
-            return tl::unexpected(report.error());
+            if (results.empty())
+                return tl::unexpected(report.error());
+            error = report.error();
+            results.push_back(Json::object()
+                                  .add("name", one.joint.name)
+                                  .add("id", one.joint.id)
+                                  .add("error", jsonError(*error)));
+            break;
         }
         isAllReached &= report->state == MoveTestState::Reached;
         table.add({one.joint.name, QString::number(one.joint.id), resultText(*report)});
@@ -91,7 +97,9 @@ base::Result<Exit> testJoints(Run& run, std::vector<ArmJoint> joints, int torque
                                         "To set the limits: servodesk-cli arm calibrate") +
                            QLatin1Char('\n');
     run.finish(Json::object().add("torque_percent", torque).add("joints", std::move(results)),
-               table.text() + remedy);
+               table.text() + (error ? errorText(*error) : remedy));
+    if (error)
+        return exitCode(error->code);
     return isAllReached ? Exit::Success : Exit::Failed;
 }
 

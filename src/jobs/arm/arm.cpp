@@ -66,7 +66,7 @@ constexpr BuiltInArm builtIn[]{{"so101", so101},
                                {"lekiwi", lekiwi},
                                {"six-joint", sixJointArm}};
 
-Joint readJoint(const files::JsonReader& json)
+Joint decodeJoint(const files::JsonReader& json)
 {
     Joint joint;
     json.rejectUnknownKeys({QStringLiteral("name"), QStringLiteral("id"), QStringLiteral("model"),
@@ -96,7 +96,7 @@ tl::expected<Arm, QString> decodeArm(const QByteArray& text)
     QSet<QString> names;
     QSet<int> ids;
     for (const files::JsonReader& one : json.objects("joints")) {
-        Joint joint = readJoint(one);
+        Joint joint = decodeJoint(one);
         if (names.contains(joint.name))
             one.reportError("name", QStringLiteral("two joints have this name"));
         if (ids.contains(joint.id))

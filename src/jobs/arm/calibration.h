@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a joint's recorded range to its registers, and back: the offset that puts the middle of the
-// range in the middle of the turn, and the position limits. writeCalibrations() writes the
+// range in the middle of the turn, and the position limits. writeJoints() writes the
 // templates. Pure; any thread. Errors: NotSupported with the servo's ID and a reason:
 // "joint-not-recorded", "joint-lost-track", "joint-full-turn", "joint-beyond-turn",
 // "joint-in-step-mode", "no-position-limits", "calibration-out-of-range".

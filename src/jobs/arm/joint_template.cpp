@@ -24,12 +24,7 @@ std::vector<SettingChange> changesOf(const device::Servo& servo, const JointSett
 snapshot::Snapshot jointTemplate(const device::Servo& servo, const JointSettings& settings,
                                  const QString& program)
 {
-    snapshot::Snapshot result;
-    result.program = program;
-    result.at = QDateTime::currentDateTimeUtc();
-    result.port = servo.port;
-    result.baud = servo.baud;
-    result.servo = snapshotServo(servo);
+    snapshot::Snapshot result = emptySnapshot(servo, program);
     result.isTemplate = true;
     for (const JointSetting& one : settings) {
         const catalog::ValueFormat meaning = servo.meaning(*one.reg);

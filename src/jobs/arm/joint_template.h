@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings for a joint's servo: what they change, and as a template, which writeCalibrations()
+// Settings for a joint's servo: what they change, and as a template, which writeJoints()
 // writes. Pure; any thread.
 #pragma once
 

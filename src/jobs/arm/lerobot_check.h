@@ -10,7 +10,7 @@
 #include "jobs/arm/lerobot_file.h"
 
 namespace jobs {
-/// A joint with its servo, with its calibration read (readCalibration()); null: it does not reply.
+/// A joint with its servo, with its calibration read (readJoint()); null: it does not reply.
 struct JointServo {
     Joint joint;
     const device::Servo* servo = nullptr;

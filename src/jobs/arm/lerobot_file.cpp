@@ -17,7 +17,7 @@ namespace {
 const QString lerobotOperation = QStringLiteral("lerobot-file");
 constexpr qint64 maxLerobotFileSize = 1024 * 1024;
 
-LerobotJoint readJoint(const files::JsonReader& json, const QString& name)
+LerobotJoint decodeJoint(const files::JsonReader& json, const QString& name)
 {
     return {name,
             json.smallInteger("id"),
@@ -39,7 +39,7 @@ tl::expected<LerobotFile, QString> decode(const QByteArray& text)
     for (auto it = object->begin(); it != object->end(); ++it) {
         if (!it->isObject())
             return tl::unexpected(it.key() + QStringLiteral(": expected a joint"));
-        file.joints.push_back(readJoint({it->toObject(), error, it.key()}, it.key()));
+        file.joints.push_back(decodeJoint({it->toObject(), error, it.key()}, it.key()));
     }
     if (file.joints.empty())
         return tl::unexpected(QStringLiteral("no joints in it"));

@@ -23,7 +23,7 @@ struct MoveTestReport {
 };
 using MoveTestFn = std::function<void(const MoveTestReport&)>;
 
-/// `servo`: with its calibration read (readCalibration()). `onMove` while it moves, with the state
+/// `servo`: with its calibration read (readJoint()). `onMove` while it moves, with the state
 /// Moving.
 base::Result<MoveTestReport> testMoves(const device::Context& context, device::Servo& servo,
                                        int torquePercent, const MoveTestFn& onMove = {});

@@ -2,8 +2,8 @@
 #include "jobs/arm/record_ranges.h"
 
 #include "device/motion/motion.h"
-#include "jobs/arm/apply_calibration.h"
 #include "jobs/arm/calibration.h"
+#include "jobs/arm/joint_access.h"
 #include "jobs/watch/watch.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ base::Result<void> releaseJoints(const device::Context& context, std::vector<dev
 {
     for (device::Servo& servo : servos) {
         const auto possible =
-            readCalibration(context, servo).and_then([&] { return requireCalibratable(servo); });
+            readJoint(context, servo).and_then([&] { return requireCalibratable(servo); });
         if (!possible)
             return possible;
     }

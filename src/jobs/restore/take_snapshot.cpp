@@ -15,7 +15,7 @@ snapshot::SnapshotServo snapshotServo(const device::Servo& servo)
             base::protocolName(profile.protocol)};
 }
 
-snapshot::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
+snapshot::Snapshot emptySnapshot(const device::Servo& servo, const QString& program)
 {
     snapshot::Snapshot snapshot;
     snapshot.program = program;
@@ -23,6 +23,12 @@ snapshot::Snapshot snapshotOf(const device::Servo& servo, const QString& program
     snapshot.port = servo.port;
     snapshot.baud = servo.baud;
     snapshot.servo = snapshotServo(servo);
+    return snapshot;
+}
+
+snapshot::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
+{
+    snapshot::Snapshot snapshot = emptySnapshot(servo, program);
     for (const catalog::Register& reg : servo.profile->registers) {
         const catalog::ValueFormat meaning = servo.meaning(reg);
         const auto raw = servo.raw(reg);

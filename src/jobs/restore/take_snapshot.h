@@ -11,6 +11,9 @@ namespace jobs {
 /// The servo's identity as files hold it.
 snapshot::SnapshotServo snapshotServo(const device::Servo& servo);
 
+/// One without registers: program, time, port and servo.
+snapshot::Snapshot emptySnapshot(const device::Servo& servo, const QString& program);
+
 /// What has been read so far, as a snapshot. Reads nothing.
 snapshot::Snapshot snapshotOf(const device::Servo& servo, const QString& program);
 

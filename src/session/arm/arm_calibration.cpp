@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/arm/arm_calibration.h"
 
-#include "jobs/arm/apply_calibration.h"
+#include "jobs/arm/joint_access.h"
 #include "jobs/arm/record_ranges.h"
 #include "session/snapshot/safety_snapshot.h"
 
@@ -22,10 +22,10 @@ std::vector<device::Servo*> allServos(TaskContext& context)
     return all;
 }
 
-base::Result<void> readCalibrations(TaskContext& context)
+base::Result<void> readJoints(TaskContext& context)
 {
     for (device::Servo* servo : allServos(context)) {
-        if (const auto read = jobs::readCalibration(context.device, *servo); !read)
+        if (const auto read = jobs::readJoint(context.device, *servo); !read)
             return read;
     }
     return {};
@@ -192,23 +192,35 @@ void ArmCalibration::readUnread()
     Task task;
     task.name = QStringLiteral("read");
     task.quiet = true;
-    task.work = readCalibrations;
+    task.work = readJoints;
     task.done = [this](const TaskCompletion&) { updateHeld(); };
     (void)perform(std::move(task), std::move(unread));
+}
+
+/// A task on joints that is shown while it runs: `task` fills m_live.
+void ArmCalibration::startLive(Step step, const JointRows& rows, Task task)
+{
+    forgetPlan();
+    m_moving = movable(rows);
+    task.isLongRunning = true;
+    task.holdsTorqueAfterwards = false;
+    task.quiet = true;
+    if (!perform(std::move(task), servosAt(m_moving)))
+        return;
+    m_step = step;
+    if (Connection* connection = m_workbench.link().connection())
+        connection->moveSimulatedServosByHand(step == Step::Recording);
+    m_drainTimer.start();
+    Q_EMIT changed();
 }
 
 void ArmCalibration::startRecording(const JointRows& rows)
 {
     if (!canStart(rows))
         return;
-    forgetPlan();
-    m_moving = movable(rows);
     m_live = std::make_shared<Live>();
     Task task;
     task.name = QStringLiteral("record-ranges");
-    task.isLongRunning = true;
-    task.holdsTorqueAfterwards = false;
-    task.quiet = true;
     task.work = [live = m_live](TaskContext& context) -> base::Result<void> {
         const std::vector<device::Servo*> all = allServos(context);
         std::vector<device::Servo> moved;
@@ -228,13 +240,7 @@ void ArmCalibration::startRecording(const JointRows& rows)
         return recorded.map([](const auto&) {});
     };
     task.done = [this](const TaskCompletion& end) { recordingEnded(end); };
-    if (!perform(std::move(task), servosAt(m_moving)))
-        return;
-    m_step = Step::Recording;
-    if (Connection* connection = m_workbench.link().connection())
-        connection->moveSimulatedServosByHand(true);
-    m_drainTimer.start();
-    Q_EMIT changed();
+    startLive(Step::Recording, rows, std::move(task));
 }
 
 void ArmCalibration::finishRecording(bool isMiddleShown)
@@ -351,17 +357,12 @@ void ArmCalibration::startMoveTest(int torquePercent, const JointRows& rows)
 {
     if (!canStart(rows))
         return;
-    forgetPlan();
-    m_moving = movable(rows);
     m_live = std::make_shared<Live>();
     Task task;
     task.name = QStringLiteral("move-test");
     task.effect = Effect::Moves;
-    task.isLongRunning = true;
-    task.holdsTorqueAfterwards = false;
-    task.quiet = true;
     task.work = [live = m_live, torquePercent](TaskContext& context) -> base::Result<void> {
-        if (const auto read = readCalibrations(context); !read)
+        if (const auto read = readJoints(context); !read)
             return read;
         for (device::Servo* servo : allServos(context)) {
             if (context.stop.isRequested())
@@ -389,11 +390,7 @@ void ArmCalibration::startMoveTest(int torquePercent, const JointRows& rows)
         return {};
     };
     task.done = [this](const TaskCompletion& end) { testEnded(end); };
-    if (!perform(std::move(task), servosAt(m_moving)))
-        return;
-    m_step = Step::Testing;
-    m_drainTimer.start();
-    Q_EMIT changed();
+    startLive(Step::Testing, rows, std::move(task));
 }
 
 void ArmCalibration::testEnded(const TaskCompletion& end)
@@ -419,12 +416,14 @@ void ArmCalibration::writeTemplates(std::vector<snapshot::Snapshot> templates)
     task.quiet = true;
     task.work = [results,
                  templates = std::move(templates)](TaskContext& context) -> base::Result<void> {
-        *results = jobs::writeCalibrations(context.device, templates, {}, context.progress);
-        return readCalibrations(context);
+        *results = jobs::writeJoints(context.device, templates, {}, context.progress);
+        return readJoints(context);
     };
     task.done = [this, results](const TaskCompletion& end) {
         m_step = Step::Idle;
         forgetPlan();
+        for (const jobs::ApplyResult& one : *results)
+            m_workbench.restores().report(one);
         updateHeld();
         if (!results->empty())
             Q_EMIT written(*results);

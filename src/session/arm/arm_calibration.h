@@ -88,6 +88,7 @@ private:
     void forgetPlan();
     void writeTemplates(std::vector<snapshot::Snapshot> templates);
     std::vector<ServoRef> servosOf(const std::vector<snapshot::Snapshot>& templates) const;
+    void startLive(Step step, const JointRows& rows, Task task);
     bool perform(Task task, std::vector<ServoRef> servos);
     std::vector<ServoRef> servosAt(const JointRows& rows) const;
     bool isFree() const; ///< nothing else is running

@@ -160,13 +160,21 @@ void RestoreService::takeApplied(PendingApply& apply, const jobs::ApplyResult& o
     if (known == nullptr || known->servo.baud != one.servo->baud)
         return;
     m_bench.registry().merge(*known, *one.servo, m_bench.now());
-    if (one.outcome && !one.outcome->rows.empty()) {
-        const WriteRequest writes{itemsOf(one.plan), false, apply.request.options.restore.consent};
-        Work ended;
-        ended.ref = ref;
-        m_bench.writes().markWritesPending(*known, writes);
-        m_bench.writes().writeEnded(ended, writes, WriteService::WriteKind::New,
-                                    reportOf(*one.outcome));
-    }
+    report(one);
+}
+
+void RestoreService::report(const jobs::ApplyResult& one)
+{
+    const ServoRef ref =
+        one.servo ? m_bench.registry().findServo(one.servo->protocol, one.id) : ServoRef(0);
+    ServoEntry* known = m_bench.registry().entry(ref);
+    if (known == nullptr || !one.outcome || one.outcome->rows.empty())
+        return;
+    const WriteRequest writes{itemsOf(one.plan)};
+    Work ended;
+    ended.ref = ref;
+    m_bench.writes().markWritesPending(*known, writes);
+    m_bench.writes().writeEnded(ended, writes, WriteService::WriteKind::New,
+                                reportOf(*one.outcome));
 }
 } // namespace session

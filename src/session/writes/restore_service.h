@@ -25,6 +25,8 @@ public:
 
     void restore(ServoRef ref, const RestoreRequest& request);
     void apply(ApplyRequest request);
+    /// A servo of the list that a task has written so and has merged: as if apply() had done it.
+    void report(const jobs::ApplyResult& one);
 
 private:
     struct PendingApply;

@@ -9,6 +9,7 @@
 #include "support/test_main.h"
 #include "ui/arm/arm_model.h"
 #include "ui/arm/arm_page.h"
+#include "ui/widgets/banner.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -101,6 +102,12 @@ bool questionSays(Fixture& fixture, const char* text)
     });
 }
 
+ui::JointBar bar(Fixture& fixture, int row)
+{
+    const QAbstractItemModel* model = fixture.find<QTableView>("armTable")->model();
+    return model->index(row, Column::RangeColumn).data(ui::jointBarRole).value<ui::JointBar>();
+}
+
 const QString so101 = QStringLiteral("sim:so101");
 } // namespace
 
@@ -125,6 +132,26 @@ private Q_SLOTS:
         QCOMPARE(fixture.find<QPushButton>("armAction")->text(), QStringLiteral("采集范围…"));
         QCOMPARE(fixture.find<QComboBox>("armChoice")->currentText(),
                  QStringLiteral("SO-100/SO-101"));
+    }
+
+    /// Also what somebody else moves, before anything is started.
+    void thePositionsAreLive()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        session::Connection* connection = fixture.workbench().link().connection();
+        const QString before = fixture.cell(2, Column::PositionColumn);
+        const double shown = bar(fixture, 2).now.value_or(-1);
+        connection->moveSimulatedServosByHand(true);
+        QTRY_VERIFY(std::abs(fixture.cell(2, Column::PositionColumn).toInt() - before.toInt()) >
+                    100);
+        QTRY_VERIFY(std::abs(bar(fixture, 2).now.value_or(-1) - shown) > 0.05);
+        connection->moveSimulatedServosByHand(false);
+        QTRY_COMPARE(fixture.cell(2, Column::PositionColumn).toLongLong(),
+                     fixture.raw(3, "present_position"));
+        // Its limits are those of the whole turn, and are no recorded range.
+        QCOMPARE(fixture.cell(2, Column::DegreesColumn), QStringLiteral("360°"));
+        QVERIFY(!bar(fixture, 2).isRecorded);
     }
 
     void missingJointsAreNamed()
@@ -154,6 +181,8 @@ private Q_SLOTS:
         QVERIFY2(fixture.cell(2, Column::OffsetColumn).startsWith(QStringLiteral("850 → 14")),
                  qPrintable(fixture.cell(2, Column::OffsetColumn)));
         QCOMPARE(fixture.cell(4, Column::StateColumn), QStringLiteral("turns through a full turn"));
+        QVERIFY(std::abs(bar(fixture, 4).now.value_or(-1) -
+                         fixture.cell(4, Column::PositionColumn).toInt() / 4096.0) < 0.1);
 
         fixture.click("armAction");
         fixture.clickYes();
@@ -280,6 +309,14 @@ private Q_SLOTS:
         QVERIFY(fixture.raw(3, "position_offset") != 850);
         QCOMPARE(fixture.raw(1, "max_angle_limit"), 4095);
         QCOMPARE(fixture.raw(1, "torque_switch"), 1);
+        QVERIFY(!bar(fixture, 2).isRecorded);
+
+        QTRY_VERIFY(fixture.action(ui::Command::Undo)->isEnabled());
+        fixture.action(ui::Command::Undo)->trigger();
+        fixture.clickYes();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.raw(3, "position_offset"), 850, 30'000);
+        QTRY_COMPARE(fixture.raw(3, "max_angle_limit"), 4095);
+        QTRY_COMPARE(fixture.cell(2, Column::OffsetColumn), QStringLiteral("850"));
     }
 
     /// Its stops lie within the limits that it comes with; within its range it gets to both ends.
@@ -290,7 +327,8 @@ private Q_SLOTS:
         fixture.find<QTableView>("armTable")->selectRow(5);
         fixture.click("armTest");
         QCOMPARE(fixture.calibration().step(), Step::Idle); // nothing moves before the answer
-        QVERIFY(questionSays(fixture, "gripper"));
+        QVERIFY(questionSays(fixture, "Not calibrated, so these run into their mechanical stops: "
+                                      "gripper."));
         fixture.clickYes();
         QTRY_COMPARE(fixture.calibration().step(), Step::Testing);
         QTRY_COMPARE_WITH_TIMEOUT(fixture.cell(5, Column::StateColumn),
@@ -302,13 +340,18 @@ private Q_SLOTS:
             wire.servo(6)->poke(QStringLiteral("min_angle_limit"), 2000);
             wire.servo(6)->poke(QStringLiteral("max_angle_limit"), 2400);
         });
+        QTRY_COMPARE(fixture.cell(5, Column::MaxColumn), QStringLiteral("2400"));
         fixture.click("armTest");
+        QVERIFY(questionSays(fixture, "The arm moves"));
+        QVERIFY(!questionSays(fixture, "Not calibrated"));
         fixture.clickYes();
         QTRY_COMPARE_WITH_TIMEOUT(fixture.cell(5, Column::StateColumn),
                                   QStringLiteral("reached both ends"), 60'000);
         QTRY_VERIFY(fixture.isShown("1 joint reached both ends."));
         QCOMPARE(fixture.raw(6, "torque_switch"), 0);
         QCOMPARE(fixture.raw(6, "torque_limit"), 1000);
+        QTRY_COMPARE(fixture.cell(5, Column::PositionColumn).toLongLong(),
+                     fixture.raw(6, "present_position"));
     }
 
     /// As with every other motion: torque has to be turned on by the user first.
@@ -392,6 +435,36 @@ private Q_SLOTS:
         QVERIFY(again.findChild<QComboBox*>(QStringLiteral("armChoice"))
                     ->currentText()
                     .contains(QStringLiteral("my-arm.json")));
+    }
+
+    void aNewArmIsMade()
+    {
+        const QTemporaryDir folder;
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        auto* arms = fixture.find<QComboBox>("armChoice");
+        arms->setCurrentIndex(arms->count() - 1);
+        Q_EMIT arms->activated(arms->count() - 1);
+        QVERIFY(!fixture.find<QPushButton>("armDialogSave")->isEnabled()); // it has no joint
+        fixture.click("armDialogAdd");
+        fixture.find<QTableWidget>("armDialogTable")->item(0, 0)->setText(QStringLiteral("head"));
+        fixture.chooseFile("armDialogSave", "armDialogSaveDialog",
+                           folder.filePath(QStringLiteral("head.json")));
+        QTRY_COMPARE(fixture.calibration().joints().size(), std::size_t(1));
+        QTRY_COMPARE(fixture.cell(0, Column::JointColumn), QStringLiteral("head"));
+        QTRY_COMPARE(fixture.calibration().joints().front().held->rangeMax, 4095);
+    }
+
+    /// The page comes with the default one.
+    void aLostArmFileIsSaid()
+    {
+        Fixture fixture(so101);
+        fixture.settings.setPageValue(QStringLiteral("arm/arm"),
+                                      QStringLiteral("/nowhere/my-arm.json"));
+        ui::ArmPage again(fixture.context, fixture.settings);
+        QVERIFY(!again.findChildren<ui::Banner*>().front()->isHidden());
+        QCOMPARE(again.findChild<QComboBox*>(QStringLiteral("armChoice"))->currentText(),
+                 QStringLiteral("SO-100/SO-101"));
     }
 
     void aBrokenFileIsSaid()

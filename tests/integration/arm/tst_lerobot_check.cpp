@@ -2,7 +2,7 @@
 // What LeRobot finds at its next start: other models and firmware, open locks, settings that it
 // would write, and a file that differs. Its settings stand here as its source has them; once they
 // are written, nothing is left to be written.
-#include "jobs/arm/apply_calibration.h"
+#include "jobs/arm/joint_access.h"
 #include "jobs/arm/lerobot_check.h"
 #include "jobs/arm/lerobot_settings.h"
 #include "support/sim_fixture.h"
@@ -23,7 +23,7 @@ public:
         m_servos.reserve(kinds.size());
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             m_servos.push_back(fixture.servo(int(i) + 1));
-            if (!jobs::readCalibration(fixture.context(), m_servos.back()))
+            if (!jobs::readJoint(fixture.context(), m_servos.back()))
                 qFatal("not readable");
             joints.push_back({{QStringLiteral("joint%1").arg(i + 1), int(i) + 1,
                                QStringLiteral("STS3215"), kinds[i], false},
@@ -50,7 +50,7 @@ void prepare(SimFixture& fixture, const Arm& arm)
     for (const jobs::JointServo& one : arm.joints)
         templates.push_back(
             jobs::jointTemplate(*one.servo, one.lerobotSettings(), QStringLiteral("test")));
-    for (const jobs::ApplyResult& one : jobs::writeCalibrations(fixture.context(), templates, {}))
+    for (const jobs::ApplyResult& one : jobs::writeJoints(fixture.context(), templates, {}))
         QVERIFY(one.verdict == jobs::ApplyVerdict::Done);
 }
 } // namespace

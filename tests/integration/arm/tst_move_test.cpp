@@ -2,7 +2,7 @@
 // The move test of a joint: to both ends of its limits and back with little torque; what is in its
 // way is told, and however it ends, the servo is without torque and has its own torque limit again.
 #include "device/reader.h"
-#include "jobs/arm/apply_calibration.h"
+#include "jobs/arm/joint_access.h"
 #include "jobs/arm/move_test.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
@@ -35,7 +35,7 @@ device::Servo calibrated(SimFixture& fixture)
     fixture.poke(1, QStringLiteral("max_angle_limit"), 3000);
     fixture.poke(1, QStringLiteral("lock"), 1);
     device::Servo servo = fixture.servo(1);
-    if (!jobs::readCalibration(fixture.context(), servo))
+    if (!jobs::readJoint(fixture.context(), servo))
         qFatal("not readable");
     return servo;
 }
@@ -132,7 +132,7 @@ private Q_SLOTS:
         fixture.poke(1, QStringLiteral("lock"), 0);
         fixture.poke(1, QStringLiteral("max_angle_limit"), 2000); // below where it stands
         fixture.poke(1, QStringLiteral("lock"), 1);
-        QVERIFY(jobs::readCalibration(fixture.context(), servo));
+        QVERIFY(jobs::readJoint(fixture.context(), servo));
         const auto report = jobs::testMoves(fixture.context(), servo, 30);
         QVERIFY(report);
         QCOMPARE(report->state, MoveTestState::NotReached);
@@ -178,7 +178,7 @@ private Q_SLOTS:
         options.baud = 115'200;
         SimFixture fixture(QStringLiteral("lx16a@1"), options);
         device::Servo servo = fixture.servo(1, base::Protocol::Lx);
-        QVERIFY(jobs::readCalibration(fixture.context(), servo));
+        QVERIFY(jobs::readJoint(fixture.context(), servo));
         const auto report = jobs::testMoves(fixture.context(), servo, 30);
         QVERIFY(!report);
         QCOMPARE(report.error().detail, QStringLiteral("no-torque-limit"));

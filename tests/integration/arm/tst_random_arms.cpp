@@ -4,8 +4,8 @@
 // middle of each joint reads 2048 ± 2, its limits are the stops within 3 steps, and LeRobot's own
 // comparison accepts the file. Fifty here, 500 in the deep check.
 #include "device/reader.h"
-#include "jobs/arm/apply_calibration.h"
 #include "jobs/arm/calibration.h"
+#include "jobs/arm/joint_access.h"
 #include "jobs/arm/record_ranges.h"
 #include "support/deep_check.h"
 #include "support/sim_fixture.h"
@@ -163,11 +163,11 @@ private Q_SLOTS:
             jobs::calibrationOf(servos.front(), base::JointKind::Limited, ranges->front());
         QVERIFY(values);
         QVERIFY(values->rangeMax - values->rangeMin > 200); // 80 degrees of 1024 steps
-        const auto written = jobs::writeCalibrations(
-            fixture.context(),
-            {jobs::calibrationTemplate(servos.front(), base::JointKind::Limited, *values,
-                                       QStringLiteral("test"))},
-            {});
+        const auto written =
+            jobs::writeJoints(fixture.context(),
+                              {jobs::calibrationTemplate(servos.front(), base::JointKind::Limited,
+                                                         *values, QStringLiteral("test"))},
+                              {});
         QCOMPARE(jobs::verdictName(written.front().verdict), QStringLiteral("done"));
         QCOMPARE(fixture.raw(1, QStringLiteral("max_angle_limit")), values->rangeMax);
     }
@@ -237,7 +237,7 @@ private:
             templates.push_back(jobs::calibrationTemplate(servos[i], base::JointKind::Limited,
                                                           *values, QStringLiteral("test")));
         }
-        for (const auto& one : jobs::writeCalibrations(fixture.context(), templates, {})) {
+        for (const auto& one : jobs::writeJoints(fixture.context(), templates, {})) {
             if (one.verdict != jobs::ApplyVerdict::Done &&
                 one.verdict != jobs::ApplyVerdict::AlreadySet)
                 QTest::qFail(where + ": " + qPrintable(jobs::verdictName(one.verdict)), __FILE__,

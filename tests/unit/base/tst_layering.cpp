@@ -378,7 +378,7 @@ private Q_SLOTS:
              {QStringLiteral("src/jobs/recover/recover_apply.cpp"),
               QStringLiteral("src/jobs/restore/restore_run.cpp")}},
             {QStringLiteral("Consent::byTask("),
-             {QStringLiteral("src/jobs/arm/apply_calibration.cpp"),
+             {QStringLiteral("src/jobs/arm/joint_access.cpp"),
               QStringLiteral("src/device/motion/mode_switch.cpp"),
               QStringLiteral("src/jobs/change/clear_alarm.cpp"),
               QStringLiteral("src/jobs/temporary_settings.cpp")}}};

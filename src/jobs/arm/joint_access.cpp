@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/arm/apply_calibration.h"
+#include "jobs/arm/joint_access.h"
 
 #include "device/reader.h"
 #include "jobs/arm/lerobot_settings.h"
@@ -9,7 +9,7 @@
 namespace jobs {
 using catalog::Role;
 
-base::Result<void> readCalibration(const device::Context& context, device::Servo& servo)
+base::Result<void> readJoint(const device::Context& context, device::Servo& servo)
 {
     std::vector<const catalog::Register*> registers{servo.profile->find(returnDelayKey)};
     for (const Role role :
@@ -23,9 +23,9 @@ base::Result<void> readCalibration(const device::Context& context, device::Servo
     });
 }
 
-std::vector<ApplyResult> writeCalibrations(const device::Context& context,
-                                           const std::vector<snapshot::Snapshot>& templates,
-                                           ApplyOptions options, const ProgressFn& progress)
+std::vector<ApplyResult> writeJoints(const device::Context& context,
+                                     const std::vector<snapshot::Snapshot>& templates,
+                                     ApplyOptions options, const ProgressFn& progress)
 {
     snapshot::Bundle bundle;
     bundle.servos = templates;
