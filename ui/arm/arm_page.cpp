@@ -237,10 +237,11 @@ void ArmPage::fillArms()
     m_arm->clear();
     for (const QString& name : jobs::builtInArms())
         m_arm->addItem(jobs::loadArm(name).value_or(jobs::Arm()).name, name);
-    if (!isBuiltIn())
-        m_arm->addItem(
-            QStringLiteral("%1 (%2)").arg(m_calibration.arm().name, QFileInfo(m_armKey).fileName()),
-            m_armKey);
+    if (!isBuiltIn()) {
+        const QString& name = m_calibration.arm().name;
+        const QString file = QFileInfo(m_armKey).fileName();
+        m_arm->addItem(name.isEmpty() ? file : QStringLiteral("%1 (%2)").arg(name, file), m_armKey);
+    }
     m_arm->addItem(tr("From file…"), QString());
     m_arm->addItem(tr("New arm…"), QString());
     m_arm->setCurrentIndex(m_arm->findData(m_armKey));

@@ -452,6 +452,7 @@ private Q_SLOTS:
                            folder.filePath(QStringLiteral("head.json")));
         QTRY_COMPARE(fixture.calibration().joints().size(), std::size_t(1));
         QTRY_COMPARE(fixture.cell(0, Column::JointColumn), QStringLiteral("head"));
+        QCOMPARE(arms->currentText(), QStringLiteral("head.json"));
         QTRY_COMPARE(fixture.calibration().joints().front().held->rangeMax, 4095);
     }
 
