@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arm page as a technician uses it: a simulated SO-101 calibrated by moving, with mouse clicks
 // only; nothing is written or moved before the question, and LeRobot's file agrees with the servos
-// afterwards. In real time (25 s).
+// afterwards.
 #include "gui/main_window_fixture.h"
 #include "jobs/arm/lerobot_file.h"
 #include "session/arm/arm_calibration.h"
 #include "sim/host/sim_link.h"
+#include "support/real_time.h"
 #include "support/test_main.h"
 #include "ui/arm/arm_model.h"
 #include "ui/arm/arm_page.h"
@@ -115,8 +116,6 @@ class TestArmPage : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    /// In real time: a stall of this computer must not look like lost readings.
-    void initTestCase() { qputenv("SERVODESK_CLOCK_SPEED", "1"); }
     void init() { gui::failOnWarnings(); }
 
     void theArmIsShown()
@@ -168,6 +167,7 @@ private Q_SLOTS:
 
     void theArmIsCalibrated()
     {
+        const support::RealTime realTime; // no reading may be missed
         Fixture fixture(so101);
         QVERIFY(fixture.hasReadAll());
         fixture.click("armAction");
@@ -199,6 +199,7 @@ private Q_SLOTS:
     /// Before anything is written. A wheel is not calibrated, and need not be there.
     void aJointInAnotherModeIsSaid()
     {
+        const support::RealTime realTime; // no reading may be missed
         const QTemporaryDir folder;
         QFile file(folder.filePath(QStringLiteral("arm.json")));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -285,6 +286,7 @@ private Q_SLOTS:
     /// Only this joint loses its torque and is written.
     void oneJointIsCalibratedAgain()
     {
+        const support::RealTime realTime; // no reading may be missed
         Fixture fixture(so101);
         QVERIFY(fixture.hasReadAll());
         for (const int id : {1, 3})

@@ -10,6 +10,7 @@
 #include "session/motion/motion_controller.h"
 #include "session/sweep/sweep_test.h"
 #include "sim/host/sim_link.h"
+#include "support/real_time.h"
 #include "support/test_main.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/sweep/limits_dialog.h"
@@ -96,25 +97,6 @@ struct SweepPageFixture : gui::MainWindowFixture {
         (void)waitUntilIdle();
         return raw(key).value_or(-1);
     }
-};
-
-/// For a test of a verdict: at four times the speed, a loaded computer reads too seldom for one.
-class RealTime {
-public:
-    RealTime() { qputenv(name, "1"); }
-    ~RealTime()
-    {
-        if (m_before.isNull())
-            qunsetenv(name);
-        else
-            qputenv(name, m_before);
-    }
-    RealTime(const RealTime&) = delete;
-    RealTime& operator=(const RealTime&) = delete;
-
-private:
-    static constexpr const char* name = "SERVODESK_CLOCK_SPEED";
-    const QByteArray m_before = qgetenv(name);
 };
 
 class TestSweepPage : public QObject {
@@ -669,7 +651,7 @@ private Q_SLOTS:
     /// Of two servos only the second one fails: the banner says so whichever is shown.
     void theWorstServoCounts()
     {
-        const RealTime realTime;
+        const support::RealTime realTime;
         SweepPageFixture fixture;
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2+overshoot=12")));
         fixture.prepare(1, 1500);
@@ -768,7 +750,7 @@ private Q_SLOTS:
 
     void limitsAreEditedForTheModel()
     {
-        const RealTime realTime;
+        const support::RealTime realTime;
         SweepPageFixture fixture;
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sweep")));
         fixture.prepare(1);

@@ -5,6 +5,7 @@
 #include "session/motion/motion_tasks.h"
 #include "session/paths.h"
 #include "snapshot/snapshot.h"
+#include "support/real_time.h"
 #include "support/test_main.h"
 
 #include <QDir>
@@ -22,6 +23,7 @@ private Q_SLOTS:
 
     void aMissingPortIsReported()
     {
+        const support::RealTime realTime; // no simulated port
         session::Session session;
         Workbench workbench(session);
         QSignalSpy failed(&workbench.link(), &session::LinkController::connectFailed);
