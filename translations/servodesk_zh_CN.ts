@@ -10187,6 +10187,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Not calibrated, so these run into their mechanical stops: %1.</source>
         <translation>未校准，会撞到机械限位：%1。</translation>
     </message>
+    <message>
+        <source>Undo takes back one joint at a time, the last one first.</source>
+        <translation>撤销每次还原一个关节，从最后一个开始。</translation>
+    </message>
 </context>
 <context>
     <name>ui::Banner</name>

@@ -3,6 +3,7 @@
 
 #include "text/arm_text.h"
 #include "ui/common/theme.h"
+#include "ui/widgets/feedback.h"
 #include "ui/widgets/task_text.h"
 #include "ui/widgets/test_text.h"
 
@@ -33,6 +34,13 @@ double degreesOf(const device::Servo& servo, std::int64_t steps)
 bool wasRecorded(const ArmJoint& one)
 {
     return one.range.state != JointState::NoReply;
+}
+
+/// Equal limits are none.
+bool hasRange(const ArmJoint& one)
+{
+    return one.joint.kind != base::JointKind::Wheel &&
+           (wasRecorded(one) || (one.held && one.held->rangeMin < one.held->rangeMax));
 }
 
 /// "850", or "850 → 142" where another value is planned.
@@ -116,6 +124,10 @@ void ArmModel::update()
     }
     if (rows > 0)
         Q_EMIT dataChanged(index(0, 0), index(rows - 1, columns - 1));
+}
+
+void ArmModel::retranslate()
+{
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }
 
@@ -148,6 +160,13 @@ bool ArmModel::isRecording(const ArmJoint& one) const
     return m_calibration.step() == ArmCalibration::Step::Recording && wasRecorded(one);
 }
 
+/// A running job says so itself.
+bool ArmModel::isSilent(const ArmJoint& one) const
+{
+    const session::ServoEntry* entry = m_workbench.registry().servo(one.servo);
+    return entry != nullptr && entry->silent && !m_calibration.isBusy();
+}
+
 /// In steps as the servo reports it. A running job reads it itself; it is polled otherwise.
 std::optional<std::int64_t> ArmModel::positionOf(const ArmJoint& one) const
 {
@@ -156,15 +175,19 @@ std::optional<std::int64_t> ArmModel::positionOf(const ArmJoint& one) const
         return std::nullopt;
     if (one.test && one.test->state == base::MoveTestState::Moving)
         return one.test->position;
-    return isRecording(one) ? std::optional(one.range.reading)
-                            : servo->raw(catalog::Role::PresentPosition);
+    if (isRecording(one))
+        return one.range.reading;
+    const session::ServoEntry& entry = *m_workbench.registry().servo(one.servo);
+    const catalog::Register* reg = servo->profile->byRole(catalog::Role::PresentPosition);
+    const bool isShown = reg != nullptr && (m_calibration.isBusy() ||
+                                            isFresh(entry, m_workbench.link(), m_workbench.now()));
+    return isShown ? entry.displayedRaw(*reg) : std::nullopt;
 }
 
 QVariant ArmModel::barOf(const ArmJoint& one) const
 {
     const device::Servo* servo = servoOf(m_workbench, one);
-    if (servo == nullptr || one.joint.kind == base::JointKind::Wheel ||
-        (!wasRecorded(one) && !one.held))
+    if (servo == nullptr || !hasRange(one))
         return {};
     const double turn = servo->profile->stepsPerTurn;
     const auto position = positionOf(one);
@@ -183,9 +206,10 @@ QVariant ArmModel::barOf(const ArmJoint& one) const
     const auto fraction = [&](double steps) { return 0.5 + (steps - middle) / turn; };
     bar.low = fraction(static_cast<double>(one.range.low));
     bar.high = fraction(static_cast<double>(one.range.high));
-    if (position) {
+    if (position && one.range.state != JointState::LostTrack) {
         const double moved = static_cast<double>(*position - one.range.reading);
-        bar.now = fraction(static_cast<double>(one.range.now) + std::remainder(moved, turn));
+        const double now = fraction(static_cast<double>(one.range.now) + moved);
+        bar.now = servo->profile->multiTurn ? now - std::floor(now) : now;
     }
     return QVariant::fromValue(bar);
 }
@@ -193,8 +217,7 @@ QVariant ArmModel::barOf(const ArmJoint& one) const
 QString ArmModel::travelText(const ArmJoint& one) const
 {
     const device::Servo* servo = servoOf(m_workbench, one);
-    if (servo == nullptr || one.joint.kind == base::JointKind::Wheel ||
-        (!wasRecorded(one) && !one.held))
+    if (servo == nullptr || !hasRange(one))
         return {};
     const std::int64_t steps =
         wasRecorded(one) ? one.range.high - one.range.low : one.held->rangeMax - one.held->rangeMin;
@@ -232,6 +255,8 @@ QString ArmModel::stateText(const ArmJoint& one) const
     const device::Servo* servo = servoOf(m_workbench, one);
     if (servo == nullptr)
         return tr("not in the list");
+    if (isSilent(one))
+        return text::jointStateText(JointState::NoReply);
     if (!one.joint.model.isEmpty() && servo->profile->modelName != one.joint.model)
         return tr("%1 instead of %2").arg(servo->profile->modelName, one.joint.model);
     if (one.joint.kind == base::JointKind::Wheel)
@@ -246,7 +271,7 @@ QString ArmModel::stateText(const ArmJoint& one) const
 QVariant ArmModel::toneOf(const ArmJoint& one) const
 {
     const device::Servo* servo = servoOf(m_workbench, one);
-    if (servo == nullptr)
+    if (servo == nullptr || isSilent(one))
         return static_cast<int>(Tone::Bad);
     if (!one.joint.model.isEmpty() && servo->profile->modelName != one.joint.model)
         return static_cast<int>(Tone::Warn);

@@ -33,7 +33,8 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-    void update(); ///< the calibration or the language has changed
+    void update();      ///< after a change of joints or readings; rows change only here
+    void retranslate(); ///< the headings
 
 private:
     QString text(const session::ArmJoint& one, int column) const;
@@ -41,6 +42,7 @@ private:
     QVariant barOf(const session::ArmJoint& one) const;
     bool isRecording(const session::ArmJoint& one) const; ///< has readings, and gets more
     std::optional<std::int64_t> positionOf(const session::ArmJoint& one) const;
+    bool isSilent(const session::ArmJoint& one) const;
     QString travelText(const session::ArmJoint& one) const;
     QVariant toneOf(const session::ArmJoint& one) const;
     static QVariant toneOfTest(base::MoveTestState state);

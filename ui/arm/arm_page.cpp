@@ -3,6 +3,7 @@
 
 #include "text/arm_text.h"
 #include "text/error_text.h"
+#include "text/language.h"
 #include "ui/arm/arm_dialog.h"
 #include "ui/arm/arm_model.h"
 #include "ui/arm/joint_range_delegate.h"
@@ -36,6 +37,7 @@ using Step = ArmCalibration::Step;
 
 constexpr int minRangeWidth = 120;
 constexpr std::chrono::milliseconds updateInterval{50};
+constexpr std::chrono::seconds refreshInterval{1};
 constexpr std::chrono::milliseconds pollPeriod{50};
 constexpr int strongerTestTorque = 60; ///< %, for an arm that is heavy
 const QString armSetting = QStringLiteral("arm/arm");
@@ -94,6 +96,8 @@ void ArmPage::connectAll()
     m_updateTimer.setSingleShot(true);
     m_updateTimer.setInterval(updateInterval);
     connect(&m_updateTimer, &QTimer::timeout, this, &ArmPage::update);
+    m_refreshTimer.setInterval(refreshInterval);
+    connect(&m_refreshTimer, &QTimer::timeout, m_model, &ArmModel::update);
     connect(&m_calibration, &ArmCalibration::changed, this, &ArmPage::updateSoon);
     connect(&m_calibration, &ArmCalibration::written, this, &ArmPage::showResults);
     connect(&m_calibration, &ArmCalibration::tested, this, &ArmPage::showTestResults);
@@ -162,16 +166,20 @@ QWidget* ArmPage::buildJoints()
 void ArmPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    m_refreshTimer.start();
     update();
 }
 
 void ArmPage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
-    poll(false);
+    m_updateTimer.stop();
+    m_refreshTimer.stop();
+    updateSubscription();
 }
 
-void ArmPage::poll(bool isOn)
+/// The positions of the joints, and what calibrates them.
+void ArmPage::updateSubscription()
 {
     if (!m_workbenchGuard)
         return;
@@ -180,7 +188,7 @@ void ArmPage::poll(bool isOn)
     std::vector<session::ServoRef> polled;
     for (const ArmJoint& one : m_calibration.joints()) {
         const session::ServoEntry* entry = m_workbench.registry().servo(one.servo);
-        if (!isOn || entry == nullptr || !entry->servo.profile)
+        if (!isVisible() || entry == nullptr || !entry->servo.profile)
             continue;
         polled.push_back(one.servo);
         subscription.parts.push_back(
@@ -229,6 +237,7 @@ void ArmPage::loadArm(const QString& nameOrPath)
     m_armKey = nameOrPath;
     m_settings.setPageValue(armSetting, m_armKey);
     fillArms();
+    update(); // its joints may be others
 }
 
 /// The built-in arms, that of the user's file, and what asks for another one.
@@ -262,8 +271,11 @@ void ArmPage::openEditor(const jobs::Arm& arm, const QString& path)
 session::JointRows ArmPage::selectedRows() const
 {
     session::JointRows rows;
-    for (const QModelIndex& index : m_table->selectionModel()->selectedRows())
-        rows.push_back(static_cast<std::size_t>(index.row()));
+    for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) {
+        const auto row = static_cast<std::size_t>(index.row());
+        if (row < m_calibration.joints().size()) // the table follows a little later
+            rows.push_back(row);
+    }
     std::sort(rows.begin(), rows.end());
     return rows;
 }
@@ -275,8 +287,7 @@ QString ArmPage::selectedNames() const
         names << m_calibration.joints()[row].joint.name;
     return names.isEmpty()
                ? QString()
-               : tr("Only the selected joints: %1.").arg(names.join(tr(", ", "between joints"))) +
-                     QLatin1Char(' ');
+               : tr("Only the selected joints: %1.").arg(names.join(tr(", ", "between joints")));
 }
 
 void ArmPage::runAction()
@@ -298,8 +309,9 @@ void ArmPage::askToRecord()
 {
     ask(this,
         {.title = tr("Turn torque off?"),
-         .text = selectedNames() + tr("The joints are then moved by hand while their positions are "
-                                      "recorded. Nothing else is written."),
+         .text = text::joinSentences(
+             {selectedNames(), tr("The joints are then moved by hand while their positions are "
+                                  "recorded. Nothing else is written.")}),
          .risk = tr("The arm drops when torque goes off: hold it."),
          .acceptText = tr("Torque off"),
          .guard = this},
@@ -311,9 +323,7 @@ void ArmPage::askToRecord()
 
 void ArmPage::askToWrite()
 {
-    const auto& joints = m_calibration.joints();
-    const int count = static_cast<int>(std::count_if(
-        joints.begin(), joints.end(), [](const ArmJoint& one) { return one.planned.has_value(); }));
+    const int count = static_cast<int>(m_calibration.plannedRows().size());
     QStringList text{tr("The memory tables are saved first, and every value is read back. Torque "
                         "stays off.")};
     text << positionChanges(m_calibration, true);
@@ -339,7 +349,10 @@ void ArmPage::showResults(const std::vector<jobs::ApplyResult>& results)
     const int count = static_cast<int>(results.size());
     m_banner->showMessage([failed, error, count] {
         if (failed.isEmpty())
-            return BannerText{Tone::Good, tr("%n joint(s) written and read back.", nullptr, count)};
+            return BannerText{Tone::Good,
+                              tr("%n joint(s) written and read back.", nullptr, count),
+                              {},
+                              tr("Undo takes back one joint at a time, the last one first.")};
         const auto words = error ? std::optional(text::describe(*error)) : std::nullopt;
         return BannerText{
             Tone::Bad,
@@ -370,16 +383,16 @@ void ArmPage::askToTest()
     const QString warning =
         wide.isEmpty() ? QString()
                        : tr("Not calibrated, so these run into their mechanical stops: %1.")
-                                 .arg(wide.join(tr(", ", "between joints"))) +
-                             QLatin1Char(' ');
+                             .arg(wide.join(tr(", ", "between joints")));
     ask(this,
         {.title = tr("Move the joints to their limits?"),
-         .text = selectedNames() +
-                 tr("One joint after the other turns torque on, moves slowly to both ends of "
-                    "its limits and back, and turns torque off. With little torque a heavy "
-                    "arm may not get there."),
-         .risk =
-             warning + tr("The arm moves: keep hands and objects away, and hold what would drop."),
+         .text = text::joinSentences(
+             {selectedNames(),
+              tr("One joint after the other turns torque on, moves slowly to both ends of "
+                 "its limits and back, and turns torque off. With little torque a heavy "
+                 "arm may not get there.")}),
+         .risk = text::joinSentences({warning, tr("The arm moves: keep hands and objects away, and "
+                                                  "hold what would drop.")}),
          .acceptText = moveText(jobs::defaultTestTorque),
          .alternativeText = moveText(strongerTestTorque),
          .alternativeToolTip = tr("For a heavy arm"),
@@ -471,7 +484,9 @@ QString ArmPage::instruction() const
 
 void ArmPage::updateSoon()
 {
-    if (!m_updateTimer.isActive())
+    if (m_calibration.step() != m_shownStep)
+        update();
+    else if (!m_updateTimer.isActive())
         m_updateTimer.start();
 }
 
@@ -480,7 +495,8 @@ void ArmPage::update()
     if (!isVisible())
         return;
     m_calibration.readUnread();
-    poll(true);
+    updateSubscription();
+    m_shownStep = m_calibration.step();
     m_model->update();
     m_lerobot->update();
     m_instruction->setText(instruction());
@@ -493,13 +509,11 @@ void ArmPage::update()
 void ArmPage::updateButtons()
 {
     const Step step = m_calibration.step();
-    const auto& joints = m_calibration.joints();
     const session::JointRows rows = selectedRows();
+    const session::JointRows planned = m_calibration.plannedRows();
     const bool canStart = m_calibration.canStart(rows);
-    const bool isPlanned = std::any_of(joints.begin(), joints.end(),
-                                       [](const ArmJoint& one) { return one.planned.has_value(); });
     m_action->setEnabled(step == Step::Recording || (step == Step::Idle && canStart) ||
-                         (isPlanned && m_calibration.canStart()));
+                         (!planned.empty() && m_calibration.canStart(planned)));
     m_cancel->setVisible(step == Step::Recording || step == Step::Recorded ||
                          step == Step::Testing);
     m_isMiddleShown->setVisible(step == Step::Idle || step == Step::Recording);
@@ -532,6 +546,7 @@ void ArmPage::retranslate()
 {
     m_title->setText(tr("Arm"));
     fillArms();
+    m_model->retranslate();
     setAccessText(m_arm, tr("Arm"), tr("Selects which joints the arm has"));
     setButtonText(m_edit, tr("Edit…"),
                   tr("Changes the joints of the arm and saves them to a file"));

@@ -50,11 +50,11 @@ private:
     void showResults(const std::vector<jobs::ApplyResult>& results);
     void showTestResults(bool isComplete);
     session::JointRows selectedRows() const;
-    QString selectedNames() const; ///< "Joints: elbow_flex, gripper"; empty: all
+    QString selectedNames() const; ///< "Only the selected joints: …"; empty: all
     void updateSoon();
     void update();
     void updateButtons();
-    void poll(bool isOn); ///< the positions of the joints
+    void updateSubscription();
     void retranslate();
     QString instruction() const;
     QStringList missingJoints() const;
@@ -66,7 +66,9 @@ private:
     session::Settings& m_settings;
     QString m_armKey; ///< name of a built-in arm, or path of its file
     std::vector<session::ServoRef> m_polled;
-    QTimer m_updateTimer; ///< readings arrive faster than they can be looked at
+    session::ArmCalibration::Step m_shownStep = session::ArmCalibration::Step::Idle;
+    QTimer m_updateTimer;  ///< readings arrive faster than they can be looked at
+    QTimer m_refreshTimer; ///< what is not read any more gets old
     ArmModel* m_model;
     Banner* m_banner;
     QLabel* m_title;

@@ -111,7 +111,7 @@ void LerobotCard::update()
     setTone(m_remarks, Tone::Warn);
     const bool canWrite =
         m_calibration.step() == session::ArmCalibration::Step::Idle && m_calibration.canStart();
-    m_prepare->setEnabled(canWrite && !lerobotChanges(m_calibration).isEmpty());
+    m_prepare->setEnabled(m_calibration.canPrepare());
     m_state->setText(stateText());
     if (m_path.isEmpty())
         m_state->setPalette({});

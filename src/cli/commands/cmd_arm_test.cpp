@@ -8,6 +8,7 @@
 #include "cli/translate.h"
 #include "jobs/arm/move_test.h"
 #include "text/arm_text.h"
+#include "text/error_text.h"
 
 #include <cmath>
 
@@ -75,9 +76,9 @@ base::Result<Exit> testJoints(Run& run, std::vector<ArmJoint> joints, int torque
                 line.show(QStringLiteral("%1 → %2").arg(now.position).arg(now.goal));
             });
         if (!report) {
-            if (results.empty())
-                return tl::unexpected(report.error());
             error = report.error();
+            table.add(
+                {one.joint.name, QString::number(one.joint.id), text::describe(*error).message});
             results.push_back(Json::object()
                                   .add("name", one.joint.name)
                                   .add("id", one.joint.id)
@@ -97,9 +98,11 @@ base::Result<Exit> testJoints(Run& run, std::vector<ArmJoint> joints, int torque
                                         "To set the limits: servodesk-cli arm calibrate") +
                            QLatin1Char('\n');
     run.finish(Json::object().add("torque_percent", torque).add("joints", std::move(results)),
-               table.text() + (error ? errorText(*error) : remedy));
-    if (error)
+               table.text() + remedy);
+    if (error) {
+        run.console().printNote(errorText(*error));
         return exitCode(error->code);
+    }
     return isAllReached ? Exit::Success : Exit::Failed;
 }
 

@@ -35,6 +35,20 @@ void compareValues(const JointServo& one, const JointCalibration& saved,
     }
 }
 
+/// Narrower than those it comes with.
+bool hasOwnLimits(const device::Servo& servo)
+{
+    const auto held = calibrationIn(servo);
+    if (!held)
+        return false;
+    const auto factory = [&](Role role, std::int64_t otherwise) {
+        const catalog::Register* reg = servo.profile->byRole(role);
+        return reg != nullptr ? reg->defaultRaw.value_or(otherwise) : otherwise;
+    };
+    return held->rangeMin > factory(Role::MinAngle, 0) ||
+           held->rangeMax < factory(Role::MaxAngle, servo.profile->stepsPerTurn - 1);
+}
+
 bool isOtherModel(const JointServo& one)
 {
     return !one.joint.model.isEmpty() && one.servo->profile->modelName != one.joint.model;
@@ -73,9 +87,8 @@ QStringList uncalibratedJoints(const std::vector<JointServo>& joints)
 {
     QStringList names;
     for (const JointServo& one : joints) {
-        const auto held = one.servo != nullptr ? calibrationIn(*one.servo) : std::nullopt;
-        if (held && one.joint.kind != base::JointKind::Continuous && held->rangeMin == 0 &&
-            held->rangeMax == one.servo->profile->stepsPerTurn - 1)
+        if (one.servo != nullptr && one.joint.kind != base::JointKind::Continuous &&
+            !hasOwnLimits(*one.servo))
             names << one.joint.name;
     }
     return names;

@@ -30,7 +30,8 @@ struct CalibrationDifference {
 std::vector<CalibrationDifference> differences(const std::vector<JointServo>& joints,
                                                const LerobotFile& file);
 
-/// Names of joints with two stops whose limits are still those of the whole turn.
+/// Names of joints with two stops whose limits are still the factory's, those of the whole turn, or
+/// not known.
 QStringList uncalibratedJoints(const std::vector<JointServo>& joints);
 
 /// One of base::ArmRemarkKind, at most one of a kind but for OtherModel.

@@ -116,6 +116,16 @@ JointRows ArmCalibration::movable(const JointRows& rows) const
     return all;
 }
 
+JointRows ArmCalibration::plannedRows() const
+{
+    JointRows rows;
+    for (std::size_t row = 0; row < m_joints.size(); ++row) {
+        if (m_joints[row].planned)
+            rows.push_back(row);
+    }
+    return rows;
+}
+
 std::vector<ServoRef> ArmCalibration::servosAt(const JointRows& rows) const
 {
     std::vector<ServoRef> all;
@@ -197,7 +207,7 @@ void ArmCalibration::readUnread()
     (void)perform(std::move(task), std::move(unread));
 }
 
-/// A task on joints that is shown while it runs: `task` fills m_live.
+/// A task on joints that is shown while it runs, through m_live, which it fills.
 void ArmCalibration::startLive(Step step, const JointRows& rows, Task task)
 {
     forgetPlan();
@@ -340,17 +350,26 @@ void ArmCalibration::writeFile(const std::vector<jobs::LerobotJoint>& file)
     writeTemplates(std::move(templates));
 }
 
-void ArmCalibration::prepare()
+std::vector<snapshot::Snapshot> ArmCalibration::lerobotTemplates() const
 {
-    if (m_step != Step::Idle)
-        return;
     std::vector<snapshot::Snapshot> templates;
     for (const jobs::JointServo& one : jointServos()) {
         const jobs::JointSettings settings = one.lerobotSettings();
         if (!settings.empty() && !jobs::changesOf(*one.servo, settings).empty())
             templates.push_back(jobs::jointTemplate(*one.servo, settings, programName()));
     }
-    writeTemplates(std::move(templates));
+    return templates;
+}
+
+bool ArmCalibration::canPrepare() const
+{
+    return m_step == Step::Idle && isFree() && !lerobotTemplates().empty();
+}
+
+void ArmCalibration::prepare()
+{
+    if (m_step == Step::Idle)
+        writeTemplates(lerobotTemplates());
 }
 
 void ArmCalibration::startMoveTest(int torquePercent, const JointRows& rows)
@@ -422,8 +441,13 @@ void ArmCalibration::writeTemplates(std::vector<snapshot::Snapshot> templates)
     task.done = [this, results](const TaskCompletion& end) {
         m_step = Step::Idle;
         forgetPlan();
-        for (const jobs::ApplyResult& one : *results)
-            m_workbench.restores().report(one);
+        for (const jobs::ApplyResult& one : *results) {
+            const auto joint =
+                std::find_if(m_joints.begin(), m_joints.end(),
+                             [&](const auto& each) { return each.joint.id == one.id; });
+            if (joint != m_joints.end())
+                m_workbench.restores().reportApplied(joint->servo, one);
+        }
         updateHeld();
         if (!results->empty())
             Q_EMIT written(*results);

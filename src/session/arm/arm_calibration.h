@@ -50,6 +50,8 @@ public:
     bool isBusy() const { return m_step != Step::Idle && m_step != Step::Recorded; }
     /// Each of these joints has its servo, and nothing else is running.
     bool canStart(const JointRows& rows = {}) const;
+    JointRows plannedRows() const; ///< what write() would write
+    bool canPrepare() const; ///< prepare() would change something, and nothing else is running
     JointRows movable(const JointRows& rows) const; ///< wheels left out
     /// With their servos of the list, as they were read.
     std::vector<jobs::JointServo> jointServos() const;
@@ -65,7 +67,7 @@ public:
     /// A calibration from a file, by the names of the joints. failed() if a servo cannot hold it;
     /// then nothing is written.
     void writeFile(const std::vector<jobs::LerobotJoint>& file);
-    void prepare(); ///< writes jobs::lerobotSettings() to every joint
+    void prepare(); ///< writes jobs::lerobotSettings() to every joint that is there
     /// Moves them, see jobs/arm/move_test.h; an error, an alarm or lost torque ends the test.
     void startMoveTest(int torquePercent, const JointRows& rows = {});
     /// As LeRobot's file has them: what was read from the servos.
@@ -86,6 +88,7 @@ private:
     void recordingEnded(const TaskCompletion& end);
     void testEnded(const TaskCompletion& end);
     void forgetPlan();
+    std::vector<snapshot::Snapshot> lerobotTemplates() const;
     void writeTemplates(std::vector<snapshot::Snapshot> templates);
     std::vector<ServoRef> servosOf(const std::vector<snapshot::Snapshot>& templates) const;
     void startLive(Step step, const JointRows& rows, Task task);
@@ -101,7 +104,7 @@ private:
     JointRows m_moving;                     ///< the rows that are recorded or tested
     std::vector<snapshot::Snapshot> m_plan; ///< for the servos that were recorded
     std::vector<ServoRef> m_asked;          ///< for what they hold, by readUnread()
-    std::shared_ptr<Live> m_live;           ///< shared with the recording
+    std::shared_ptr<Live> m_live;           ///< shared with the recording or the test
     QTimer m_drainTimer;
 };
 } // namespace session

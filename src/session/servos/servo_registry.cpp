@@ -31,12 +31,16 @@ ServoEntry* ServoRegistry::entry(ServoRef ref)
 
 ServoRef ServoRegistry::findServo(base::Protocol protocol, int id) const
 {
+    ServoRef silent = 0; // at another baud rate, say
     for (const ServoRef ref : m_order) {
-        const device::Servo& known = m_servos.at(ref).servo;
-        if (known.protocol == protocol && known.id == id)
+        const ServoEntry& known = m_servos.at(ref);
+        if (known.servo.protocol != protocol || known.servo.id != id)
+            continue;
+        if (!known.silent)
             return ref;
+        silent = silent == 0 ? ref : silent;
     }
-    return 0;
+    return silent;
 }
 
 void ServoRegistry::acknowledgeAlarms(ServoRef ref)

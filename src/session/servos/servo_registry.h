@@ -27,7 +27,7 @@ public:
         return m_order;
     }                                                          ///< by ID, then protocol and rate
     const ServoEntry* servo(ServoRef ref) const;               ///< null: gone
-    ServoRef findServo(base::Protocol protocol, int id) const; ///< 0: not in the list
+    ServoRef findServo(base::Protocol protocol, int id) const; ///< one that replies first; 0: none
     base::Duration now() const { return m_clock.now(); }       ///< the clock of all times in it
 
     void acknowledgeAlarms(ServoRef ref);

@@ -30,6 +30,22 @@ device::WriteReport reportOf(const jobs::RestoreOutcome& outcome)
     return report;
 }
 
+/// Everything is as it was, because of this.
+std::optional<base::Error> rolledBackBy(const jobs::RestoreOutcome& outcome)
+{
+    if (outcome.verdict != jobs::RestoreVerdict::RolledBack)
+        return std::nullopt;
+    base::Error error{base::ErrorCode::Mismatch, QStringLiteral("restore"), {}, outcome.newId};
+    for (const jobs::RestoreRowResult& row : outcome.rows) {
+        if (row.write.outcome == device::WriteOutcome::Kept ||
+            row.write.outcome == device::WriteOutcome::NotSent)
+            continue;
+        error.registerKey = row.write.key;
+        return row.write.error.value_or(error);
+    }
+    return error;
+}
+
 bool changesAddress(const jobs::RestorePlan& plan)
 {
     const auto writes = jobs::plannedWrites(plan);
@@ -68,15 +84,25 @@ void RestoreService::restore(ServoRef ref, const RestoreRequest& request)
     };
     work->onMerged = [this, writes, outcome, guard = request.guard,
                       done = request.done](Work& ended) {
-        std::optional<device::WriteReport> report;
-        if (*outcome)
-            report = reportOf(**outcome);
         if (!writes.items.empty())
-            m_bench.writes().writeEnded(ended, writes, WriteService::WriteKind::New, report);
+            writesEnded(ended, writes, *outcome);
         if (done && guard)
             done({ended.error, *outcome});
     };
     m_bench.tasks().enqueue(work);
+}
+
+void RestoreService::writesEnded(const Work& ended, const WriteRequest& writes,
+                                 const std::optional<jobs::RestoreOutcome>& outcome)
+{
+    Work told;
+    told.ref = ended.ref;
+    told.notices = ended.notices;
+    told.error = ended.error;
+    if (outcome && !told.error)
+        told.error = rolledBackBy(*outcome);
+    const auto report = outcome && !told.error ? std::optional(reportOf(*outcome)) : std::nullopt;
+    m_bench.writes().writeEnded(told, writes, WriteService::WriteKind::New, report);
 }
 
 /// Filled on the job's thread, looked at on the main thread as it grows and when it has ended.
@@ -160,13 +186,11 @@ void RestoreService::takeApplied(PendingApply& apply, const jobs::ApplyResult& o
     if (known == nullptr || known->servo.baud != one.servo->baud)
         return;
     m_bench.registry().merge(*known, *one.servo, m_bench.now());
-    report(one);
+    reportApplied(ref, one);
 }
 
-void RestoreService::report(const jobs::ApplyResult& one)
+void RestoreService::reportApplied(ServoRef ref, const jobs::ApplyResult& one)
 {
-    const ServoRef ref =
-        one.servo ? m_bench.registry().findServo(one.servo->protocol, one.id) : ServoRef(0);
     ServoEntry* known = m_bench.registry().entry(ref);
     if (known == nullptr || !one.outcome || one.outcome->rows.empty())
         return;
@@ -174,7 +198,6 @@ void RestoreService::report(const jobs::ApplyResult& one)
     Work ended;
     ended.ref = ref;
     m_bench.writes().markWritesPending(*known, writes);
-    m_bench.writes().writeEnded(ended, writes, WriteService::WriteKind::New,
-                                reportOf(*one.outcome));
+    writesEnded(ended, writes, one.outcome);
 }
 } // namespace session

@@ -10,6 +10,7 @@
 
 namespace jobs {
 struct ApplyResult;
+struct RestoreOutcome;
 }
 
 namespace session {
@@ -25,11 +26,13 @@ public:
 
     void restore(ServoRef ref, const RestoreRequest& request);
     void apply(ApplyRequest request);
-    /// A servo of the list that a task has written so and has merged: as if apply() had done it.
-    void report(const jobs::ApplyResult& one);
+    /// For a task of its own that has written to a servo so: told and undone like a write.
+    void reportApplied(ServoRef ref, const jobs::ApplyResult& one);
 
 private:
     struct PendingApply;
+    void writesEnded(const Work& ended, const WriteRequest& writes,
+                     const std::optional<jobs::RestoreOutcome>& outcome);
     base::Result<void> runApply(const std::shared_ptr<PendingApply>& apply, TaskContext& task);
     void takeApplied(PendingApply& apply, const jobs::ApplyResult& one);
     void tableSaved(int id, const QString& path);

@@ -148,6 +148,12 @@ private Q_SLOTS:
         connection->moveSimulatedServosByHand(false);
         QTRY_COMPARE(fixture.cell(2, Column::PositionColumn).toLongLong(),
                      fixture.raw(3, "present_position"));
+        // One that is silent has no position any more.
+        connection->simulation()->with([](sim::VirtualBus& wire) { wire.unplug(2); });
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.cell(2, Column::StateColumn), QStringLiteral("no reply"),
+                                  30'000);
+        QTRY_COMPARE(fixture.cell(2, Column::PositionColumn), QStringLiteral("–"));
+        QVERIFY(!bar(fixture, 2).now);
         // Its limits are those of the whole turn, and are no recorded range.
         QCOMPARE(fixture.cell(2, Column::DegreesColumn), QStringLiteral("360°"));
         QVERIFY(!bar(fixture, 2).isRecorded);
@@ -183,6 +189,15 @@ private Q_SLOTS:
         QCOMPARE(fixture.cell(4, Column::StateColumn), QStringLiteral("turns through a full turn"));
         QVERIFY(std::abs(bar(fixture, 4).now.value_or(-1) -
                          fixture.cell(4, Column::PositionColumn).toInt() / 4096.0) < 0.1);
+
+        // The dot stays within a range of more than half a turn, wherever the recording ended.
+        fixture.workbench().link().connection()->moveSimulatedServosByHand(true);
+        const auto isAt = [&](double end) {
+            return std::abs(bar(fixture, 0).now.value_or(-1) - end) < 0.1;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isAt(bar(fixture, 0).low), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(isAt(bar(fixture, 0).high), 30'000);
+        fixture.workbench().link().connection()->moveSimulatedServosByHand(false);
 
         fixture.click("armAction");
         fixture.clickYes();
@@ -281,6 +296,35 @@ private Q_SLOTS:
         QCOMPARE(fixture.raw(1, "position_offset"), 530);
         QCOMPARE(fixture.raw(1, "max_angle_limit"), 3231);
         QCOMPARE(fixture.raw(3, "position_offset"), 850);
+    }
+
+    /// A joint that does not take a value has its old ones again: that is an error, and nothing
+    /// is there to be undone.
+    void aJointThatIsRolledBackIsAnError()
+    {
+        Fixture fixture(so101);
+        QVERIFY(fixture.hasReadAll());
+        fixture.workbench().link().connection()->simulation()->with([](sim::VirtualBus& wire) {
+            sim::VirtualServo* servo = wire.servo(1);
+            wire.config().faults.muteWhen = [servo](const sim::VirtualServo& asked) {
+                if (&asked == servo && servo->raw(QStringLiteral("position_offset")) != 0)
+                    servo->poke(QStringLiteral("position_offset"), 99);
+                return false;
+            };
+        });
+        bool hasError = false;
+        connect(&fixture.workbench(), &session::Workbench::eventOccurred, this,
+                [&](const session::Event& event) {
+                    if (event.kind == session::Event::Kind::Written)
+                        hasError = event.error.has_value();
+                });
+        fixture.calibration().writeFile({{QStringLiteral("shoulder_pan"), 1, 0, {530, 866, 3231}}});
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.calibration().step(), Step::Idle, 60'000);
+        QTRY_VERIFY(fixture.isShown("Not all joints could be written: ID 1"));
+        QVERIFY(hasError);
+        QVERIFY(fixture.workbench().writes().undoStep() == nullptr);
+        QCOMPARE(fixture.raw(1, "position_offset"), 0);
+        QCOMPARE(fixture.raw(1, "max_angle_limit"), 4095);
     }
 
     /// Only this joint loses its torque and is written.

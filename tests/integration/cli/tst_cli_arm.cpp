@@ -150,6 +150,29 @@ private Q_SLOTS:
                  0);
     }
 
+    void whatEndsATestIsNamedWithItsJoint()
+    {
+        CliProgram cli;
+        SimProgram sim(words("--servos sts3215@6"));
+        cli.setPort(sim.port());
+        QFile arm(cli.dataFolder() + QStringLiteral("/arm.json"));
+        QVERIFY(arm.open(QIODevice::WriteOnly));
+        arm.write(R"({"format": "servodesk-arm", "version": 1, "name": "claw",
+                      "joints": [{"name": "gripper", "id": 6, "kind": "gripper"}]})");
+        arm.close();
+        QCOMPARE(cli.run(words("mode 6 speed")).exit, 0);
+        const QStringList test{QStringLiteral("arm"), QStringLiteral("test"),
+                               QStringLiteral("--yes"), QStringLiteral("--arm"), arm.fileName()};
+        const auto text = cli.run(test);
+        QCOMPARE(text.exit, 2); // as of a sweep test
+        QVERIFY2(text.out.contains(QStringLiteral("gripper")) &&
+                     text.err.contains(QStringLiteral("position mode")),
+                 qPrintable(text.out + text.err));
+        const auto json = cli.run(test + words("--json"));
+        QCOMPARE(json.exit, 2);
+        QCOMPARE(jointOf(json, "gripper")[QLatin1String("error")][QLatin1String("id")].toInt(), 6);
+    }
+
     /// The pose at the end reads 2047, so the range need not lie around it.
     void thePoseAtTheEndBecomesTheMiddle()
     {
