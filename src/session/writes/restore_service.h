@@ -11,7 +11,7 @@
 namespace jobs {
 struct ApplyResult;
 struct RestoreOutcome;
-}
+} // namespace jobs
 
 namespace session {
 class Workbench;
