@@ -90,6 +90,16 @@
     </message>
 </context>
 <context>
+    <name>WriteQuestion</name>
+    <message numerus="yes">
+        <source>Write %n setting(s) that need confirmation?</source>
+        <translation>
+            <numerusform>Write %n setting that needs confirmation?</numerusform>
+            <numerusform>Write %n settings that need confirmation?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>cli</name>
     <message numerus="yes">
         <source>%n register(s) saved to %1</source>

@@ -4152,6 +4152,16 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <source>With both angle limits at 0, the shaft can turn without limit.</source>
         <translation>两个角度限制均为 0 时，输出轴的转动不受限制。</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Write %n setting(s) that need confirmation?</source>
+        <translation>
+            <numerusform>写入 %n 项需要确认的参数？</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>cli</name>

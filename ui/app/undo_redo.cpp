@@ -27,24 +27,6 @@ bool sameStep(const UndoStep& a, const UndoStep& b)
                                             b.newItems.begin(), b.newItems.end(), same);
 }
 
-void confirmFrom(session::WriteService& writes, QWidget* parent, const Direction& direction,
-                 const UndoStep& step, std::vector<Question> questions)
-{
-    const UndoStep* next = (writes.*direction.next)();
-    if (next == nullptr || !sameStep(*next, step))
-        return;
-    if (questions.empty()) {
-        (writes.*direction.write)(device::Consent::confirmed());
-        return;
-    }
-    Question first = std::move(questions.front());
-    questions.erase(questions.begin());
-    first.guard = parent;
-    ask(parent, first, [&writes, parent, direction, step, questions = std::move(questions)] {
-        confirmFrom(writes, parent, direction, step, questions);
-    });
-}
-
 void writeStep(session::WriteService& writes, const session::ServoRegistry& registry,
                Selection& selection, QWidget* parent, const Direction& direction)
 {
@@ -54,14 +36,17 @@ void writeStep(session::WriteService& writes, const session::ServoRegistry& regi
     if (next->servo != selection.current())
         selection.select(next->servo);
     const session::ServoEntry* entry = registry.servo(next->servo);
-    const std::vector<Question> questions =
-        entry != nullptr && entry->servo.profile
-            ? writeQuestions(*entry, next->*direction.items, next->temporary)
-            : std::vector<Question>{};
-    if (questions.empty())
-        (writes.*direction.write)({}); // refused where it needs consent after all
-    else
-        confirmFrom(writes, parent, direction, *next, questions);
+    auto question = entry != nullptr && entry->servo.profile
+                        ? writeQuestion(*entry, next->*direction.items, next->temporary)
+                        : std::nullopt;
+    if (!question)
+        return (writes.*direction.write)({}); // refused where it needs consent after all
+    question->guard = parent;
+    ask(parent, *question, [&writes, direction, step = *next] {
+        const UndoStep* now = (writes.*direction.next)();
+        if (now != nullptr && sameStep(*now, step))
+            (writes.*direction.write)(device::Consent::confirmed());
+    });
 }
 } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Undo and redo in the window. Both select the servo they write to, because it may be another one
-// than the one selected, and ask what a write of these values asks, register by register; nothing
-// is written before the last yes. Both return at once; main thread.
+// than the one selected, and ask what a write of these values asks; nothing is written before the
+// yes. Both return at once; main thread.
 #pragma once
 
 #include "session/servos/servo_registry.h"
@@ -11,8 +11,7 @@
 class QWidget;
 
 namespace ui {
-/// Takes back the last step. If another one is next at the last yes, nothing happens; redo
-/// likewise.
+/// Takes back the last step. If another one is next at the yes, nothing happens; redo likewise.
 void undo(session::WriteService& writes, const session::ServoRegistry& registry,
           Selection& selection, QWidget* parent);
 /// Repeats the step that is next now.

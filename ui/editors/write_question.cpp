@@ -137,8 +137,15 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
     }
 }
 
-Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
-                                std::int64_t raw, bool temporary)
+/// What one of the writes asks.
+struct Asked {
+    Question question; ///< where it is the only one
+    QString line;      ///< the change, among others
+    QString torque;    ///< what becomes of torque; empty: nothing
+};
+
+Asked askedOfDangerous(const session::ServoEntry& entry, const catalog::Register& reg,
+                       std::int64_t raw, bool temporary)
 {
     const catalog::ValueFormat meaning = entry.servo.meaning(reg);
     const auto present = entry.displayedRaw(reg);
@@ -166,7 +173,7 @@ Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog:
              : QString(),
          roleRisk(reg, raw)});
     question.acceptText = translate("WriteQuestion", "Write");
-    return question;
+    return {question, translate("WriteQuestion", "%1: %2").arg(nameOf(reg), change), torque};
 }
 
 ModeTransition modeTransition(const session::ServoEntry& entry,
@@ -222,10 +229,9 @@ bool removesLimits(const session::ServoEntry& entry, const std::vector<device::W
     }
     return device::removesAngleLimits(entry.servo, values);
 }
-} // namespace
 
-std::vector<Question> writeQuestions(const session::ServoEntry& entry,
-                                     const std::vector<device::WriteItem>& items, bool temporary)
+std::vector<Asked> askedOf(const session::ServoEntry& entry,
+                           const std::vector<device::WriteItem>& items, bool temporary)
 {
     const catalog::Profile& profile = *entry.servo.profile;
     const ModeTransition step = modeTransition(entry, items);
@@ -233,7 +239,7 @@ std::vector<Question> writeQuestions(const session::ServoEntry& entry,
     const device::WriteItem* const mode = changesMode ? modeItem(profile, items) : nullptr;
     const bool losesLimits = removesLimits(entry, items);
     bool limitsAreAsked = mode != nullptr || !losesLimits;
-    std::vector<Question> questions;
+    std::vector<Asked> all;
     for (const device::WriteItem& item : items) {
         const catalog::Register* reg = profile.find(item.key);
         if (reg == nullptr)
@@ -242,20 +248,48 @@ std::vector<Question> writeQuestions(const session::ServoEntry& entry,
             Question question = modeQuestion(entry, *reg, item.raw, step, temporary);
             if (losesLimits && !step.to->limitsZero)
                 question.risk = text::joinSentences({question.risk, limitsRisk()});
-            questions.push_back(std::move(question));
+            all.push_back({question, question.text, {}});
         } else if (device::classify(*reg, item.raw).needsConsent ||
                    (isAngleLimit(*reg) && !std::exchange(limitsAreAsked, true))) {
-            questions.push_back(dangerousWriteQuestion(entry, *reg, item.raw, temporary));
+            all.push_back(askedOfDangerous(entry, *reg, item.raw, temporary));
         }
     }
-    return questions;
+    return all;
 }
 
-std::optional<Question> writeQuestion(const session::ServoEntry& entry,
-                                      const catalog::Register& reg, std::int64_t raw,
-                                      bool temporary)
+/// One for all: each change is a line, without what the register is for.
+Question combined(std::vector<Asked> all, bool temporary)
 {
-    std::vector<Question> questions = writeQuestions(entry, {{reg.key, raw}}, temporary);
-    return questions.empty() ? std::nullopt : std::optional(std::move(questions.front()));
+    Question question;
+    QStringList lines;
+    QStringList risks;
+    QString torque;
+    for (Asked& one : all) {
+        lines << one.line;
+        if (!risks.contains(one.question.risk))
+            risks << one.question.risk;
+        if (torque.isEmpty())
+            torque = one.torque;
+    }
+    const auto count = static_cast<int>(all.size());
+    question.title =
+        translate("WriteQuestion", "Write %n setting(s) that need confirmation?", nullptr, count);
+    question.text = lines.join(QLatin1Char('\n'));
+    const QString rest = text::joinSentences({torque, persistenceSentence(temporary)});
+    if (!rest.isEmpty())
+        question.text += QStringLiteral("\n\n") + rest;
+    question.risk = text::joinSentences(risks);
+    question.acceptText = translate("WriteQuestion", "Write");
+    return question;
+}
+} // namespace
+
+std::optional<Question> writeQuestion(const session::ServoEntry& entry,
+                                      const std::vector<device::WriteItem>& items, bool temporary)
+{
+    std::vector<Asked> all = askedOf(entry, items, temporary);
+    if (all.empty())
+        return std::nullopt;
+    return all.size() == 1 ? std::move(all.front().question) : combined(std::move(all), temporary);
 }
 } // namespace ui

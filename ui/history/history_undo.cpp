@@ -57,7 +57,7 @@ void askToUndo(QWidget* page, session::Workbench& workbench, const history::Hist
     const session::ServoEntry& entry = *connectedServo(workbench, servo);
     const catalog::Register& reg = *entry.servo.profile->find(write.key);
     const auto now = entry.displayedRaw(reg);
-    const auto risky = writeQuestion(entry, reg, write.oldRaw, write.temporary);
+    const auto risky = writeQuestion(entry, {{write.key, write.oldRaw}}, write.temporary);
     Question question = risky.value_or(Question{});
     question.title = translate("History", "Undo this write?");
     QStringList sentences{translate("History", "ID %1 · %2: %3 will change from %4 to %5.")

@@ -203,7 +203,7 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
         return;
     clearWarning();
     const session::ServoRef ref = known->ref;
-    auto question = writeQuestion(*known, *reg, raw, temporary);
+    auto question = writeQuestion(*known, {{key, raw}}, temporary);
     if (!question) {
         m_workbench.writes().write(ref, {{{key, raw}}, temporary, {}});
         return;

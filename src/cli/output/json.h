@@ -24,6 +24,7 @@ public:
     Json(std::int64_t value);
     Json(double value);
     Json(QString value);
+    Json(const char*) = delete; ///< would be a bool
     Json(const QStringList& values);
     Json(Array values);
     Json(Object members);

@@ -50,6 +50,35 @@ private Q_SLOTS:
         }
     }
 
+    /// With one question, which names each of them.
+    void severalDangerousRowsAreConfirmedTogether()
+    {
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        const QString offset = QStringLiteral("position_offset");
+        const auto before = fixture.raw("unload_condition");
+        QVERIFY(before && fixture.raw("position_offset") != 100);
+        fixture.workbench().writes().write(
+            fixture.selection().current(),
+            {{{condition, *before ^ 1}, {offset, 100}}, false, device::Consent::confirmed()});
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.raw("position_offset"), std::optional<std::int64_t>(100));
+        fixture.action(ui::Command::Undo)->trigger();
+        QTRY_VERIFY(fixture.find<QDialog>("question") != nullptr);
+        QString words;
+        for (const QLabel* label : fixture.find<QDialog>("question")->findChildren<QLabel*>())
+            words += label->text() + QLatin1Char('\n');
+        for (const char* part :
+             {"Write 2 settings", "Unload", "offset", "100", "motor can burn out",
+              "different angle", "Torque is turned off first"})
+            QVERIFY2(words.contains(QLatin1String(part)), qPrintable(words));
+        QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
+        QTRY_VERIFY(fixture.find<QDialog>("question") == nullptr);
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.raw("unload_condition"), before);
+        QVERIFY(fixture.raw("position_offset") != 100);
+    }
+
     /// The button names what it changes back and in which servo, and selects that servo.
     void undoDescribesTheChange()
     {
