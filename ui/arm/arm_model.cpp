@@ -263,9 +263,7 @@ QString ArmModel::stateText(const ArmJoint& one) const
         return tr("wheel: not calibrated");
     if (one.test)
         return text::moveTestStateText(one.test->state);
-    if (m_calibration.step() == ArmCalibration::Step::Recording || wasRecorded(one))
-        return text::jointStateText(one.range.state);
-    return {};
+    return wasRecorded(one) ? text::jointStateText(one.range.state) : QString();
 }
 
 QVariant ArmModel::toneOf(const ArmJoint& one) const

@@ -302,6 +302,8 @@ void ArmCalibration::recordingEnded(const TaskCompletion& end)
         connection->moveSimulatedServosByHand(false);
     m_step = end.error ? Step::Idle : Step::Recorded;
     drain();
+    if (end.error)
+        forgetPlan(); // a part of a range is none
     std::optional<base::Error> refusal;
     for (std::size_t i = 0; !end.error && i < m_live->servos.size(); ++i) {
         ArmJoint& one = m_joints[m_moving[i]];

@@ -249,8 +249,11 @@ private Q_SLOTS:
         fixture.clickYes();
         QTRY_COMPARE(fixture.calibration().step(), Step::Recording);
         QTRY_VERIFY(fixture.find<QPushButton>("armCancel")->isVisible());
+        QTRY_VERIFY(bar(fixture, 2).isRecorded);
         fixture.click("armCancel");
         QTRY_COMPARE(fixture.calibration().step(), Step::Idle);
+        QTRY_VERIFY(!bar(fixture, 2).isRecorded);
+        QCOMPARE(fixture.cell(2, Column::StateColumn), QString());
         QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(fixture.raw(3, "position_offset"), 850);
     }
@@ -345,6 +348,7 @@ private Q_SLOTS:
         fixture.clickYes();
         QTRY_VERIFY_WITH_TIMEOUT(
             fixture.calibration().joints()[2].range.state == base::JointState::Recorded, 30'000);
+        QCOMPARE(fixture.cell(1, Column::StateColumn), QString()); // it replies, and is left alone
         QCOMPARE(fixture.raw(3, "torque_switch"), 0);
         QCOMPARE(fixture.raw(1, "torque_switch"), 1);
         fixture.click("armAction");
