@@ -1,11 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/clock.h"
 
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 namespace base {
 namespace {
 using Steady = std::chrono::steady_clock;
+
+class SystemEvent final : public Event {
+public:
+    explicit SystemEvent(const Clock& clock)
+        : m_clock(clock)
+    {}
+
+    void set() override
+    {
+        const std::lock_guard lock(m_mutex);
+        m_isSet = true;
+        m_wake.notify_one();
+    }
+
+    bool waitUntil(Duration instant) override
+    {
+        const auto isSet = [this] { return m_isSet; };
+        std::unique_lock lock(m_mutex);
+        if (instant == Duration::max())
+            m_wake.wait(lock, isSet);
+        else
+            m_wake.wait_for(lock, m_clock.realTime(std::max(instant - m_clock.now(), Duration{})),
+                            isSet);
+        return std::exchange(m_isSet, false);
+    }
+
+private:
+    const Clock& m_clock;
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    bool m_isSet = false;
+};
+} // namespace
+
+std::unique_ptr<Event> Clock::makeEvent()
+{
+    return std::make_unique<SystemEvent>(*this);
 }
 
 Duration SystemClock::now() const

@@ -8,14 +8,27 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 
 namespace base {
 using Duration = std::chrono::microseconds;
+
+/// What one thread waits for and any thread sets; taken back by the wait it ends. Owned by whom it
+/// wakes; must go before its clock.
+class Event {
+public:
+    virtual ~Event() = default;
+    virtual void set() = 0;
+
+    /// True: set; false: `instant` passed. Duration::max() waits for ever.
+    virtual bool waitUntil(Duration instant) = 0;
+};
 
 class Clock {
 public:
     virtual ~Clock() = default;
     virtual Duration now() const = 0;
+    virtual std::unique_ptr<Event> makeEvent();
 
     /// Waits until `instant`; false as soon as `stop` is requested. Thread-safe.
     virtual bool sleepUntil(Duration instant, const StopToken* stop = nullptr) = 0;
@@ -27,6 +40,13 @@ public:
 
     /// How long the system must wait for `span` of this clock.
     virtual Duration realTime(Duration span) const { return span; }
+
+    /// False for a clock that only simulated servos can keep.
+    virtual bool isRealTime() const { return true; }
+
+    /// Between the two, the work of the calling thread takes time. For ClockThread.
+    virtual void addThread() {}
+    virtual void removeThread() {}
 
     /// True when waiting costs no real time; do not wait for another thread with such a clock.
     virtual bool isManual() const { return false; }
@@ -42,10 +62,26 @@ public:
     Duration now() const override;
     bool sleepUntil(Duration instant, const StopToken* stop = nullptr) override;
     Duration realTime(Duration span) const override { return span / m_speed; }
-    bool isRealTime() const { return m_speed == 1; }
+    bool isRealTime() const override { return m_speed == 1; }
 
 private:
     int m_speed;
+};
+
+/// A thread that does all its waiting with `clock` from here on. On that thread.
+class ClockThread {
+public:
+    explicit ClockThread(Clock& clock)
+        : m_clock(clock)
+    {
+        m_clock.addThread();
+    }
+    ~ClockThread() { m_clock.removeThread(); }
+    ClockThread(const ClockThread&) = delete;
+    ClockThread& operator=(const ClockThread&) = delete;
+
+private:
+    Clock& m_clock;
 };
 
 /// Time that passes only when a caller waits or advances it. For tests and fast simulation.

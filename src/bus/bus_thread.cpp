@@ -18,12 +18,16 @@ constexpr auto stopInterval = 20ms;
 
 /// A transaction, or other work for the bus thread, on its way through the queue.
 struct BusThread::Pending {
+    explicit Pending(base::Clock& clock)
+        : finished(clock.makeEvent())
+    {}
+
     Transaction transaction;
     std::function<Result<void>(BusCore&)> work; ///< instead of the transaction
     Done done;                                  ///< instead of a caller that waits
     std::thread::id caller;
     bool preempted = false; ///< an emergency came while it waited
-    std::condition_variable finished;
+    std::unique_ptr<base::Event> finished;
     std::optional<Result<Outcome>> result;
 };
 
@@ -47,6 +51,7 @@ BusThread::BusThread(const protocol::Codec& codec, base::Clock& clock, int bitsP
     : m_codec(codec)
     , m_clock(clock)
     , m_bitsPerByte(bitsPerByte)
+    , m_work(clock.makeEvent())
 {}
 
 Result<std::unique_ptr<BusThread>> BusThread::open(Opener opener, const protocol::Codec& codec,
@@ -60,18 +65,20 @@ Result<std::unique_ptr<BusThread>> BusThread::open(Opener opener, const protocol
 
 Result<void> BusThread::start(Opener opener)
 {
-    m_thread.reset(QThread::create([this, opener = std::move(opener)] { run(opener); }));
+    const std::shared_ptr<base::Event> opened = m_clock.makeEvent();
+    m_thread.reset(
+        QThread::create([this, opened, opener = std::move(opener)] { run(opener, *opened); }));
     m_thread->setObjectName(QStringLiteral("bus"));
     m_thread->start();
-    std::unique_lock lock(m_mutex);
-    m_changed.wait(lock, [this] { return m_opened.has_value(); });
+    opened->waitUntil(Duration::max());
+    const std::lock_guard lock(m_mutex);
     return *m_opened;
 }
 
 BusThread::~BusThread()
 {
     m_shutdown.request();
-    wake();
+    m_work->set();
     {
         std::unique_lock lock(m_mutex);
         m_changed.wait(lock, [this] { return m_ended && m_activeCalls == 0; });
@@ -79,8 +86,9 @@ BusThread::~BusThread()
     m_thread->wait();
 }
 
-void BusThread::run(const Opener& opener)
+void BusThread::run(const Opener& opener, base::Event& opened)
 {
+    const base::ClockThread clockThread(m_clock);
     auto link = opener();
     if (link)
         m_core = std::make_unique<BusCore>(std::move(*link), m_codec, m_clock,
@@ -88,8 +96,8 @@ void BusThread::run(const Opener& opener)
     {
         const std::lock_guard lock(m_mutex);
         m_opened = link ? Result<void>{} : tl::unexpected(link.error());
-        m_changed.notify_all();
     }
+    opened.set();
     if (m_core)
         serve();
     finishAll();
@@ -130,7 +138,6 @@ bool BusThread::runNext()
     auto access = HoldTable::Access::Pass;
     {
         std::unique_lock lock(m_mutex);
-        m_signal = false;
         if (!m_commands.empty()) {
             const Command command = std::move(m_commands.front());
             m_commands.pop_front();
@@ -175,7 +182,7 @@ void BusThread::finish(Pending& pending, Result<Outcome> result)
         const std::lock_guard lock(m_mutex);
         pending.result = std::move(result);
     }
-    pending.finished.notify_one();
+    pending.finished->set();
 }
 
 void BusThread::idle()
@@ -188,16 +195,7 @@ void BusThread::idle()
     Duration until = m_lastLinkCheck + linkCheckInterval;
     if (!lost())
         until = std::min(until, m_core->nextPoll().value_or(until));
-    std::unique_lock lock(m_mutex);
-    m_work.wait_for(lock, m_clock.realTime(std::max(until - now, Duration{})),
-                    [this] { return m_signal; });
-}
-
-void BusThread::wake()
-{
-    const std::lock_guard lock(m_mutex);
-    m_signal = true;
-    m_work.notify_one();
+    m_work->waitUntil(until);
 }
 
 void BusThread::post(Command command)
@@ -206,7 +204,7 @@ void BusThread::post(Command command)
         const std::lock_guard lock(m_mutex);
         m_commands.push_back(std::move(command));
     }
-    wake();
+    m_work->set();
 }
 
 /// With the mutex held. Equal priorities keep their order.
@@ -217,8 +215,7 @@ void BusThread::enqueue(std::shared_ptr<Pending> pending)
             return a->transaction.priority < b->transaction.priority;
         });
     m_queue.insert(entry, std::move(pending));
-    m_signal = true;
-    m_work.notify_one();
+    m_work->set();
 }
 
 Result<Outcome> BusThread::await(const std::shared_ptr<Pending>& pending)
@@ -229,22 +226,24 @@ Result<Outcome> BusThread::await(const std::shared_ptr<Pending>& pending)
     if (m_ended)
         return base::fail(ErrorCode::Stopped);
     enqueue(pending);
-    const auto finished = [&] { return pending->result.has_value(); };
-    if (stop == nullptr)
-        pending->finished.wait(lock, finished);
-    while (!pending->finished.wait_for(lock, stopInterval, finished)) {
+    for (;;) {
+        lock.unlock();
+        const bool finished = pending->finished->waitUntil(
+            stop == nullptr ? Duration::max() : m_clock.now() + stopInterval);
+        lock.lock();
+        if (finished)
+            return std::move(*pending->result);
         const auto entry = std::find(m_queue.begin(), m_queue.end(), pending);
         if (stop->isRequested() && entry != m_queue.end()) {
             m_queue.erase(entry);
             return base::fail(ErrorCode::Stopped);
         }
     }
-    return std::move(*pending->result);
 }
 
 Result<Outcome> BusThread::transact(const Transaction& transaction)
 {
-    const auto pending = std::make_shared<Pending>();
+    const auto pending = std::make_shared<Pending>(m_clock);
     pending->transaction = transaction;
     pending->caller = std::this_thread::get_id();
     return await(pending);
@@ -252,7 +251,7 @@ Result<Outcome> BusThread::transact(const Transaction& transaction)
 
 void BusThread::submit(Transaction transaction, Done done)
 {
-    const auto pending = std::make_shared<Pending>();
+    const auto pending = std::make_shared<Pending>(m_clock);
     pending->transaction = std::move(transaction);
     pending->done = std::move(done);
     pending->caller = std::this_thread::get_id();
@@ -268,7 +267,7 @@ void BusThread::submit(Transaction transaction, Done done)
 
 Result<void> BusThread::onBusThread(std::function<Result<void>(BusCore&)> work)
 {
-    const auto pending = std::make_shared<Pending>();
+    const auto pending = std::make_shared<Pending>(m_clock);
     pending->work = std::move(work);
     return await(pending).map([](const Outcome&) {});
 }
@@ -304,9 +303,8 @@ Hold BusThread::hold(const std::vector<int>& ids, std::optional<std::uint64_t> e
 void BusThread::release(std::uint64_t token)
 {
     m_core->holds().release(token);
+    m_work->set();
     const std::lock_guard lock(m_mutex);
-    m_signal = true;
-    m_work.notify_one();
     m_changed.notify_all();
 }
 
@@ -333,7 +331,6 @@ void BusThread::emergency()
     const std::lock_guard lock(m_mutex);
     for (const auto& pending : m_queue)
         pending->preempted = pending->transaction.priority != Priority::Emergency;
-    m_signal = true;
-    m_work.notify_one();
+    m_work->set();
 }
 } // namespace bus

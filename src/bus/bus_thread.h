@@ -77,7 +77,7 @@ private:
 
     BusThread(const protocol::Codec& codec, base::Clock& clock, int bitsPerByte);
     base::Result<void> start(Opener opener);
-    void run(const Opener& opener);
+    void run(const Opener& opener, base::Event& opened);
     void serve();
     void finishAll();
     bool runNext();
@@ -96,13 +96,12 @@ private:
     base::StopToken m_shutdown;
     std::unique_ptr<BusCore> m_core; ///< made on the bus thread, never replaced
     std::unique_ptr<QThread> m_thread;
+    std::unique_ptr<base::Event> m_work; ///< there may be something to do
 
-    std::mutex m_mutex; ///< guards what follows
-    std::condition_variable m_work;
-    std::condition_variable m_changed;            ///< opened, a hold released, ended, a caller left
+    std::mutex m_mutex;                           ///< guards what follows
+    std::condition_variable m_changed;            ///< a hold released, ended, a caller left
     std::deque<std::shared_ptr<Pending>> m_queue; ///< oldest first
     std::deque<Command> m_commands;
-    bool m_signal = false; ///< there may be something to do
     std::optional<base::Result<void>> m_opened;
     bool m_ended = false;
     int m_activeCalls = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include "base/skipping_clock.h"
 #include "bus/bus_thread.h"
 #include "protocol/codec.h"
 #include "session/paths.h"
@@ -47,15 +48,24 @@ int defaultRate(std::optional<base::Protocol> protocol)
     return protocol.value_or(base::Protocol::Feetech) == base::Protocol::Feetech ? feetech : others;
 }
 
-/// For tests: how many times as fast as usual the time of a simulated bus passes. Servos outside
-/// this program keep their own time, so other ports are refused then.
+/// For tests: how many times as fast as usual the time of a simulated bus passes, or "skip" if none
+/// is spent on waiting. Servos outside this program keep their own time, so other ports are refused
+/// then.
 const char* const clockSpeed = "SERVODESK_CLOCK_SPEED";
+
+std::unique_ptr<base::Clock> makeClock()
+{
+    if (qgetenv(clockSpeed) == "skip")
+        return std::make_unique<base::SkippingClock>();
+    return std::make_unique<base::SystemClock>(
+        std::max(1, qEnvironmentVariableIntValue(clockSpeed)));
+}
 } // namespace
 
 Session::Session()
     : m_loaded(catalog::Catalog::load({modelFolder()}))
     , m_journal(historyFile(), programName())
-    , m_clock(std::max(1, qEnvironmentVariableIntValue(clockSpeed)))
+    , m_clock(makeClock())
 {}
 
 base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)
@@ -70,12 +80,12 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
         if (!request.baud)
             spec.baud = commonRate(**made);
         simulation = std::make_shared<sim::SharedBus>(std::move(*made));
-    } else if (!m_clock.isRealTime()) {
+    } else if (!m_clock->isRealTime()) {
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("connect"),
                           QLatin1String(clockSpeed));
     }
     // Kept by the bus, which opens the port again when a plug is put back.
-    base::Clock& clock = m_clock;
+    base::Clock& clock = *m_clock;
     const auto open =
         [simulation, &clock](
             const transport::PortSpec& port) -> base::Result<std::unique_ptr<transport::Link>> {
@@ -87,7 +97,7 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
         return keeper->open();
     };
     auto bus = bus::BusThread::open(
-        opener, protocol::codecFor(request.protocol.value_or(base::Protocol::Feetech)), m_clock);
+        opener, protocol::codecFor(request.protocol.value_or(base::Protocol::Feetech)), *m_clock);
     if (!bus)
         return tl::unexpected(bus.error());
     if (request.maxReplyLateness)

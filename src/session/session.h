@@ -18,7 +18,7 @@ public:
     const catalog::Catalog& catalog() const { return m_loaded.catalog; }
     const std::vector<catalog::LoadWarning>& warnings() const { return m_loaded.warnings; }
     history::HistoryJournal& journal() { return m_journal; }
-    base::Clock& clock() { return m_clock; } ///< of all ports
+    base::Clock& clock() { return *m_clock; } ///< of all ports
 
     /// The connection borrows catalog, journal and clock; it must go first. Errors: PortMissing,
     /// PortBusy, PortPermission, PortFailed, RateUnsupported, BadArgument (sim: and tcp: names).
@@ -27,7 +27,7 @@ public:
 private:
     catalog::Catalog::LoadResult m_loaded;
     history::HistoryJournal m_journal;
-    base::SystemClock m_clock;
+    std::unique_ptr<base::Clock> m_clock;
 };
 
 /// Ports that look like an adapter for servos: those with a USB vendor. May take tens of ms.

@@ -19,7 +19,7 @@ QString program(const char* name)
            QLatin1String(name);
 }
 
-/// The time of the simulated buses alone may pass faster.
+/// Only simulated servos in the program itself keep its clock.
 bool usesOtherPort(const QStringList& arguments)
 {
     const auto option = arguments.lastIndexOf(QStringLiteral("--port"));
@@ -60,8 +60,11 @@ void CliProgram::start(const QStringList& arguments, Time time)
     if (!m_port.isEmpty())
         all << QStringLiteral("--port") << m_port;
     QProcessEnvironment environment = m_environment;
+    const QString speed = QStringLiteral("SERVODESK_CLOCK_SPEED");
     if (time == Time::Real || usesOtherPort(all))
-        environment.remove(QStringLiteral("SERVODESK_CLOCK_SPEED"));
+        environment.remove(speed);
+    else
+        environment.insert(speed, QStringLiteral("skip"));
     m_process.setProcessEnvironment(environment);
     m_process.start(program("servodesk-cli"), all);
     m_process.waitForStarted(timeoutMs);
@@ -117,7 +120,7 @@ ProgramResult CliProgram::finish()
 
 ProgramResult CliProgram::run(const QStringList& arguments)
 {
-    start(arguments, Time::Fast);
+    start(arguments, Time::Skipped);
     return finish();
 }
 

@@ -38,8 +38,8 @@ public:
     ProgramResult run(const char* line) { return run(words(line)); }
     ProgramResult json(const char* line) { return run(words(line) << QStringLiteral("--json")); }
 
-    /// Fast: the time of a simulated bus passes as SERVODESK_CLOCK_SPEED says, as it does in run().
-    enum class Time : std::uint8_t { Real, Fast };
+    /// Skipped: nothing is waited for on a simulated bus (base::SkippingClock), as in run().
+    enum class Time : std::uint8_t { Real, Skipped };
     /// Starts it and comes back; for Ctrl-C.
     void start(const QStringList& arguments, Time time = Time::Real);
     QProcess& process() { return m_process; }

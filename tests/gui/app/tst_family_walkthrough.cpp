@@ -6,6 +6,7 @@
 #include "sim/host/sim_link.h"
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
+#include "support/real_time.h"
 #include "support/test_main.h"
 #include "ui/app/event_text.h"
 
@@ -150,6 +151,7 @@ private Q_SLOTS:
 
     void theCableIsUnpluggedDuringAWrite()
     {
+        const support::RealTime realTime; // no simulated port
         support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
         auto cable = std::make_unique<support::CutCable>(simulator.port(), false);
         gui::MainWindowFixture fixture;

@@ -6,6 +6,7 @@
 #include "session/paths.h"
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
+#include "support/real_time.h"
 #include "support/test_main.h"
 #include "ui/app/event_text.h"
 #include "ui/tasks/intents_dialog.h"
@@ -386,6 +387,7 @@ void TestIntentsDialog::anotherPortIsReportedOnTheFirstConnection()
 
 void TestIntentsDialog::anAdapterUnderAnotherNameIsChecked()
 {
+    const support::RealTime realTime; // no simulated port
     ServoTasksFixture fixture;
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
     QVERIFY(fixture.connectTo(sim.port()) && fixture.search(1, 1) && fixture.choose(1));
@@ -406,6 +408,7 @@ void TestIntentsDialog::anAdapterUnderAnotherNameIsChecked()
 /// The servo itself may still be connected there; the one here may be an identical one.
 void TestIntentsDialog::aPresentPortIsNotCheckedHere()
 {
+    const support::RealTime realTime; // no simulated port
     ServoTasksFixture fixture;
     support::SimProgram other({text("--servos"), text("sts3215@1")});
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
@@ -466,6 +469,7 @@ void TestIntentsDialog::anInterruptedRecoveryReportsWhy_data()
 void TestIntentsDialog::anInterruptedRecoveryReportsWhy()
 {
     QFETCH(bool, cut);
+    const support::RealTime realTime; // no simulated port
     support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
     support::CutCable cable(simulator.port(), false);
     ServoTasksFixture fixture;

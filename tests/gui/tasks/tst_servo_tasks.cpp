@@ -4,6 +4,7 @@
 #include "gui/servo_tasks_fixture.h"
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
+#include "support/real_time.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
 #include "ui/widgets/servo_row.h"
@@ -276,6 +277,7 @@ void TestServoTasks::restartWaitsForTheServo()
 
 void TestServoTasks::anIgnoredRestartIsNotReportedDone()
 {
+    const support::RealTime realTime; // no simulated port
     support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
     support::CutCable cable(simulator.port(), false);
     ServoTasksFixture fixture;

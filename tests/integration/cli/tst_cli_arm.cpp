@@ -54,12 +54,6 @@ QJsonObject wholeArm()
             {QStringLiteral("gripper"), joint(6, -2047, 2031, 3476)}};
 }
 
-/// A stall of this computer must not look like lost readings.
-void keepRealTime(CliProgram& cli)
-{
-    cli.setEnvironment(QStringLiteral("SERVODESK_CLOCK_SPEED"), QStringLiteral("1"));
-}
-
 bool isNear(const QJsonValue& value, double expected)
 {
     return std::abs(value.toDouble(1e9) - expected) <= 3;
@@ -177,7 +171,6 @@ private Q_SLOTS:
     void thePoseAtTheEndBecomesTheMiddle()
     {
         CliProgram cli;
-        keepRealTime(cli);
         cli.setPort(QStringLiteral("sim:so101"));
         const auto result = cli.run(words("arm calibrate --yes --seconds 1.6 --dry-run --json "
                                           "--middle-here --joint gripper"));
@@ -196,7 +189,6 @@ private Q_SLOTS:
     void theMiddlesOfTheRangesAreFound()
     {
         CliProgram cli;
-        keepRealTime(cli);
         cli.setPort(QStringLiteral("sim:so101"));
         const auto result = cli.run(words("arm calibrate --yes --seconds 5 --json"));
         QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
@@ -220,7 +212,6 @@ private Q_SLOTS:
     void aDryRunShowsThePlan()
     {
         CliProgram cli;
-        keepRealTime(cli);
         cli.setPort(QStringLiteral("sim:so101"));
         const auto result =
             cli.run(words("arm calibrate --yes --seconds 4 --dry-run --joint elbow_flex"));

@@ -33,7 +33,7 @@ public:
     QString csv() const { return m_cli.dataFolder() + text("/batch.csv"); }
     void start(const char* line)
     {
-        m_cli.start(support::words(line) << text("--batch") << csv(), CliProgram::Time::Fast);
+        m_cli.start(support::words(line) << text("--batch") << csv(), CliProgram::Time::Skipped);
     }
     /// Whether it asks this; false: it has ended without asking.
     bool asks(const char* question) { return m_cli.waitForError(question); }

@@ -44,15 +44,6 @@ QString portFor(const QString& line)
         return {}; // names its own
     return QStringLiteral("sim:demo");
 }
-
-/// These run in real time: a stall of this computer must not look like lost readings, or like too
-/// few of them for a verdict.
-bool measures(const QString& line)
-{
-    const QString command = line.section(QLatin1Char(' '), 0, 0);
-    return command == QLatin1String("sweep") || command == QLatin1String("step-response") ||
-           line.startsWith(QLatin1String("arm calibrate"));
-}
 } // namespace
 
 void TestCliExamples::everyExampleRuns()
@@ -70,10 +61,6 @@ void TestCliExamples::everyExampleRuns()
         for (const char* example : {one.first, one.second}) {
             const QString line = QString::fromLatin1(example);
             m_cli.setPort(portFor(line));
-            const QString speed = QStringLiteral("SERVODESK_CLOCK_SPEED");
-            m_cli.setEnvironment(speed, measures(line)
-                                            ? QStringLiteral("1")
-                                            : qEnvironmentVariable("SERVODESK_CLOCK_SPEED"));
             const ProgramResult result = m_cli.run(QProcess::splitCommand(line));
             QVERIFY2(result.exit == 0, qPrintable(line + u'\n' + result.out + result.err));
             QVERIFY2(!result.out.isEmpty(), example);
