@@ -13,8 +13,8 @@
 namespace base {
 using Duration = std::chrono::microseconds;
 
-/// What one thread waits for and any thread sets; taken back by the wait it ends. Owned by whom it
-/// wakes; must go before its clock.
+/// One thread waits for it, any thread sets it; a wait that returns true resets it. Must be
+/// destroyed before its clock.
 class Event {
 public:
     virtual ~Event() = default;
@@ -44,7 +44,7 @@ public:
     /// False for a clock that only simulated servos can keep.
     virtual bool isRealTime() const { return true; }
 
-    /// Between the two, the work of the calling thread takes time. For ClockThread.
+    /// From one to the other, the calling thread counts as working. For ClockThread.
     virtual void addThread() {}
     virtual void removeThread() {}
 
@@ -68,7 +68,7 @@ private:
     int m_speed;
 };
 
-/// A thread that does all its waiting with `clock` from here on. On that thread.
+/// Counts the calling thread as working, except while it waits with `clock`.
 class ClockThread {
 public:
     explicit ClockThread(Clock& clock)

@@ -11,8 +11,8 @@ using namespace std::chrono_literals;
 /// A stop request wakes nobody here; it is looked for this often.
 constexpr Duration stopInterval = 5ms;
 
-/// Whether the work of this thread takes time.
-thread_local bool isCounted = false;
+/// The clock that counts this thread's work.
+thread_local const SkippingClock* counting = nullptr;
 } // namespace
 
 struct SkippingClock::Wait {
@@ -47,7 +47,7 @@ public:
         std::unique_lock lock(m_clock.m_mutex);
         if (std::exchange(m_isSet, false))
             return true;
-        Wait wait{instant, this, isCounted};
+        Wait wait{instant, this, counting == &m_clock};
         m_clock.await(wait, nullptr, lock);
         return wait.isSet;
     }
@@ -69,8 +69,10 @@ std::unique_ptr<Event> SkippingClock::makeEvent()
 
 bool SkippingClock::sleepUntil(Duration instant, const StopToken* stop)
 {
+    if (stop != nullptr && stop->isRequested())
+        return false;
     std::unique_lock lock(m_mutex);
-    Wait wait{instant, nullptr, isCounted};
+    Wait wait{instant, nullptr, counting == this};
     await(wait, stop, lock);
     return stop == nullptr || !stop->isRequested();
 }
@@ -78,14 +80,14 @@ bool SkippingClock::sleepUntil(Duration instant, const StopToken* stop)
 void SkippingClock::addThread()
 {
     const std::lock_guard lock(m_mutex);
-    isCounted = true;
+    counting = this;
     ++m_working;
 }
 
 void SkippingClock::removeThread()
 {
     const std::lock_guard lock(m_mutex);
-    isCounted = false;
+    counting = nullptr;
     --m_working;
     skip();
 }
@@ -106,8 +108,8 @@ void SkippingClock::await(Wait& wait, const StopToken* stop, std::unique_lock<st
     }
 }
 
-/// With the mutex held, as skip(). Whom it wakes works from now on, not only once it gets the
-/// processor.
+/// With the mutex held, as skip(). The woken thread counts as working at once, even before it is
+/// scheduled.
 void SkippingClock::end(Wait& wait)
 {
     wait.isOver = true;

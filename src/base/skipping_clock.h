@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time for tests of whole programs on simulated servos: it passes as on the system's clock while a
-// thread works, and jumps to the next instant that is waited for as soon as all wait. So a test
-// costs what its work costs, and a loaded computer delays a program no more than it would delay a
-// real one. Work is that of the thread that made the clock and of each ClockThread, outside
-// sleepUntil() and Event::waitUntil(). Thread-safe.
+// counted thread works, and jumps to the next instant that is waited for as soon as all of them
+// wait. So a test costs what its work costs. Counted are the thread that made the clock and each
+// ClockThread; a wait for anything else (a lock, a file, the keyboard) counts as work. Thread-safe.
 #pragma once
 
 #include "base/clock.h"

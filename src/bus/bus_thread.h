@@ -83,7 +83,6 @@ private:
     bool runNext();
     void idle();
     void post(Command command);
-    void wake();
     HoldTable::Access accessOf(const Pending& pending);
     void finish(Pending& pending, base::Result<Outcome> result);
     void enqueue(std::shared_ptr<Pending> pending);

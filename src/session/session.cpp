@@ -48,9 +48,8 @@ int defaultRate(std::optional<base::Protocol> protocol)
     return protocol.value_or(base::Protocol::Feetech) == base::Protocol::Feetech ? feetech : others;
 }
 
-/// For tests: how many times as fast as usual the time of a simulated bus passes, or "skip" if none
-/// is spent on waiting. Servos outside this program keep their own time, so other ports are refused
-/// then.
+/// For tests: how many times as fast as usual the time of a simulated bus passes, or "skip" to
+/// skip waiting. Servos outside this program keep their own time, so other ports are refused then.
 const char* const clockSpeed = "SERVODESK_CLOCK_SPEED";
 
 std::unique_ptr<base::Clock> makeClock()

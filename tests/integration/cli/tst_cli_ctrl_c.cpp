@@ -369,7 +369,8 @@ void TestCliCtrlC::commission()
     QCOMPARE(fixture.at(atId ? 11 : 1, torqueSwitch, 1, rate), 0);
 
     fixture.cable.resetConnection();
-    fixture.cli.start(line + timeout);
+    // It asks every ID, so the longer timeout would take 20 s.
+    fixture.cli.start(line + words("--timeout 60"));
     // Its lock is closed, so nothing proves that it is the same servo.
     QVERIFY(fixture.cli.waitForError("Continue only if it is the one that is connected now"));
     fixture.cli.process().write("\n");

@@ -106,8 +106,7 @@ private Q_SLOTS:
     {
         CliProgram cli;
         const QString image = makeImage(cli, QStringLiteral("new.bin"));
-        SimProgram sim(words("--servos sts3215@1,sts3215@2"));
-        cli.setPort(sim.port());
+        cli.setPort(QStringLiteral("sim:sts3215@1,sts3215@2"));
         const QStringList update{QStringLiteral("firmware"), QStringLiteral("update"), image,
                                  QStringLiteral("1")};
         const auto refused = cli.run(update);

@@ -161,7 +161,7 @@ void TestCliSweep::silenceInTheLastLegIsALostLink()
     support::CutCable cable(sim.port(), false);
     CliProgram cli;
     cli.setPort(cable.port());
-    cli.start(text("sweep 1 2 --from 1500 --to 2500 --dwell 5000 --cycles 1 --json")
+    cli.start(text("sweep 1 2 --from 1500 --to 2500 --dwell 3000 --cycles 1 --json")
                   .split(QLatin1Char(' ')));
     QTRY_VERIFY(cable.writes() == 3); // to the start, there, and back
     QTest::qWait(200); // usually the goal has been read back by then; else it is lost a leg earlier
@@ -180,7 +180,7 @@ void TestCliSweep::aSuspendedRunIsReported()
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
     CliProgram cli;
     cli.setPort(sim.port());
-    cli.start(text("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 8").split(QLatin1Char(' ')));
+    cli.start(text("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 5").split(QLatin1Char(' ')));
     QVERIFY(cli.waitForError("cycle 2"));
     cli.signal(SIGSTOP);
     QTest::qWait(2000); // suspended for this time
