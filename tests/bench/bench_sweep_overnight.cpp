@@ -10,6 +10,7 @@
 #include "results/sweep_json.h"
 #include "session/sweep/sweep_report.h"
 #include "support/sim_fixture.h"
+#include "support/text.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <malloc.h>
 
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
@@ -29,15 +31,10 @@ constexpr int defaultHours = 8;
 constexpr int lineBaud = 115'200; ///< at the fastest rate it takes a quarter of an hour
 constexpr auto checkInterval = 30min;
 
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// A line of /proc/self/status, in MB.
 double megabytes(const char* name)
 {
-    QFile status(text("/proc/self/status"));
+    QFile status(utf8("/proc/self/status"));
     if (!status.open(QIODevice::ReadOnly))
         return 0;
     for (const QByteArray& line : status.readAll().split('\n')) {
@@ -72,13 +69,13 @@ std::vector<device::Servo> servosOf(support::SimFixture& bench, int count)
 jobs::SweepRequest orderOf(const NightSpec& night, const std::vector<device::Servo>& servos)
 {
     jobs::SweepRequest order;
-    order.spec.range = {text("1800"), text("2300")};
-    order.spec.speed = text("3000");
+    order.spec.range = {utf8("1800"), utf8("2300")};
+    order.spec.speed = utf8("3000");
     order.spec.pace = results::SweepPace::Delay;
     order.spec.pause = night.pause;
     order.spec.cycles = night.cycles;
     order.spec.length = night.length;
-    order.program = text("bench_sweep_overnight");
+    order.program = utf8("bench_sweep_overnight");
     order.simulated = true;
     for (const device::Servo& servo : servos)
         order.limits.push_back(
@@ -90,7 +87,7 @@ SavedRun measure(const NightSpec& night, const QString& report)
 {
     QStringList names;
     for (int id = 1; id <= night.servos; ++id)
-        names << text("sts3215@%1").arg(id);
+        names << utf8("sts3215@%1").arg(id);
     support::SimFixtureOptions options;
     options.baud = night.baud;
     options.servoBaud = night.baud;
@@ -169,7 +166,7 @@ bool night(int hours, int baud)
     NightSpec order;
     order.length = std::chrono::hours(hours);
     order.baud = baud;
-    const QString page = dir.filePath(text("night.html"));
+    const QString page = dir.filePath(utf8("night.html"));
     QElapsedTimer timer;
     timer.start();
     const SavedRun kept = measure(order, page);
@@ -178,14 +175,14 @@ bool night(int hours, int baud)
     std::printf("  measured in %.0f s, %zu legs of each servo, %.0f MB at most\n",
                 double(timer.elapsed()) / 1000, kept.run.servos[0].legs.size(),
                 megabytes("VmHWM:"));
-    const QString json = dir.filePath(text("night.json"));
+    const QString json = dir.filePath(utf8("night.json"));
     write(kept, session::SweepFormat::Html, page);
     write(kept, session::SweepFormat::Json, json);
     std::printf("  readings %.0f MB, %llu lost\n",
                 double(QFileInfo(session::sweepReadingsPath(page)).size()) / (1 << 20),
                 static_cast<unsigned long long>(kept.readings->lost()));
     timer.restart();
-    const auto number = history::saveRun(dir.filePath(text("history.sqlite")), kept.run);
+    const auto number = history::saveRun(dir.filePath(utf8("history.sqlite")), kept.run);
     std::printf("  in the history after %.2f s\n", double(timer.elapsed()) / 1000);
     const double peakMegabytes = megabytes("VmHWM:");
     const bool flat = peakMegabytes <= maxMegabytes;
@@ -204,7 +201,7 @@ bool runThousandLegs()
     NightSpec order;
     order.servos = 1;
     order.cycles = 500;
-    const QString page = dir.filePath(text("legs.html"));
+    const QString page = dir.filePath(utf8("legs.html"));
     const SavedRun kept = measure(order, page);
     if (!kept.fine || kept.run.servos[0].legs.size() != 1000)
         return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/cli_program.h"
 
+#include "history/history_journal.h"
 #include "support/simulator_priority.h"
 
 #include <QCoreApplication>
@@ -37,6 +38,11 @@ QJsonObject ProgramResult::json() const
     return QJsonDocument::fromJson(out.toUtf8()).object();
 }
 
+QString ProgramResult::errorCode() const
+{
+    return json()[QLatin1String("error")][QLatin1String("code")].toString();
+}
+
 CliProgram::CliProgram()
     : m_environment(QProcessEnvironment::systemEnvironment())
 {
@@ -45,6 +51,13 @@ CliProgram::CliProgram()
     setEnvironment(QStringLiteral("LANG"), QStringLiteral("C.UTF-8"));
     setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), m_data.path());
     setEnvironment(QStringLiteral("XDG_CONFIG_HOME"), m_data.filePath(QStringLiteral("config")));
+}
+
+bool CliProgram::hasOpenIntent() const
+{
+    const history::HistoryJournal journal(historyFile(), {});
+    const auto open = journal.open();
+    return open && !open->empty();
 }
 
 void CliProgram::setEnvironment(const QString& name, const QString& value)

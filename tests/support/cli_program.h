@@ -21,6 +21,7 @@ struct ProgramResult {
 
     /// stdout as one JSON document; an object without members if it is anything else.
     QJsonObject json() const;
+    QString errorCode() const; ///< of that document
 };
 
 class CliProgram {
@@ -33,6 +34,8 @@ public:
     void setEnvironment(const QString& name, const QString& value);
     void setWorkingFolder(const QString& path) { m_process.setWorkingDirectory(path); }
     QString dataFolder() const { return m_data.path(); }
+    QString historyFile() const { return dataFolder() + QStringLiteral("/history.sqlite"); }
+    bool hasOpenIntent() const; ///< in the history
 
     ProgramResult run(const QStringList& arguments);
     ProgramResult run(const char* line) { return run(words(line)); }

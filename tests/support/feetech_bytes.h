@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Feetech frame built from the published rule, not by the codec under test.
+// A Feetech frame built from the published rule, not by the codec under test; addresses of an
+// STS3215.
 #pragma once
 
 #include <QByteArray>
 
 namespace support {
+constexpr int modeAddress = 33;
+constexpr int torqueSwitch = 40;
+constexpr int goalAddress = 42;
+
 /// `word`: the instruction of a request, the error byte of a status packet.
 inline QByteArray feetechFrame(int id, int word, const QByteArray& params = {})
 {

@@ -192,4 +192,15 @@ device::Servo SimFixture::servo(int id, base::Protocol protocol)
         qFatal("servo %d does not answer", id);
     return *found;
 }
+
+bool SimFixture::hasNotice(device::NoticeCode code) const
+{
+    return std::any_of(m_notices.begin(), m_notices.end(),
+                       [code](const device::Notice& notice) { return notice.code == code; });
+}
+
+double SimFixture::shaft(int id)
+{
+    return withBus([id](sim::VirtualBus& wire) { return wire.servo(id)->shaftDegrees(); });
+}
 } // namespace support

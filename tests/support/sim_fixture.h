@@ -58,6 +58,8 @@ public:
     base::StopToken& stop() { return *m_stop; }
     MemoryJournal& journal() { return m_journal; }
     device::Notices& notices() { return m_notices; }
+    bool hasNotice(device::NoticeCode code) const;
+    double shaft(int id); ///< degrees
     LinkTap& tap() { return m_tap; }
 
     /// The virtual bus, for what has no helper below.

@@ -16,23 +16,24 @@ public:
 } // namespace support
 
 /// `run` gets the arguments without the test's name.
-#define SERVODESK_TEST_RUN(run) static const support::RegisteredTest registeredTest(__FILE__, run);
+#define SERVODESK_TEST_RUN(run)                                                                    \
+    static const support::RegisteredTest registered_##run(__FILE__, run);
 
 /// With the application object of a window, where the program links one.
 #define SERVODESK_TEST(Class)                                                                      \
-    static int runTest(int argc, char** argv)                                                      \
+    static int run##Class(int argc, char** argv)                                                   \
     {                                                                                              \
         QTEST_MAIN_SETUP()                                                                         \
         Class test;                                                                                \
         return QTest::qExec(&test, argc, argv);                                                    \
     }                                                                                              \
-    SERVODESK_TEST_RUN(runTest)
+    SERVODESK_TEST_RUN(run##Class)
 
 #define SERVODESK_GUILESS_TEST(Class)                                                              \
-    static int runTest(int argc, char** argv)                                                      \
+    static int run##Class(int argc, char** argv)                                                   \
     {                                                                                              \
         QTEST_QAPP_SETUP(QCoreApplication)                                                         \
         Class test;                                                                                \
         return QTest::qExec(&test, argc, argv);                                                    \
     }                                                                                              \
-    SERVODESK_TEST_RUN(runTest)
+    SERVODESK_TEST_RUN(run##Class)

@@ -23,8 +23,8 @@ using support::SimProgram;
 
 namespace {
 
-struct Fixture : gui::MainWindowFixture {
-    Fixture()
+struct CloseConfirmationFixture : gui::MainWindowFixture {
+    CloseConfirmationFixture()
         : simulator(support::words("--servos sts3215@1 --baud 1000000"))
         , cable(std::make_unique<support::CutCable>(simulator.port(), false))
     {
@@ -99,7 +99,7 @@ void ways()
     QTest::newRow("disconnect") << false;
 }
 
-void leave(Fixture& fixture, bool closes)
+void leave(CloseConfirmationFixture& fixture, bool closes)
 {
     if (closes)
         fixture.window->close();
@@ -107,7 +107,7 @@ void leave(Fixture& fixture, bool closes)
         fixture.action(ui::Command::Disconnect)->trigger();
 }
 
-QDialog* requestLeaving(Fixture& fixture, bool closes)
+QDialog* requestLeaving(CloseConfirmationFixture& fixture, bool closes)
 {
     leave(fixture, closes);
     return fixture.question();
@@ -124,7 +124,7 @@ private Q_SLOTS:
     void aTurningServoIsStoppedAfterConfirmation()
     {
         QFETCH(bool, closes);
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QDialog* dialog = fixture.startSpinning() ? requestLeaving(fixture, closes) : nullptr;
         QVERIFY(dialog != nullptr);
         QVERIFY2(fixture.title(dialog).startsWith(QLatin1String("Servo 1 is turning. Stop it")),
@@ -144,7 +144,7 @@ private Q_SLOTS:
     void itMayBeLeftTurning()
     {
         QFETCH(bool, closes);
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QDialog* dialog = fixture.startSpinning() ? requestLeaving(fixture, closes) : nullptr;
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionOther");
@@ -156,7 +156,7 @@ private Q_SLOTS:
     void cancelChangesNothing()
     {
         QFETCH(bool, closes);
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QDialog* dialog = fixture.startSpinning() ? requestLeaving(fixture, closes) : nullptr;
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionNo");
@@ -170,7 +170,7 @@ private Q_SLOTS:
     /// Without a user to ask it is stopped.
     void stopsWithoutAQuestionWhenDisabled()
     {
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QVERIFY(fixture.startSpinning());
         fixture.workbench().closing().closeForExit();
         QVERIFY(fixture.closed());
@@ -180,7 +180,7 @@ private Q_SLOTS:
     /// A servo at rest needs no question.
     void aServoAtRestNeedsNoConfirmation()
     {
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QVERIFY(fixture.startSpinning());
         fixture.context.workbench.motion().halt();
         QVERIFY(fixture.waitUntilIdle());
@@ -191,7 +191,7 @@ private Q_SLOTS:
     /// What does not answer cannot be stopped, and the window does not vanish over it.
     void anUnstoppableServoKeepsTheWindowOpen()
     {
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         session::MotionController& drive = fixture.context.workbench.motion();
         drive.setServos({fixture.selection().current()});
@@ -219,7 +219,7 @@ private Q_SLOTS:
 
     void aStopWithoutAPortIsReportedAtOnce()
     {
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QTest::mouseClick(fixture.find<QPushButton>("stopButton"), Qt::LeftButton);
         QVERIFY2(fixture.line().startsWith(QLatin1String("Emergency stop not sent: no port is "
                                                          "open.")),
@@ -234,7 +234,7 @@ private Q_SLOTS:
     /// The silence after reconnecting must not be taken for a stop that has arrived.
     void aStopAfterALostLinkIsReportedAgainOnReconnecting()
     {
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QVERIFY(fixture.startSpinning());
         fixture.cable->cut();
         QVERIFY(fixture.is(session::LinkState::Lost));
@@ -254,7 +254,7 @@ private Q_SLOTS:
     /// The message line never shows what was true only before the last action.
     void aMoveReplacesThePreviousMessage()
     {
-        Fixture fixture;
+        CloseConfirmationFixture fixture;
         QVERIFY(fixture.startSpinning());
         QVERIFY2(fixture.line().contains(QLatin1String("goal sent: 800")),
                  qPrintable(fixture.line()));

@@ -6,19 +6,16 @@
 #include "gui/main_window_fixture.h"
 #include "sim/host/sim_link.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QDialog>
 #include <QLabel>
 #include <QPushButton>
 
+using support::utf8;
+
 namespace {
-
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
-struct Fixture : gui::MainWindowFixture {
+struct OpenWritesFixture : gui::MainWindowFixture {
     template <typename Action>
     auto withBus(Action&& action)
     {
@@ -33,13 +30,13 @@ struct Fixture : gui::MainWindowFixture {
     std::int64_t lock()
     {
         std::int64_t value = -1;
-        withBus([&value](sim::VirtualBus& wire) { value = wire.servo(1)->raw(text("lock")); });
+        withBus([&value](sim::VirtualBus& wire) { value = wire.servo(1)->raw(utf8("lock")); });
         return value;
     }
     /// The servo falls silent while its lock is open, and answers again afterwards.
     bool interrupted()
     {
-        if (!ready(1, text("sim:sts3215@1")))
+        if (!ready(1, utf8("sim:sts3215@1")))
             return false;
         withBus([](sim::VirtualBus& wire) {
             wire.config().faults.muteWhen = gui::isSecondRegisterWritten;
@@ -83,14 +80,14 @@ private Q_SLOTS:
 
 void TestCloseOpenWrites::disconnectingClosesTheLock()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     fixture.action(ui::Command::Disconnect)->trigger();
     QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
-    QVERIFY2(gui::labelsOf(dialog).contains(text("A write is unfinished. Disconnect anyway?")),
+    QVERIFY2(gui::labelsOf(dialog).contains(utf8("A write is unfinished. Disconnect anyway?")),
              qPrintable(gui::labelsOf(dialog)));
-    QVERIFY(gui::labelsOf(dialog).contains(text("The EPROM of ID 1 is unlocked")));
+    QVERIFY(gui::labelsOf(dialog).contains(utf8("The EPROM of ID 1 is unlocked")));
     QCOMPARE(fixture.lock(), 0);
     bool locked = false;
     QObject::connect(
@@ -99,14 +96,14 @@ void TestCloseOpenWrites::disconnectingClosesTheLock()
     gui::click(dialog, "questionYes");
     QVERIFY(fixture.isOff());
     QVERIFY(locked);
-    QVERIFY2(fixture.line().contains(text("EPROM locked: ID 1")), qPrintable(fixture.line()));
+    QVERIFY2(fixture.line().contains(utf8("EPROM locked: ID 1")), qPrintable(fixture.line()));
     QCOMPARE(fixture.unfinished(), std::size_t(1));
-    QVERIFY(fixture.connectTo(text("sim:sts3215@1")));
+    QVERIFY(fixture.connectTo(utf8("sim:sts3215@1")));
 }
 
 void TestCloseOpenWrites::closingClosesTheLock()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     std::vector<session::ServoRef> locked;
     QObject::connect(&fixture.workbench(), &session::Workbench::eventOccurred, &fixture.workbench(),
@@ -124,7 +121,7 @@ void TestCloseOpenWrites::closingClosesTheLock()
 
 void TestCloseOpenWrites::theLockCanBeLeftOpen()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     std::optional<session::Event> end;
     QObject::connect(&fixture.workbench(), &session::Workbench::eventOccurred, &fixture.workbench(),
@@ -142,13 +139,13 @@ void TestCloseOpenWrites::theLockCanBeLeftOpen()
 
 void TestCloseOpenWrites::cancelChangesNothing()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     fixture.window->close();
     QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionNo");
-    QTRY_VERIFY(fixture.window->findChild<QDialog*>(text("question")) == nullptr);
+    QTRY_VERIFY(fixture.window->findChild<QDialog*>(utf8("question")) == nullptr);
     QVERIFY(fixture.window->isVisible());
     QCOMPARE(fixture.workbench().link().state(), session::LinkState::Open);
     QCOMPARE(fixture.lock(), 0);
@@ -156,14 +153,14 @@ void TestCloseOpenWrites::cancelChangesNothing()
 
 void TestCloseOpenWrites::aLockThatStaysOpenKeepsTheWindowOpen()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     fixture.mute(true);
     fixture.window->close();
     QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionYes");
-    QTRY_VERIFY(fixture.line().contains(text("the EPROM of ID 1 is still unlocked")));
+    QTRY_VERIFY(fixture.line().contains(utf8("the EPROM of ID 1 is still unlocked")));
     QVERIFY(fixture.window->isVisible());
     QCOMPARE(fixture.workbench().link().state(), session::LinkState::Open);
     fixture.window->close();
@@ -175,7 +172,7 @@ void TestCloseOpenWrites::aLockThatStaysOpenKeepsTheWindowOpen()
 
 void TestCloseOpenWrites::aLockClosedLaterIsNoLongerReported()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     fixture.mute(true);
     fixture.window->close();
@@ -197,32 +194,32 @@ void TestCloseOpenWrites::aLockClosedLaterIsNoLongerReported()
 
 void TestCloseOpenWrites::theLockIsClosedWithoutAQuestionToo()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     QTRY_VERIFY(fixture.entry().lockOpenedByUs);
     fixture.workbench().closing().disconnectFrom();
     QVERIFY(fixture.isOff());
-    QVERIFY2(fixture.line().contains(text("EPROM locked: ID 1")), qPrintable(fixture.line()));
+    QVERIFY2(fixture.line().contains(utf8("EPROM locked: ID 1")), qPrintable(fixture.line()));
 }
 
 void TestCloseOpenWrites::openIntentsAreReportedWithoutAPort()
 {
-    Fixture fixture;
+    OpenWritesFixture fixture;
     QVERIFY(fixture.interrupted());
     fixture.workbench().closing().disconnectFrom();
     QVERIFY(fixture.isOff());
     fixture.window->close();
     QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
-    QVERIFY(gui::labelsOf(dialog).contains(text("ID 1: the unfinished write is recorded")));
+    QVERIFY(gui::labelsOf(dialog).contains(utf8("ID 1: the unfinished write is recorded")));
     gui::click(dialog, "questionYes");
     QVERIFY(fixture.closed());
 }
 
 void TestCloseOpenWrites::noQuestionWithoutOpenWrites()
 {
-    Fixture fixture;
-    QVERIFY(fixture.ready(1, text("sim:sts3215@1")));
+    OpenWritesFixture fixture;
+    QVERIFY(fixture.ready(1, utf8("sim:sts3215@1")));
     fixture.window->close();
     QVERIFY(fixture.closed());
 }

@@ -138,9 +138,9 @@ private Q_SLOTS:
     }
 };
 
-static int run(int argc, char** argv)
+static int runTestFonts(int argc, char** argv)
 {
     return support::runWithFonts<QApplication, TestFonts>(argc, argv, DEJAVU_FONTS);
 }
-SERVODESK_TEST_RUN(run)
+SERVODESK_TEST_RUN(runTestFonts)
 #include "tst_fonts.moc"

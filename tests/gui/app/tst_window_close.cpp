@@ -37,8 +37,8 @@ namespace {
 constexpr int factoryId = 1;
 constexpr int newId = 7; ///< given by commissioning
 
-struct Fixture : gui::MainWindowFixture {
-    Fixture()
+struct WindowCloseFixture : gui::MainWindowFixture {
+    WindowCloseFixture()
         : simulator(support::words("--servos sts3215@1 --baud 1000000 --latency-ms 10"))
         , cable(std::make_unique<support::CutCable>(simulator.port(), false))
     {
@@ -227,7 +227,7 @@ private Q_SLOTS:
     void closingEndsSafely()
     {
         QFETCH(QString, what);
-        Fixture fixture;
+        WindowCloseFixture fixture;
         QVERIFY(fixture.begins(what));
         QVERIFY(fixture.closed());
         const auto* const keys = "lock torque_switch present_position position_p";
@@ -279,7 +279,7 @@ private Q_SLOTS:
     void anInterruptedChangeStaysOpen()
     {
         QFETCH(QString, what);
-        Fixture fixture;
+        WindowCloseFixture fixture;
         QVERIFY(fixture.begins(what, 2));
         QTRY_COMPARE(fixture.workbench().link().state(), session::LinkState::Lost);
         QTRY_VERIFY(fixture.find<ui::Banner>("banner")->isVisible());
@@ -313,7 +313,7 @@ private Q_SLOTS:
     void unpluggingIsReportedAndTheWindowStays()
     {
         QFETCH(QString, what);
-        Fixture fixture;
+        WindowCloseFixture fixture;
         QVERIFY(fixture.begins(what, 1)); // what writes is cut off at the first frame that does
         if (what != QLatin1String("restore"))
             fixture.cable->cut();
@@ -351,7 +351,7 @@ private Q_SLOTS:
     void aSecondWindowShowsWhoHoldsThePort()
     {
         QFETCH(QString, program);
-        Fixture fixture;
+        WindowCloseFixture fixture;
         const QString port = fixture.simulator.port();
         fixture.cable.reset();
         const QTemporaryDir data;

@@ -31,14 +31,14 @@ using session::PortRequest;
 namespace {
 const QString demo = QStringLiteral("sim:demo");
 
-struct Fixture : gui::WorkbenchFixture {
+struct ConnectBarFixture : gui::WorkbenchFixture {
     ui::Banner banner;
     ui::ConnectBar bar{workbench, commands, settings, ports};
     ui::LinkErrorBanner trouble{workbench.link(), ports, bar, banner};
 
     const QString serial = QStringLiteral("5A2F31");
 
-    Fixture() { bar.show(); }
+    ConnectBarFixture() { bar.show(); }
 
     template <typename Widget>
     Widget* find(const char* name) const
@@ -145,7 +145,7 @@ private Q_SLOTS:
 
 void TestConnectBar::fieldsHaveLabels()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     QVERIFY(!fixture.bar.request().baud && !fixture.bar.request().protocol); // auto
     const PortRequest wanted = full();
     fixture.bar.setRequest(wanted);
@@ -163,7 +163,7 @@ void TestConnectBar::fieldsHaveLabels()
 
 void TestConnectBar::aCustomRate()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     PortRequest odd;
     odd.name = demo;
     odd.baud = 74880;
@@ -173,7 +173,7 @@ void TestConnectBar::aCustomRate()
 
 void TestConnectBar::oneClickOpensTheSimulatedBus()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     ui::Welcome welcome(fixture.commands);
     welcome.show();
     QVERIFY(fixture.find<ui::Pill>("simulatedBadge")->isHidden());
@@ -186,7 +186,7 @@ void TestConnectBar::oneClickOpensTheSimulatedBus()
 
 void TestConnectBar::theButtonMatchesItsText()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     auto* button = fixture.find<QToolButton>("connectButton");
     QCOMPARE(button->accessibleName(), QStringLiteral("Connect"));
     QVERIFY(fixture.connected(demo));
@@ -202,7 +202,7 @@ void TestConnectBar::theButtonMatchesItsText()
 
 void TestConnectBar::withoutAPortTheListOpens()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     fixture.find<QToolButton>("connectButton")->click();
     auto* picker = fixture.find<ui::PortPicker>("portPicker");
     QTRY_VERIFY(picker->view()->isVisible());
@@ -212,7 +212,7 @@ void TestConnectBar::withoutAPortTheListOpens()
 
 void TestConnectBar::settingsAreRememberedPerAdapter()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     auto* baud = fixture.find<QComboBox>("baudBox");
     auto* protocol = fixture.find<QComboBox>("protocolBox");
     fixture.choose(demo);
@@ -255,7 +255,7 @@ void TestConnectBar::theLastPortIsSuggested()
 
 void TestConnectBar::statisticsAreShown()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     auto* status = fixture.find<ui::Pill>("linkStatus");
     QCOMPARE(status->text(), QStringLiteral("not connected"));
     QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
@@ -272,7 +272,7 @@ void TestConnectBar::statisticsAreShown()
 /// As while a sweep test runs: the link is not lost yet, but it is no good link either.
 void TestConnectBar::anAwaitedAdapterIsReportedMissing()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     auto* status = fixture.find<ui::Pill>("linkStatus");
     QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
     QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
@@ -290,7 +290,7 @@ void TestConnectBar::anAwaitedAdapterIsReportedMissing()
 /// Every servo answers the stop, and the program does not wait for the answers.
 void TestConnectBar::aStopIsNoError()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     auto* status = fixture.find<ui::Pill>("linkStatus");
     QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1,sts3215@2")));
     QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
@@ -354,7 +354,7 @@ void TestConnectBar::failuresAreReported()
     QFETCH(const QString, port);
     QFETCH(const QString, what);
     QFETCH(const QString, remedy);
-    Fixture fixture;
+    ConnectBarFixture fixture;
     PortRequest request;
     request.name = port;
     fixture.bar.setRequest(request);
@@ -381,7 +381,7 @@ void TestConnectBar::aBusyPortNamesItsOwner()
     request.name = pty.path;
     const auto taken = other.connect(request);
     QVERIFY(taken.has_value());
-    Fixture fixture;
+    ConnectBarFixture fixture;
     fixture.bar.setRequest(request);
     fixture.bar.connectNow();
     QTRY_VERIFY(!fixture.banner.isHidden());
@@ -393,7 +393,7 @@ void TestConnectBar::aBusyPortNamesItsOwner()
 
 void TestConnectBar::failuresFollowTheLanguage()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     fixture.banner.showMessage({base::ErrorCode::PortPermission, {}, QStringLiteral("uucp")});
     QVERIFY(
         fixture.labelText("bannerMore").contains(QStringLiteral("sudo usermod -aG uucp $USER")));
@@ -409,7 +409,7 @@ void TestConnectBar::failuresFollowTheLanguage()
 
 void TestConnectBar::closedMessagesStayClosed()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     fixture.banner.showMessage({base::ErrorCode::PortBusy});
     QVERIFY(!fixture.banner.isHidden());
     fixture.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
@@ -423,7 +423,7 @@ void TestConnectBar::closedMessagesStayClosed()
 void TestConnectBar::unpluggedAndBack()
 {
     PtyPair after;
-    Fixture fixture;
+    ConnectBarFixture fixture;
     QVERIFY(fixture.unplugged());
     QVERIFY(!fixture.banner.isHidden());
     QVERIFY2(fixture.labelText("bannerWhat").contains(QStringLiteral("was unplugged")),
@@ -447,7 +447,7 @@ void TestConnectBar::unpluggedAndBack()
 void TestConnectBar::aClosedMessageEndsReconnecting()
 {
     PtyPair after;
-    Fixture fixture;
+    ConnectBarFixture fixture;
     QVERIFY(fixture.unplugged());
     fixture.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
     fixture.portList.plug(gui::adapter(after.path, fixture.serial));
@@ -460,7 +460,7 @@ void TestConnectBar::aClosedMessageEndsReconnecting()
 void TestConnectBar::aBridgeIsTriedAgain()
 {
     support::TcpPort bridge = support::listenOnLoopback();
-    Fixture fixture;
+    ConnectBarFixture fixture;
     fixture.bar.setRequest({.name = bridge.port});
     fixture.bar.connectNow();
     QTRY_COMPARE(fixture.workbench.link().state(), LinkState::Open);
@@ -487,7 +487,7 @@ void TestConnectBar::aBridgeIsTriedAgain()
 void TestConnectBar::aPortTakenByAnotherProgramIsLeftToIt()
 {
     PtyPair after;
-    Fixture fixture;
+    ConnectBarFixture fixture;
     QVERIFY(fixture.unplugged());
     session::Session other;
     auto taken = other.connect({.name = after.path});
@@ -506,7 +506,7 @@ void TestConnectBar::aPortTakenByAnotherProgramIsLeftToIt()
 
 void TestConnectBar::brailleServiceIsReported()
 {
-    Fixture fixture;
+    ConnectBarFixture fixture;
     fixture.portList.adaptersClaimedByBrltty({QStringLiteral("1a86:7523")});
     QTRY_VERIFY(!fixture.banner.isHidden());
     QVERIFY(fixture.labelText("bannerWhat").contains(QStringLiteral("1a86:7523")));

@@ -18,8 +18,8 @@ namespace {
 const QString arm = QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@4");
 const QString missing = QStringLiteral("sim:no-such-bus");
 
-struct Fixture : gui::WorkbenchFixture {
-    explicit Fixture(const QStringList& paths)
+struct FinderFixture : gui::WorkbenchFixture {
+    explicit FinderFixture(const QStringList& paths)
     {
         for (const QString& port : paths)
             portList.plug(gui::adapter(port, port));
@@ -29,7 +29,7 @@ struct Fixture : gui::WorkbenchFixture {
         dialog = new ui::FindServosDialog(session, ports, nullptr);
         dialog->show();
     }
-    ~Fixture() { delete dialog; }
+    ~FinderFixture() { delete dialog; }
 
     template <typename Widget>
     Widget* find(const char* name) const
@@ -62,7 +62,7 @@ private Q_SLOTS:
 
     void everyPortHasItsResult()
     {
-        Fixture fixture({missing, arm, QStringLiteral("sim:lx")});
+        FinderFixture fixture({missing, arm, QStringLiteral("sim:lx")});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QVERIFY2(fixture.result(missing).contains(QStringLiteral("no-such-bus")),
                  qPrintable(fixture.result(missing)));
@@ -90,7 +90,7 @@ private Q_SLOTS:
     void everyProtocolIsNamed()
     {
         const QString port = QStringLiteral("sim:sts3215@1:115200,lx16a@1,lx16a@2");
-        Fixture fixture({port});
+        FinderFixture fixture({port});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QCOMPARE(fixture.result(port),
                  QStringLiteral("3 servos · ID 1 (Feetech), ID 1–2 (LX) · %1 baud")
@@ -100,7 +100,7 @@ private Q_SLOTS:
     /// The adapter was unplugged meanwhile.
     void searchingAgainForgetsTheResults()
     {
-        Fixture fixture({arm});
+        FinderFixture fixture({arm});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QVERIFY(fixture.connectButton()->isEnabled());
         fixture.portList.unplug(arm);
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void anotherRateIsFound()
     {
-        Fixture fixture({QStringLiteral("sim:sts3215@7:57600")});
+        FinderFixture fixture({QStringLiteral("sim:sts3215@7:57600")});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QCOMPARE(fixture.result(QStringLiteral("sim:sts3215@7:57600")),
                  QStringLiteral("1 servo · ID 7 (Feetech) · %1 baud").arg(ui::rateText(57'600)));
@@ -122,7 +122,7 @@ private Q_SLOTS:
     void anLxServoAtAnotherRateIsConnectedToAsSuch()
     {
         const QString port = QStringLiteral("sim:lx16a@3:9600");
-        Fixture fixture({port});
+        FinderFixture fixture({port});
         QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 120'000);
         QSignalSpy requests(fixture.dialog, &ui::FindServosDialog::connectRequested);
         fixture.connectButton()->click();
@@ -136,7 +136,7 @@ private Q_SLOTS:
     {
         const QStringList ports{QStringLiteral("sim:sts3215@1:57600"),
                                 QStringLiteral("sim:sts3215@2:57600")};
-        Fixture fixture(ports);
+        FinderFixture fixture(ports);
         QTRY_VERIFY(fixture.find<QLabel>("findState")->text().contains(QStringLiteral("baud")));
         fixture.find<QPushButton>("findAgain")->click();
         QTRY_VERIFY(fixture.isDone());
@@ -166,7 +166,7 @@ private Q_SLOTS:
 
     void withoutPortsItSaysWhatToDo()
     {
-        Fixture fixture(QStringList{});
+        FinderFixture fixture(QStringList{});
         QVERIFY(fixture.isDone());
         QVERIFY(!fixture.find<QTableWidget>("findResults")->isVisible());
         QVERIFY(fixture.find<QLabel>("findEmpty")->isVisible());

@@ -18,7 +18,7 @@ namespace {
 const QString usb0 = QStringLiteral("/dev/ttyUSB0");
 const QString usb1 = QStringLiteral("/dev/ttyUSB1");
 
-struct Fixture {
+struct PickerFixture {
     gui::FakePortList portList;
     session::PortWatcher ports{nullptr, portList.lister()};
     PortPicker picker{ports};
@@ -58,7 +58,7 @@ private Q_SLOTS:
 
 void TestPortPicker::adaptersAreDescribed()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.portList.plug(gui::adapter(usb0, QStringLiteral("5A2F31")));
     QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
     const QString text = fixture.picker.itemText(fixture.rowOf(usb0));
@@ -80,7 +80,7 @@ void TestPortPicker::simulatedBusesAreOffered()
     QFETCH(QString, language);
     text::installTranslator(language);
     const auto english = qScopeGuard([] { text::installTranslator(QStringLiteral("en")); });
-    Fixture fixture;
+    PickerFixture fixture;
     QStringList descriptions;
     for (const QString& name : session::simulatedPorts()) {
         QVERIFY2(fixture.rowOf(name) >= 0, qPrintable(name));
@@ -97,7 +97,7 @@ void TestPortPicker::simulatedBusesAreOffered()
 
 void TestPortPicker::pluggingKeepsTheSelection()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.portList.plug(gui::adapter(usb1, QStringLiteral("B")));
     QTRY_VERIFY(fixture.rowOf(usb1) >= 0);
     QSignalSpy chosen(&fixture.picker, &PortPicker::portSelected);
@@ -120,7 +120,7 @@ void TestPortPicker::pluggingKeepsTheSelection()
 
 void TestPortPicker::aMissingSelectedAdapterStays()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
     fixture.portList.plug(gui::adapter(usb1, QStringLiteral("B")));
     QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
@@ -140,7 +140,7 @@ void TestPortPicker::aMissingSelectedAdapterStays()
 
 void TestPortPicker::theSameAdapterAtAnotherPathIsFollowed()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
     QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
     fixture.choose(usb0);
@@ -156,7 +156,7 @@ void TestPortPicker::theSameAdapterAtAnotherPathIsFollowed()
 
 void TestPortPicker::anAdapterWithoutSerialNumberIsNotFollowed()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.portList.plug(gui::adapter(usb0, QString()));
     QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
     fixture.choose(usb0);
@@ -169,7 +169,7 @@ void TestPortPicker::anAdapterWithoutSerialNumberIsNotFollowed()
 
 void TestPortPicker::anOpenListStaysOpen()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.portList.plug(gui::adapter(usb1, QStringLiteral("B")));
     QTRY_VERIFY(fixture.rowOf(usb1) >= 0);
     fixture.choose(usb1);
@@ -185,7 +185,7 @@ void TestPortPicker::anOpenListStaysOpen()
 
 void TestPortPicker::suggestionsYieldToTheUser()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     QTRY_VERIFY(fixture.ports.isReady());
     fixture.picker.suggest(QStringLiteral("sim:demo"));
     QCOMPARE(fixture.picker.port(), QStringLiteral("sim:demo"));
@@ -212,7 +212,7 @@ void TestPortPicker::typedNamesAreEntries()
     QFETCH(const QString, typed);
     QFETCH(const QString, port);
     QCOMPARE(ui::PortDialog::portFrom(typed), port);
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.picker.setPort(port);
     QCOMPARE(fixture.picker.port(), port);
     QVERIFY(fixture.picker.currentIndex() >= 0);
@@ -226,7 +226,7 @@ void TestPortPicker::typedNamesAreEntries()
 
 void TestPortPicker::theLastEntryAsksForAName()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.choose(QStringLiteral("sim:demo"));
     QSignalSpy asked(&fixture.picker, &PortPicker::otherPortRequested);
     const int last = fixture.picker.count() - 1;
@@ -239,7 +239,7 @@ void TestPortPicker::theLastEntryAsksForAName()
 
 void TestPortPicker::theWheelSelectsNothing()
 {
-    Fixture fixture;
+    PickerFixture fixture;
     fixture.choose(QStringLiteral("sim:demo"));
     fixture.picker.show();
     QWheelEvent turn({5, 5}, fixture.picker.mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton,

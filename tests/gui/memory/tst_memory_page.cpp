@@ -85,7 +85,7 @@ void setClipboard(QWidget* widget, const QString& text)
 }
 
 /// The page in a window of its own, with a bus that has been searched.
-struct Fixture {
+struct MemoryPageFixture {
     gui::AdvancingClock pressClock; ///< nothing has just moved
     QTemporaryDir folder;
     support::TemporaryDataFolder place; ///< before the session
@@ -96,7 +96,7 @@ struct Fixture {
     ui::Commands commands{workbench, selection};
     ui::MemoryPage page;
 
-    explicit Fixture(const QString& port = QStringLiteral("sim:demo"))
+    explicit MemoryPageFixture(const QString& port = QStringLiteral("sim:demo"))
         : settings(folder.filePath(QStringLiteral("settings.ini")))
         , page(workbench, commands, selection, settings)
     {
@@ -232,7 +232,7 @@ void TestMemoryPage::init()
 
 void TestMemoryPage::selectingReadsAndWritesNothing()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.active && fixture.open && fixture.found);
     QVERIFY(fixture.child<QLabel>("memoryNothing")->isVisible());
     QSignalSpy eventSpy(&fixture.workbench, &session::Workbench::eventOccurred);
@@ -251,7 +251,7 @@ void TestMemoryPage::selectingReadsAndWritesNothing()
 
 void TestMemoryPage::savedSurvivesPowerOff()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.type(positionP, QStringLiteral("40"));
     QVERIFY(fixture.entry().writing());
@@ -270,7 +270,7 @@ void TestMemoryPage::savedSurvivesPowerOff()
 
 void TestMemoryPage::temporaryDoesNot()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const auto before = fixture.raw("position_p");
     fixture.goTo(positionP);
@@ -293,7 +293,7 @@ void TestMemoryPage::temporaryDoesNot()
 
 void TestMemoryPage::physicalValuesAreTyped()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.type(QStringLiteral("max_voltage"), QStringLiteral("8.5"), MemoryColumn::Physical);
     QVERIFY(fixture.idle());
@@ -309,7 +309,7 @@ void TestMemoryPage::physicalValuesAreTyped()
 
 void TestMemoryPage::listsAreChosen()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const QString torque = QStringLiteral("torque_switch");
     fixture.goTo(torque);
@@ -326,7 +326,7 @@ void TestMemoryPage::listsAreChosen()
 
 void TestMemoryPage::bitsAreTicked()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const QString key = QStringLiteral("led_alarm_condition");
     const auto before = fixture.raw("led_alarm_condition");
@@ -344,7 +344,7 @@ void TestMemoryPage::bitsAreTicked()
 
 void TestMemoryPage::twoQuickEditsAreBothWritten()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.type(positionP, QStringLiteral("50"));
     fixture.type(positionP, QStringLiteral("51"));
@@ -362,7 +362,7 @@ void TestMemoryPage::twoQuickEditsAreBothWritten()
 
 void TestMemoryPage::refusedValuesSayWhy()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     // Inside the range of the register, but the minimum must stay below the maximum.
     const QString key = QStringLiteral("min_angle_limit");
@@ -381,7 +381,7 @@ void TestMemoryPage::refusedValuesSayWhy()
 
 void TestMemoryPage::dangerousRowsAskOnce()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const QString key = QStringLiteral("unload_condition");
     const auto before = fixture.raw("unload_condition");
@@ -406,7 +406,7 @@ void TestMemoryPage::dangerousRowsAskOnce()
 /// 128 in the torque switch makes the present position the midpoint.
 void TestMemoryPage::theMidpointIsAskedFor()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     QAction* center = fixture.commands.action(ui::Command::Center);
     const QSignalSpy asked(center, &QAction::triggered); // its dialog asks
@@ -431,7 +431,7 @@ void TestMemoryPage::theMidpointIsAskedFor()
 
 void TestMemoryPage::aModeChangeIsAnnouncedFirst()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const QString key = QStringLiteral("operating_mode");
     fixture.goTo(key);
@@ -456,7 +456,7 @@ void TestMemoryPage::aModeChangeIsAnnouncedFirst()
 
 void TestMemoryPage::limitsThatChangeNoModeAskNothing()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.type(QStringLiteral("min_angle_limit"), QStringLiteral("100"));
     QVERIFY(!fixture.question());
@@ -479,7 +479,7 @@ void TestMemoryPage::limitsThatChangeNoModeAskNothing()
 
 void TestMemoryPage::invalidInputWritesNothing()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const auto before = fixture.raw("position_p");
     for (const QString& rubbish :
@@ -505,7 +505,7 @@ void TestMemoryPage::invalidInputWritesNothing()
 
 void TestMemoryPage::readOnlyRowsAreMarked()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.type(QStringLiteral("present_voltage"), QStringLiteral("1"));
     QVERIFY(!fixture.editor());
@@ -518,7 +518,7 @@ void TestMemoryPage::readOnlyRowsAreMarked()
 
 void TestMemoryPage::filtersWhileTyping()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const int all = fixture.view().model()->rowCount();
     fixture.commands.action(Command::FindRegister)->trigger();
@@ -543,7 +543,7 @@ void TestMemoryPage::filtersWhileTyping()
 
 void TestMemoryPage::pollingFollowsTheVisibleRows()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     const auto chooseRate = [&](const char* action) { fixture.child<QAction>(action)->trigger(); };
     chooseRate("liveRate0");
@@ -570,7 +570,7 @@ void TestMemoryPage::pollingFollowsTheVisibleRows()
 
 void TestMemoryPage::historyShowsWrites()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.type(QStringLiteral("position_d"), QStringLiteral("33"));
     QVERIFY(fixture.idle());
@@ -582,7 +582,7 @@ void TestMemoryPage::historyShowsWrites()
 
 void TestMemoryPage::padlockShowsWhoOpenedIt()
 {
-    Fixture fixture(QStringLiteral("sim:trouble"));
+    MemoryPageFixture fixture(QStringLiteral("sim:trouble"));
     QVERIFY(fixture.found);
     std::size_t open = 0;
     while (
@@ -605,7 +605,7 @@ void TestMemoryPage::padlockShowsWhoOpenedIt()
 
 void TestMemoryPage::columnsCanBeHidden()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.page.resize(1400, 600);
     const int range = static_cast<int>(MemoryColumn::Range);
@@ -639,7 +639,7 @@ void TestMemoryPage::columnsCanBeHidden()
 
 void TestMemoryPage::copiesRowsAsText()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.goTo(positionP);
     fixture.commands.action(Command::CopyRows)->trigger();
@@ -650,7 +650,7 @@ void TestMemoryPage::copiesRowsAsText()
 
 void TestMemoryPage::exportsTheTable()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     QTemporaryDir folder;
     const auto save = [&](const QString& path) {
@@ -678,7 +678,7 @@ void TestMemoryPage::exportsTheTable()
 /// The commands work from every page, where the table is not kept up to date.
 void TestMemoryPage::otherPagesCopyPresentValues()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.goTo(positionP);
     fixture.page.hide();
@@ -692,7 +692,7 @@ void TestMemoryPage::otherPagesCopyPresentValues()
 
 void TestMemoryPage::aWriteToAMissingServoEnds()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.workbench.closing().disconnectFrom();
     QTRY_COMPARE(fixture.workbench.link().state(), session::LinkState::Off);
@@ -731,7 +731,7 @@ void TestMemoryPage::everyFamilyHasATable()
     QFETCH(QString, key);
     QFETCH(QString, value);
     QFETCH(bool, asks);
-    Fixture fixture(port);
+    MemoryPageFixture fixture(port);
     QVERIFY(fixture.open && fixture.found);
     QVERIFY(fixture.choose());
     fixture.type(key, value);
@@ -748,7 +748,7 @@ void TestMemoryPage::everyFamilyHasATable()
 
 void TestMemoryPage::changesLanguageWhileOpen()
 {
-    Fixture fixture;
+    MemoryPageFixture fixture;
     QVERIFY(fixture.choose());
     fixture.goTo(QStringLiteral("unload_condition"));
     text::installTranslator(QStringLiteral("zh_CN"));

@@ -23,8 +23,6 @@ using support::consentFamilies;
 using ui::Command;
 using ui::MemoryModel;
 
-Q_DECLARE_METATYPE(std::vector<device::WriteItem>)
-
 class TestTableConsent : public QObject {
     Q_OBJECT
 
@@ -39,7 +37,7 @@ private Q_SLOTS:
 };
 
 namespace {
-struct Fixture : gui::WorkbenchFixture {
+struct ConsentFixture : gui::WorkbenchFixture {
     ui::MemoryPage page{workbench, commands, selection, settings};
 
     /// The servo is chosen, and its table has been read.
@@ -94,7 +92,7 @@ void TestTableConsent::everyRiskyValueAsks()
 {
     QFETCH(const int, family);
     const support::FamilyRules& rules = consentFamilies()[std::size_t(family)];
-    Fixture fixture;
+    ConsentFixture fixture;
     QVERIFY(fixture.isReady(rules));
     QSignalSpy centered(fixture.commands.action(Command::Center), &QAction::triggered);
     int asked = 0;
@@ -124,7 +122,7 @@ void TestTableConsent::everyRiskyValueAsks()
 
 void TestTableConsent::thePanelAsksLikeTheTable()
 {
-    Fixture fixture;
+    ConsentFixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
     auto* panel = fixture.page.findChild<ui::RegisterPanel*>();
     Q_EMIT panel->writeRequested(QStringLiteral("unload_condition"), 32, false);
@@ -158,7 +156,7 @@ void TestTableConsent::undoAndRedoAskAgain()
     QFETCH(const std::vector<device::WriteItem>, after);
     QFETCH(const bool, undoAsks);
     QFETCH(const bool, redoAsks);
-    Fixture fixture;
+    ConsentFixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
     session::WriteService& writes = fixture.workbench.writes();
     const auto holds = [&](const std::vector<device::WriteItem>& items) {
@@ -199,7 +197,7 @@ void TestTableConsent::undoAndRedoAskAgain()
 
 void TestTableConsent::limitsAskInSpeedModeToo()
 {
-    Fixture fixture;
+    ConsentFixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
     const auto written = [&](const char* key, std::int64_t raw) {
         return support::waitFor([&] {
@@ -224,7 +222,7 @@ void TestTableConsent::limitsAskInSpeedModeToo()
 /// Of several writes, the question names the one that switches the mode.
 void TestTableConsent::theQuestionNamesTheMode()
 {
-    Fixture fixture;
+    ConsentFixture fixture;
     QVERIFY(fixture.isReady(consentFamilies().front()));
     const auto question = ui::writeQuestion(
         fixture.entry(),

@@ -2,6 +2,7 @@
 // The table as CSV, HTML and text: the contents of a cell arrive as data, whatever they look like.
 #include "gui/servo_entry_builder.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "text/language.h"
 #include "ui/memory/memory_output.h"
 #include "ui/memory/memory_sheet.h"
@@ -12,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+using support::contentOf;
 using ui::TableSheet;
 
 class TestTableExport : public QObject {
@@ -42,12 +44,6 @@ TableSheet small()
     sheet.rows.push_back({QStringLiteral("-5"), QStringLiteral("a, \"b\"\nc")});
     sheet.rows.push_back({QStringLiteral("7"), QStringLiteral("<script>卸载</script>")});
     return sheet;
-}
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 } // namespace
 
@@ -144,8 +140,8 @@ void TestTableExport::savesByFileSuffix()
     const QString html = folder.filePath(QStringLiteral("t.HTML"));
     QVERIFY(ui::MemoryOutput::save(small(), csv));
     QVERIFY(ui::MemoryOutput::save(small(), html));
-    QCOMPARE(contents(csv), ui::toCsv(small()));
-    QCOMPARE(contents(html), ui::toHtml(small()));
+    QCOMPARE(contentOf(csv), ui::toCsv(small()));
+    QCOMPARE(contentOf(html), ui::toHtml(small()));
 }
 
 void TestTableExport::reportsWriteErrors()

@@ -4,16 +4,13 @@
 #include "gui/control_panel_fixture.h"
 #include "session/motion/motion_controller.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 using gui::ControlPanelFixture;
 using session::LinkState;
+using support::utf8;
 
 namespace {
-QString text(const char* words)
-{
-    return QString::fromUtf8(words);
-}
-
 // Its firmware runs to an old goal when torque is switched on, so the window must not let it.
 const QString sts = QStringLiteral("sim:sts3215@1+run-to-goal=1");
 } // namespace
@@ -63,7 +60,7 @@ private Q_SLOTS:
 void TestControlPanel::nothingMovesUnrequested()
 {
     ControlPanelFixture fixture;
-    QVERIFY(fixture.connectTo(text("sim:demo")));
+    QVERIFY(fixture.connectTo(utf8("sim:demo")));
     QVERIFY(fixture.search(1, 6));
     std::vector<double> before;
     for (int id = 1; id <= 6; ++id)
@@ -80,18 +77,18 @@ void TestControlPanel::nothingMovesUnrequested()
 void TestControlPanel::emptyPanelExplainsItself()
 {
     ControlPanelFixture fixture;
-    QVERIFY(fixture.text("controlEmpty").contains(text("Select a servo")));
+    QVERIFY(fixture.text("controlEmpty").contains(utf8("Select a servo")));
     QVERIFY(!fixture.has("controlGoal"));
     QVERIFY(fixture.ready(sts, {1}));
     QVERIFY(fixture.text("controlEmpty").isEmpty());
     QVERIFY(fixture.has("controlGoal"));
-    QVERIFY(fixture.text("controlTitle").contains(text("ID 1")));
+    QVERIFY(fixture.text("controlTitle").contains(utf8("ID 1")));
 }
 
 void TestControlPanel::hintBeforeTheFirstTorque()
 {
     ControlPanelFixture fixture;
-    fixture.settings.setPageValue(text("operate/no_torque_hint"), false);
+    fixture.settings.setPageValue(utf8("operate/no_torque_hint"), false);
     QVERIFY(fixture.ready(sts, {1}));
     fixture.click("torqueSwitch");
     QVERIFY(fixture.has("torqueHint"));
@@ -121,11 +118,11 @@ void TestControlPanel::theHintsActionStaysInItsMode()
 {
     QFETCH(bool, byAnother);
     ControlPanelFixture fixture;
-    fixture.settings.setPageValue(text("operate/no_torque_hint"), false);
+    fixture.settings.setPageValue(utf8("operate/no_torque_hint"), false);
     QVERIFY(fixture.ready(sts, {1}));
     const std::int64_t speed =
         byAnother ? fixture.raw(1, "goal_speed") : 0; // a switch here ends it
-    fixture.type("goal", text("3000"));
+    fixture.type("goal", utf8("3000"));
     fixture.click("setGoal");
     QVERIFY(fixture.has("torqueHint"));
     if (byAnother) {
@@ -145,8 +142,8 @@ void TestControlPanel::theHintsActionStaysInItsMode()
 void TestControlPanel::aStopDiscardsTheHintsAction()
 {
     ControlPanelFixture fixture;
-    fixture.settings.setPageValue(text("operate/no_torque_hint"), false);
-    QVERIFY(fixture.ready(text("sim:sts3215@1,sts3215@2"), {1}));
+    fixture.settings.setPageValue(utf8("operate/no_torque_hint"), false);
+    QVERIFY(fixture.ready(utf8("sim:sts3215@1,sts3215@2"), {1}));
     fixture.click("torqueSwitch");
     QVERIFY(fixture.has("torqueHint"));
     fixture.workbench.emergencyStop().trigger();
@@ -215,8 +212,8 @@ void TestControlPanel::goalsOutsideTheLimitsAreRefused()
     QCOMPARE(fixture.slider()->scale().min, std::int64_t(1000));
     QCOMPARE(fixture.slider()->scale().max, std::int64_t(3000));
     const double before = fixture.degrees(1);
-    QVERIFY(fixture.go(text("3500")));
-    QVERIFY2(fixture.complaint().contains(text("1000 … 3000")), qPrintable(fixture.complaint()));
+    QVERIFY(fixture.go(utf8("3500")));
+    QVERIFY2(fixture.complaint().contains(utf8("1000 … 3000")), qPrintable(fixture.complaint()));
     QVERIFY(fixture.isAtRest(1));
     QVERIFY(std::abs(fixture.degrees(1) - before) < 0.5);
     // The slider cannot be drawn there.
@@ -316,9 +313,9 @@ void TestControlPanel::speedAndAccelerationAreApplied()
 {
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(sts, {1}));
-    fixture.type("speed", text("500"));
-    fixture.type("acceleration", text("0"));
-    QVERIFY(fixture.go(text("2048")));
+    fixture.type("speed", utf8("500"));
+    fixture.type("acceleration", utf8("0"));
+    QVERIFY(fixture.go(utf8("2048")));
     QVERIFY(fixture.isAtRest(1));
     QCOMPARE(fixture.raw(1, "goal_speed"), std::int64_t(500));
     const base::Duration start = fixture.workbench.now();
@@ -334,8 +331,8 @@ void TestControlPanel::speedAndAccelerationAreApplied()
     QVERIFY2(fastest > 400 && fastest < 600, qPrintable(QString::number(fastest)));
     QVERIFY(fixture.isAtRest(1));
     // Slowly from rest: v² = 2·a·s, with some room for the servo's own control.
-    fixture.type("acceleration", text("2")); // 200 step/s²
-    QVERIFY(fixture.go(text("2048")));
+    fixture.type("acceleration", utf8("2")); // 200 step/s²
+    QVERIFY(fixture.go(utf8("2048")));
     QTRY_VERIFY(fixture.degrees(1) < 268.5);
     const auto [speed, way] = fixture.withBus([](sim::VirtualBus& wire) {
         sim::VirtualServo& servo = *wire.servo(1);
@@ -353,15 +350,15 @@ void TestControlPanel::aTypedFieldIsNotOverwritten()
 {
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(sts, {1}));
-    fixture.type("speed", text("123"));
+    fixture.type("speed", utf8("123"));
     fixture.poke(1, "goal_speed", 777);
     QVERIFY(fixture.read());
-    QCOMPARE(fixture.box("speed")->text(), text("123"));
-    QVERIFY(fixture.go(text("2100")));
+    QCOMPARE(fixture.box("speed")->text(), utf8("123"));
+    QVERIFY(fixture.go(utf8("2100")));
     QCOMPARE(fixture.raw(1, "goal_speed"), std::int64_t(123));
     fixture.poke(1, "goal_speed", 888);
     QVERIFY(fixture.read());
-    QCOMPARE(fixture.box("speed")->text(), text("888")); // typed no more: what it has
+    QCOMPARE(fixture.box("speed")->text(), utf8("888")); // typed no more: what it has
 }
 
 void TestControlPanel::aRefusedGoalStaysInTheField()
@@ -372,19 +369,19 @@ void TestControlPanel::aRefusedGoalStaysInTheField()
     QVERIFY(fixture.search(1, 2) && fixture.choose({1}));
     QVERIFY(fixture.shown());
     const auto stands = fixture.slider()->value();
-    QVERIFY(fixture.go(text("5000")));
+    QVERIFY(fixture.go(utf8("5000")));
     QVERIFY(!fixture.complaint().isEmpty());
     QVERIFY(fixture.shown());
-    QCOMPARE(fixture.box("goal")->findChild<QLineEdit*>()->text(), text("5000"));
+    QCOMPARE(fixture.box("goal")->findChild<QLineEdit*>()->text(), utf8("5000"));
     QCOMPARE(fixture.slider()->value(), stands);
     // A typed value stays when something else fails.
-    fixture.type("goal", text("2345"));
+    fixture.type("goal", utf8("2345"));
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
     QSignalSpy failed(&fixture.drive, &session::MotionController::failed);
     fixture.click("mode_speed");
     QTRY_COMPARE(failed.count(), 1);
     QVERIFY(fixture.waitUntilIdle() && fixture.shown());
-    QCOMPARE(fixture.box("goal")->findChild<QLineEdit*>()->text(), text("2345"));
+    QCOMPARE(fixture.box("goal")->findChild<QLineEdit*>()->text(), utf8("2345"));
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOn(); });
     fixture.click("setGoal");
     QVERIFY(fixture.waitUntilIdle());
@@ -397,7 +394,7 @@ void TestControlPanel::messagesClearOnTheNextMove()
     QVERIFY(fixture.ready(sts, {1}));
     QVERIFY(fixture.torque());
     QVERIFY(!fixture.text("controlSaid").isEmpty());
-    QVERIFY(fixture.go(text("2100")));
+    QVERIFY(fixture.go(utf8("2100")));
     QVERIFY2(fixture.text("controlSaid").isEmpty(), qPrintable(fixture.text("controlSaid")));
 }
 
@@ -418,7 +415,7 @@ void TestControlPanel::servoDisappearsMidDrag()
     QVERIFY(!fixture.complaint().isEmpty());
     QTest::mouseRelease(slider, Qt::LeftButton, {}, slider->pointOf(2500));
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOn(); });
-    QVERIFY(fixture.go(text("2200"))); // and all is well when it is back
+    QVERIFY(fixture.go(utf8("2200"))); // and all is well when it is back
     QTRY_VERIFY(fixture.raw(1, "goal_position") == 2200);
 }
 
@@ -430,8 +427,8 @@ void TestControlPanel::modeChangedByAnotherProgram()
     fixture.poke(1, "max_angle_limit", 0);
     fixture.poke(1, "operating_mode", 3);
     const double before = fixture.degrees(1);
-    QVERIFY(fixture.go(text("2500"))); // would be more than half a turn from here
-    QVERIFY2(fixture.complaint().contains(text("mode")), qPrintable(fixture.complaint()));
+    QVERIFY(fixture.go(utf8("2500"))); // would be more than half a turn from here
+    QVERIFY2(fixture.complaint().contains(utf8("mode")), qPrintable(fixture.complaint()));
     QVERIFY(fixture.isAtRest(1));
     QVERIFY(std::abs(fixture.degrees(1) - before) < 0.5);
     QVERIFY(fixture.shown());
@@ -441,11 +438,11 @@ void TestControlPanel::modeChangedByAnotherProgram()
 void TestControlPanel::storedGoalsWaitForExecute()
 {
     ControlPanelFixture fixture;
-    QVERIFY(fixture.ready(text("sim:sts3215@1,sts3215@2"), {1, 2}));
+    QVERIFY(fixture.ready(utf8("sim:sts3215@1,sts3215@2"), {1, 2}));
     fixture.click("howAsync");
     QVERIFY(!fixture.find<QPushButton>("execute")->isEnabled());
     const double before = fixture.degrees(1);
-    QVERIFY(fixture.go(text("2600")));
+    QVERIFY(fixture.go(utf8("2600")));
     QVERIFY(fixture.shown() && fixture.isAtRest(1));
     QVERIFY(std::abs(fixture.degrees(1) - before) < 0.5);
     QVERIFY(fixture.find<QPushButton>("execute")->isEnabled());
@@ -464,7 +461,7 @@ void TestControlPanel::aStoredGoalDoesNotSurviveAModeSwitch()
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(sts, {1}));
     fixture.click("howAsync");
-    QVERIFY(fixture.go(text("2600")));
+    QVERIFY(fixture.go(utf8("2600")));
     QVERIFY(fixture.read());
     QCOMPARE(fixture.entry().servo.raw(catalog::Role::AsyncFlag), std::int64_t(1));
     QVERIFY(fixture.switchModeByTile("step"));
@@ -477,11 +474,11 @@ void TestControlPanel::aStoredGoalDoesNotSurviveAModeSwitch()
 void TestControlPanel::severalServosMoveTogether()
 {
     ControlPanelFixture fixture;
-    QVERIFY(fixture.ready(text("sim:sts3215@1,sts3215@2,sts3215@3"), {1, 2, 3}));
-    QVERIFY2(fixture.text("controlTitle").contains(text("+ 2 more")),
+    QVERIFY(fixture.ready(utf8("sim:sts3215@1,sts3215@2,sts3215@3"), {1, 2, 3}));
+    QVERIFY2(fixture.text("controlTitle").contains(utf8("+ 2 more")),
              qPrintable(fixture.text("controlTitle")));
     QVERIFY(fixture.find<QAbstractButton>("howSync")->isChecked());
-    QVERIFY(fixture.go(text("1500")));
+    QVERIFY(fixture.go(utf8("1500")));
     for (const int id : {1, 2, 3}) {
         QVERIFY(fixture.isAtRest(id));
         QVERIFY(std::abs(fixture.degrees(id) - 1500.0 * 360 / 4096) < 2);
@@ -491,11 +488,11 @@ void TestControlPanel::severalServosMoveTogether()
 void TestControlPanel::oneOfSeveralOutOfItsLimits()
 {
     ControlPanelFixture fixture;
-    QVERIFY(fixture.connectTo(text("sim:sts3215@1,sts3215@2")));
+    QVERIFY(fixture.connectTo(utf8("sim:sts3215@1,sts3215@2")));
     fixture.poke(2, "min_angle_limit", 1800);
     QVERIFY(fixture.search(1, 3) && fixture.choose({1, 2}));
-    QVERIFY(fixture.go(text("1500")));
-    QVERIFY2(fixture.complaint().contains(text("1800")), qPrintable(fixture.complaint()));
+    QVERIFY(fixture.go(utf8("1500")));
+    QVERIFY2(fixture.complaint().contains(utf8("1800")), qPrintable(fixture.complaint()));
     QCOMPARE(fixture.raw(1, "torque_switch"), std::int64_t(0)); // no servo moves
     QCOMPARE(fixture.raw(2, "torque_switch"), std::int64_t(0));
 }
@@ -504,14 +501,14 @@ void TestControlPanel::oneOfSeveralOutOfItsLimits()
 void TestControlPanel::severalServosGetTheDisplayedSpeed()
 {
     ControlPanelFixture fixture;
-    QVERIFY(fixture.connectTo(text("sim:sts3215@1,sts3215@2")));
+    QVERIFY(fixture.connectTo(utf8("sim:sts3215@1,sts3215@2")));
     fixture.poke(1, "goal_speed", 321);
     fixture.poke(1, "acceleration", 20);
     fixture.poke(2, "goal_speed", 0);
     fixture.poke(2, "acceleration", 0);
     QVERIFY(fixture.search(1, 3) && fixture.choose({1, 2}));
-    QCOMPARE(fixture.box("speed")->findChild<QLineEdit*>()->text(), text("321"));
-    QVERIFY(fixture.go(text("2300")));
+    QCOMPARE(fixture.box("speed")->findChild<QLineEdit*>()->text(), utf8("321"));
+    QVERIFY(fixture.go(utf8("2300")));
     QCOMPARE(fixture.complaint(), QString());
     for (const int id : {1, 2}) {
         QCOMPARE(fixture.raw(id, "goal_position"), std::int64_t(2300));
@@ -525,7 +522,7 @@ void TestControlPanel::torqueLimit_data()
     QTest::addColumn<QString>("port");
     QTest::addColumn<QByteArray>("key");
     QTest::newRow("STS") << sts << QByteArray("torque_limit");
-    QTest::newRow("SCS, until power-off") << text("sim:scs15@1") << QByteArray("max_torque");
+    QTest::newRow("SCS, until power-off") << utf8("sim:scs15@1") << QByteArray("max_torque");
 }
 
 void TestControlPanel::torqueLimit()
@@ -535,13 +532,13 @@ void TestControlPanel::torqueLimit()
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(port, {1}));
     fixture.click("torqueLimitMore");
-    fixture.enter("stallTorque", text("30"));
-    fixture.enter("torqueLimitPercent", text("40"));
+    fixture.enter("stallTorque", utf8("30"));
+    fixture.enter("torqueLimitPercent", utf8("40"));
     QVERIFY(fixture.waitUntilIdle());
     QCOMPARE(fixture.raw(1, key.constData()), std::int64_t(400));
     QCOMPARE(fixture.raw(1, "lock"), std::int64_t(1));
     QVERIFY(fixture.shown());
-    QVERIFY2(fixture.text("torqueLimitForce").contains(text("12.0")),
+    QVERIFY2(fixture.text("torqueLimitForce").contains(utf8("12.0")),
              qPrintable(fixture.text("torqueLimitForce")));
     if (key == "max_torque") {
         fixture.withBus([](sim::VirtualBus& wire) { wire.powerCycle(); });
@@ -589,15 +586,15 @@ void TestControlPanel::stopBlocksUntilTorqueIsOn()
 {
     ControlPanelFixture fixture;
     QVERIFY(fixture.ready(sts, {1}));
-    fixture.type("speed", text("200"));
-    QVERIFY(fixture.go(text("3500")));
+    fixture.type("speed", utf8("200"));
+    QVERIFY(fixture.go(utf8("3500")));
     fixture.workbench.emergencyStop().trigger();
     QVERIFY(fixture.waitUntilIdle());
     QVERIFY(fixture.shown());
     QCOMPARE(fixture.raw(1, "torque_switch"), std::int64_t(0));
     QVERIFY(!fixture.text("controlStopped").isEmpty());
     QVERIFY(!fixture.find<QWidget>("controlGoal")->isEnabled());
-    fixture.drive.move({text("2100")}); // also for requests from elsewhere
+    fixture.drive.move({utf8("2100")}); // also for requests from elsewhere
     QVERIFY(fixture.waitUntilIdle());
     QCOMPARE(fixture.raw(1, "torque_switch"), std::int64_t(0));
     QVERIFY(fixture.torque());

@@ -19,8 +19,8 @@
 using ui::Command;
 
 namespace {
-struct Fixture : gui::WorkbenchFixture {
-    explicit Fixture(const QString& port, std::optional<int> baud = {})
+struct DiagnosisFixture : gui::WorkbenchFixture {
+    explicit DiagnosisFixture(const QString& port, std::optional<int> baud = {})
     {
         session::PortRequest request;
         request.name = port;
@@ -32,7 +32,7 @@ struct Fixture : gui::WorkbenchFixture {
         dialog = new ui::DiagnosisDialog(workbench.search(), workbench.link(), commands, nullptr);
         dialog->show();
     }
-    ~Fixture() { delete dialog; }
+    ~DiagnosisFixture() { delete dialog; }
 
     template <typename Widget>
     Widget* find(const char* name) const
@@ -71,7 +71,7 @@ private Q_SLOTS:
 
 void TestDiagnosisDialog::explainsItselfWhileItRuns()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
+    DiagnosisFixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
     QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("Looking for the cause…"));
     QVERIFY(!fixture.actionButton()->isVisible());
     QTRY_VERIFY(fixture.evidence().contains(QStringLiteral("can be opened at 1000000 baud")));
@@ -92,7 +92,7 @@ void TestDiagnosisDialog::explainsItselfWhileItRuns()
 
 void TestDiagnosisDialog::connectsAtTheRateThatWasFound()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1:500000"), 1'000'000);
+    DiagnosisFixture fixture(QStringLiteral("sim:sts3215@1:500000"), 1'000'000);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 60'000);
     QCOMPARE(fixture.text("diagnosisCause"),
              QStringLiteral("Some servos use a different baud rate."));
@@ -107,7 +107,7 @@ void TestDiagnosisDialog::connectsAtTheRateThatWasFound()
 
 void TestDiagnosisDialog::leadsFromSeveralServosToCommissioning()
 {
-    Fixture fixture(QStringLiteral("sim:new-arm"));
+    DiagnosisFixture fixture(QStringLiteral("sim:new-arm"));
     QSignalSpy page(fixture.action(Command::PageCommission), &QAction::triggered);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isDone(), 60'000);
     QCOMPARE(fixture.text("diagnosisCause"), QStringLiteral("Several servos have the same ID."));
@@ -118,7 +118,7 @@ void TestDiagnosisDialog::leadsFromSeveralServosToCommissioning()
 
 void TestDiagnosisDialog::followsTheLanguage()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1"));
+    DiagnosisFixture fixture(QStringLiteral("sim:sts3215@1"));
     QTRY_VERIFY(!fixture.evidence().isEmpty());
     text::installTranslator(QStringLiteral("zh_CN"));
     QEvent change(QEvent::LanguageChange);
@@ -132,7 +132,7 @@ void TestDiagnosisDialog::followsTheLanguage()
 
 void TestDiagnosisDialog::closingItEndsTheDiagnosis()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1"));
+    DiagnosisFixture fixture(QStringLiteral("sim:sts3215@1"));
     QTRY_VERIFY(!fixture.workbench.search().diagnosis().evidence.empty());
     fixture.find<QPushButton>("diagnosisClose")->click();
     QTRY_VERIFY(fixture.isDone());
@@ -141,7 +141,7 @@ void TestDiagnosisDialog::closingItEndsTheDiagnosis()
 
 void TestDiagnosisDialog::waitsForARunningSearch()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1"));
+    DiagnosisFixture fixture(QStringLiteral("sim:sts3215@1"));
     jobs::ScanSpec spec;
     spec.bauds = {1'000'000};
     fixture.find<QPushButton>("diagnosisAgain")->click(); // stops it
@@ -158,7 +158,7 @@ void TestDiagnosisDialog::waitsForARunningSearch()
 
 void TestDiagnosisDialog::aLostPortIsSaid()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1"));
+    DiagnosisFixture fixture(QStringLiteral("sim:sts3215@1"));
     QTRY_VERIFY(!fixture.workbench.search().diagnosis().evidence.empty());
     fixture.workbench.closing().disconnectFrom();
     QTRY_VERIFY(fixture.isDone());

@@ -21,10 +21,10 @@
 using ui::Command;
 
 namespace {
-struct Fixture : gui::WorkbenchFixture {
+struct SearchPanelFixture : gui::WorkbenchFixture {
     ui::SearchPanel panel{workbench, commands, selection, settings};
 
-    explicit Fixture(const QString& port = {})
+    explicit SearchPanelFixture(const QString& port = {})
     {
         panel.resize(300, 700);
         panel.show();
@@ -89,7 +89,7 @@ private Q_SLOTS:
 
 void TestSearchPanel::searchNeedsAPort()
 {
-    Fixture fixture;
+    SearchPanelFixture fixture;
     QVERIFY(!fixture.find<QPushButton>("searchButton")->isEnabled());
     QVERIFY(!fixture.find<QPushButton>("stopSearchButton")->isEnabled());
     QVERIFY(fixture.find<QLabel>("servoListEmpty")->isVisible());
@@ -97,7 +97,7 @@ void TestSearchPanel::searchNeedsAPort()
 
 void TestSearchPanel::theEstimateComesFirst()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(0, 253);
     const QString all = fixture.find<QLabel>("searchEstimate")->text();
     QVERIFY2(all.contains(QStringLiteral("254")) && all.contains(QStringLiteral("about")),
@@ -111,7 +111,7 @@ void TestSearchPanel::theEstimateComesFirst()
 
 void TestSearchPanel::foundServosAppear()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(6, 0); // the wrong way round: what is meant is clear
     QSignalSpy rows(fixture.list()->model(), &QAbstractItemModel::rowsInserted);
     QVERIFY(fixture.searched());
@@ -123,7 +123,7 @@ void TestSearchPanel::foundServosAppear()
 
 void TestSearchPanel::progressIsShownAndStops()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(0, 253);
     fixture.find<QComboBox>("searchRates")->setCurrentIndex(2);
     fixture.find<QPushButton>("searchButton")->click();
@@ -143,7 +143,7 @@ void TestSearchPanel::progressIsShownAndStops()
 
 void TestSearchPanel::problemsAreMarked()
 {
-    Fixture fixture(QStringLiteral("sim:trouble"));
+    SearchPanelFixture fixture(QStringLiteral("sim:trouble"));
     fixture.setIds(0, 10);
     QVERIFY(fixture.searched());
     const auto tip = [&](int id) { return fixture.index(id).data(Qt::ToolTipRole).toString(); };
@@ -154,7 +154,7 @@ void TestSearchPanel::problemsAreMarked()
 
 void TestSearchPanel::otherRatesAreSearched()
 {
-    Fixture fixture(QStringLiteral("sim:trouble"));
+    SearchPanelFixture fixture(QStringLiteral("sim:trouble"));
     fixture.setIds(2, 3);
     fixture.find<QComboBox>("searchRates")->setCurrentIndex(1); // chosen: 1 M and 115200 at first
     auto* rates = fixture.panel.findChild<QListWidget*>(QStringLiteral("rateList"));
@@ -175,7 +175,7 @@ void TestSearchPanel::otherRatesAreSearched()
 
 void TestSearchPanel::anEmptyBusLeadsToTheDiagnosis()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     auto* findOut = fixture.find<QPushButton>("findOutButton");
     QVERIFY(!findOut->isVisible());
     fixture.setIds(100, 110);
@@ -191,7 +191,7 @@ void TestSearchPanel::anEmptyBusLeadsToTheDiagnosis()
 /// "Nothing found" of an earlier search is not shown while servos are set up one by one.
 void TestSearchPanel::commissioningHidesTheWayToTheDiagnosis()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(100, 110);
     QVERIFY(fixture.searched());
     auto* findOut = fixture.find<QPushButton>("findOutButton");
@@ -215,7 +215,7 @@ void TestSearchPanel::commissioningHidesTheWayToTheDiagnosis()
 
 void TestSearchPanel::missingServosLeadToTheDiagnosis()
 {
-    Fixture fixture(QStringLiteral("sim:trouble"));
+    SearchPanelFixture fixture(QStringLiteral("sim:trouble"));
     fixture.setIds(1, 5);
     auto* why = fixture.find<QPushButton>("whyButton");
     QVERIFY(!why->isVisible());
@@ -228,7 +228,7 @@ void TestSearchPanel::missingServosLeadToTheDiagnosis()
 
 void TestSearchPanel::selectionSyncsBothWays()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(1, 6);
     QVERIFY(fixture.searched());
     QTest::mouseClick(fixture.list()->viewport(), Qt::LeftButton, {},
@@ -250,7 +250,7 @@ void TestSearchPanel::selectionSyncsBothWays()
 
 void TestSearchPanel::severalServosAreSelectedTogether()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(1, 6);
     QVERIFY(fixture.searched());
     const auto click = [&](int id, Qt::KeyboardModifiers keys) {
@@ -277,7 +277,7 @@ void TestSearchPanel::severalServosAreSelectedTogether()
 
 void TestSearchPanel::theMenuActsOnTheSelection()
 {
-    Fixture fixture(QStringLiteral("sim:sts3215@1"));
+    SearchPanelFixture fixture(QStringLiteral("sim:sts3215@1"));
     fixture.setIds(0, 2);
     QVERIFY(fixture.searched());
     fixture.selection.select(fixture.ref(1));
@@ -295,7 +295,7 @@ void TestSearchPanel::theMenuActsOnTheSelection()
 
 void TestSearchPanel::searchSettingsAreRemembered()
 {
-    Fixture fixture;
+    SearchPanelFixture fixture;
     fixture.setIds(7, 42);
     fixture.find<QComboBox>("searchRates")->setCurrentIndex(1);
     fixture.find<QComboBox>("searchProtocol")->setCurrentIndex(4);
@@ -326,7 +326,7 @@ void TestSearchPanel::invalidSettingsAreHarmless()
 
 void TestSearchPanel::losingThePortEndsTheSearch()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(0, 253);
     fixture.find<QPushButton>("searchButton")->click();
     QVERIFY(fixture.workbench.search().isSearching());
@@ -338,7 +338,7 @@ void TestSearchPanel::losingThePortEndsTheSearch()
 
 void TestSearchPanel::followsTheLanguage()
 {
-    Fixture fixture(QStringLiteral("sim:demo"));
+    SearchPanelFixture fixture(QStringLiteral("sim:demo"));
     fixture.setIds(1, 6);
     QVERIFY(fixture.searched());
     text::installTranslator(QStringLiteral("zh_CN"));

@@ -16,7 +16,7 @@ using ui::ServoListModel;
 using ui::ServoRow;
 
 namespace {
-struct Fixture : gui::WorkbenchFixture {
+struct ServoListFixture : gui::WorkbenchFixture {
     ServoListModel model{workbench.registry(), workbench.catalog()};
     QAbstractItemModelTester tester{&model, QAbstractItemModelTester::FailureReportingMode::QtTest};
 
@@ -78,7 +78,7 @@ private Q_SLOTS:
 
 void TestServoListModel::servosAreDescribed()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:demo")));
     QVERIFY(fixture.search());
     QCOMPARE(fixture.model.rowCount(), 6);
@@ -111,7 +111,7 @@ void TestServoListModel::statesAsText()
     QFETCH(const QString, port);
     QFETCH(const int, id);
     QFETCH(const QString, state);
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(port));
     QVERIFY(fixture.search({.firstId = 1, .lastId = 10, .bauds = {}}));
     QCOMPARE(fixture.row(id).alarm, state);
@@ -121,7 +121,7 @@ void TestServoListModel::statesAsText()
 
 void TestServoListModel::problemsAreMarked()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:trouble")));
     QVERIFY(fixture.search({.firstId = 0, .lastId = 10, .bauds = {}}));
     QVERIFY2(remarks(fixture.row(1)).contains(QStringLiteral("Two servos with this ID?")),
@@ -135,7 +135,7 @@ void TestServoListModel::problemsAreMarked()
 /// LeRobot refuses a bus whose servos differ.
 void TestServoListModel::theOddFirmwareIsMarked()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral(
         "sim:sts3215@1+firmware-minor=9,sts3215@2,sts3215@3,sts3250@4+firmware-minor=9")));
     QVERIFY(fixture.search({.firstId = 1, .lastId = 3, .bauds = {}}));
@@ -149,7 +149,7 @@ void TestServoListModel::theOddFirmwareIsMarked()
 
 void TestServoListModel::overheatedLxIsMarked()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:lx")));
     QVERIFY(fixture.search(
         {.firstId = 1, .lastId = 5, .bauds = {}, .protocols = {base::Protocol::Lx}}));
@@ -207,7 +207,7 @@ void TestServoListModel::unreadStatusIsNotOk()
 
 void TestServoListModel::followsAChangedId()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3")));
     QVERIFY(fixture.search({.firstId = 0, .lastId = 10, .bauds = {}}));
     const session::ServoRef ref = fixture.ref(1);
@@ -224,7 +224,7 @@ void TestServoListModel::followsAChangedId()
 
 void TestServoListModel::removedServosDisappear()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:demo")));
     QVERIFY(fixture.search({.firstId = 1, .lastId = 3, .bauds = {}}));
     QCOMPARE(fixture.model.rowCount(), 3);
@@ -240,7 +240,7 @@ void TestServoListModel::lastSeenKeepsUpdating()
     QCOMPARE(ui::timeAgoText(std::chrono::milliseconds(400)), QStringLiteral("now"));
     QCOMPARE(ui::timeAgoText(std::chrono::seconds(12)), QStringLiteral("12 s ago"));
     QCOMPARE(ui::timeAgoText(std::chrono::seconds(125)), QStringLiteral("2 min ago"));
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
     QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
     const auto selected = [&] {
@@ -262,7 +262,7 @@ void TestServoListModel::aStaleReplyIsNotGreen()
     QCOMPARE(old.lastSeen, QStringLiteral("36 s ago"));
     entry.servo.status = 32;
     QCOMPARE(ui::servoRow(entry, std::nullopt, 36s).alarmTone, ui::Tone::Bad);
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
     QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
     QCOMPARE(fixture.row(1).alarm, QStringLiteral("OK"));
@@ -275,7 +275,7 @@ void TestServoListModel::aStaleReplyIsNotGreen()
 
 void TestServoListModel::followsTheLanguage()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:trouble")));
     QVERIFY(fixture.search({.firstId = 4, .lastId = 5, .bauds = {}}));
     QSignalSpy header(&fixture.model, &QAbstractItemModel::headerDataChanged);
@@ -289,7 +289,7 @@ void TestServoListModel::followsTheLanguage()
 /// What is drawn fits its place, and remarks take a line of their own.
 void TestServoListModel::rowsArePainted()
 {
-    Fixture fixture;
+    ServoListFixture fixture;
     QVERIFY(fixture.open(QStringLiteral("sim:trouble")));
     QVERIFY(fixture.search({.firstId = 4, .lastId = 5, .bauds = {}}));
     const ui::ServoDelegate delegate;

@@ -6,6 +6,7 @@
 #include "session/history/history_service.h"
 #include "session/step/step_test.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "ui/charts/trend_chart.h"
 #include "ui/step/step_page.h"
 #include "ui/step/step_runs_dialog.h"
@@ -19,29 +20,24 @@
 #include <QTableView>
 #include <QTableWidget>
 
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 session::SharedStep stepOf(double size, double riseTime, std::vector<results::StepGain> trial = {})
 {
     auto run = std::make_shared<results::StepRun>();
-    run->program = text("test");
+    run->program = utf8("test");
     run->at = QDateTime({2026, 3, 4}, {5, 6, 7}, Qt::UTC);
-    run->port = text("sim:demo");
+    run->port = utf8("sim:demo");
     run->parameters.servo = {
-        3, text("STS3215"), text("9.3"), text("3.10"), text("sts-sms"), text("feetech")};
+        3, utf8("STS3215"), utf8("9.3"), utf8("3.10"), utf8("sts-sms"), utf8("feetech")};
     run->parameters.program = run->program;
     run->parameters.at = run->at;
     run->axis.from = 1800;
     run->axis.to = 1800 + size;
     run->spec.trial = std::move(trial);
-    run->gains = {{text("position_p"), 32}, {text("position_d"), 32}};
+    run->gains = {{utf8("position_p"), 32}, {utf8("position_d"), 32}};
     run->mean.riseTime = riseTime;
     run->mean.overshoot = 20;
     run->mean.overshootSteps = size / 5;
@@ -60,7 +56,7 @@ struct StepRunsFixture : gui::MainWindowFixture {
     {
         // 1: another step. 2: the servo's own values. 3: a trial.
         for (const auto& run :
-             {stepOf(100, 40), stepOf(300, 80), stepOf(300, 60, {{text("position_p"), 40}})}) {
+             {stepOf(100, 40), stepOf(300, 80), stepOf(300, 60, {{utf8("position_p"), 40}})}) {
             workbench().history().saveRun(run);
         }
         action(ui::Command::PageStep)->trigger();
@@ -75,7 +71,7 @@ struct StepRunsFixture : gui::MainWindowFixture {
     void open(const std::vector<std::int64_t>& numbers)
     {
         auto* runs = dialog();
-        auto* table = runs->findChild<QTableView*>(text("runs"));
+        auto* table = runs->findChild<QTableView*>(utf8("runs"));
         QTRY_VERIFY(table->model()->rowCount() >= 3);
         table->clearSelection();
         for (int row = 0; row < table->model()->rowCount(); ++row) {
@@ -85,7 +81,7 @@ struct StepRunsFixture : gui::MainWindowFixture {
                                                            QItemSelectionModel::Rows);
         }
         QSignalSpy opened(&test(), &session::StepTest::storedOpened);
-        QTest::mouseClick(runs->findChild<QPushButton*>(text("runsOpen")), Qt::LeftButton);
+        QTest::mouseClick(runs->findChild<QPushButton*>(utf8("runsOpen")), Qt::LeftButton);
         QTRY_COMPARE(opened.size(), 1);
         QCOMPARE(test().openedNumbers(), numbers);
     }
@@ -108,30 +104,30 @@ private Q_SLOTS:
         StepRunsFixture fixture;
         auto* dialog = fixture.dialog();
         QVERIFY(dialog != nullptr);
-        auto* table = dialog->findChild<QTableView*>(text("runs"));
-        auto* open = dialog->findChild<QPushButton*>(text("runsOpen"));
+        auto* table = dialog->findChild<QTableView*>(utf8("runs"));
+        auto* open = dialog->findChild<QPushButton*>(utf8("runsOpen"));
         QTRY_COMPARE(table->model()->rowCount(), 3);
         QVERIFY(table->isColumnHidden(int(ui::RunColumn::Verdict)));
         QVERIFY(!open->isEnabled());
         table->selectRow(0); // the newest
-        auto* hint = dialog->findChild<QLabel*>(text("runsHint"));
-        QTRY_VERIFY2(hint->text().contains(text("1800 → 2100 · Position loop P 40")),
+        auto* hint = dialog->findChild<QLabel*>(utf8("runsHint"));
+        QTRY_VERIFY2(hint->text().contains(utf8("1800 → 2100 · Position loop P 40")),
                      qPrintable(hint->text()));
         table->selectAll();
         QVERIFY(!open->isEnabled()); // two at most
         fixture.open({3});
         auto* stored = fixture.find<QLabel>("stepStored");
         QVERIFY(stored->isVisible());
-        QVERIFY2(stored->text().contains(text("Test 3 (")), qPrintable(stored->text()));
+        QVERIFY2(stored->text().contains(utf8("Test 3 (")), qPrintable(stored->text()));
         QCOMPARE(fixture.find<ui::TrendChart>("stepChart")->channels().size(), std::size_t(2));
         QVERIFY(fixture.find<QTableWidget>("stepFigures")->isColumnHidden(1));
-        QCOMPARE(fixture.cell(0, 2), text("60"));
+        QCOMPARE(fixture.cell(0, 2), utf8("60"));
         // The advice is worked out anew: this one overshoots.
         QVERIFY(!fixture.test().advice().empty());
         QTest::mouseClick(fixture.find<QPushButton>("stepForget"), Qt::LeftButton);
         QVERIFY(!stored->isVisible());
         QVERIFY(fixture.test().runs().empty());
-        QTRY_COMPARE(fixture.dialog()->findChild<QTableView*>(text("runs"))->model()->rowCount(),
+        QTRY_COMPARE(fixture.dialog()->findChild<QTableView*>(utf8("runs"))->model()->rowCount(),
                      3); // the history keeps them
     }
 
@@ -140,24 +136,24 @@ private Q_SLOTS:
         StepRunsFixture fixture;
         fixture.open({2, 3});
         QVERIFY(!fixture.find<QTableWidget>("stepFigures")->isColumnHidden(1));
-        QCOMPARE(fixture.cell(0, 1), text("80"));
-        QCOMPARE(fixture.cell(0, 2), text("60"));
-        QCOMPARE(fixture.cell(0, 3), text("−20 better"));
+        QCOMPARE(fixture.cell(0, 1), utf8("80"));
+        QCOMPARE(fixture.cell(0, 2), utf8("60"));
+        QCOMPARE(fixture.cell(0, 3), utf8("−20 better"));
         // Steps of another size are shown, but not compared; what was open before is gone.
         fixture.open({1, 2});
         QVERIFY(fixture.find<QTableWidget>("stepFigures")->isColumnHidden(1));
-        QVERIFY(fixture.find<QLabel>("stepStored")->text().contains(text("not compared")));
+        QVERIFY(fixture.find<QLabel>("stepStored")->text().contains(utf8("not compared")));
     }
 
     void thePresentRunIsComparedWithAnOpenedOne()
     {
         StepRunsFixture fixture;
-        QVERIFY(fixture.ready(1, text("sim:sts3215@1")));
+        QVERIFY(fixture.ready(1, utf8("sim:sts3215@1")));
         fixture.find<QTabWidget>("pages")->setCurrentWidget(fixture.page());
         fixture.open({2});
         auto* size = fixture.find<QLineEdit>("stepSize");
         size->selectAll();
-        QTest::keyClicks(size, text("300"));
+        QTest::keyClicks(size, utf8("300"));
         fixture.find<QSpinBox>("stepRepeats")->setValue(1);
         fixture.find<QSpinBox>("stepHold")->setValue(500);
         auto* run = fixture.find<QPushButton>("stepRun");
@@ -172,7 +168,7 @@ private Q_SLOTS:
         QStringList before;
         for (int row = 0; row < figures->rowCount(); ++row)
             before << fixture.cell(row, 1);
-        QVERIFY2(before.contains(text("80")), qPrintable(before.join(QLatin1Char(' '))));
+        QVERIFY2(before.contains(utf8("80")), qPrintable(before.join(QLatin1Char(' '))));
         // Without the opened one nothing is left to compare with.
         fixture.test().openStored({});
         QVERIFY(fixture.test().previousRun() == nullptr);
@@ -195,9 +191,9 @@ private Q_SLOTS:
         QTRY_COMPARE(table->model()->rowCount(), 3);
         auto* open = fixture.find<QPushButton>("historyOpen");
         table->clearSelection();
-        QCOMPARE(open->text(), text("Earlier tests…"));
+        QCOMPARE(open->text(), utf8("Earlier tests…"));
         table->selectRow(1);
-        QCOMPARE(open->text(), text("Open step response"));
+        QCOMPARE(open->text(), utf8("Open step response"));
         QTest::mouseClick(open, Qt::LeftButton);
         QTRY_COMPARE(fixture.test().openedNumbers(), std::vector<std::int64_t>{2});
         QTRY_VERIFY(fixture.page()->isVisible());
@@ -215,13 +211,13 @@ private Q_SLOTS:
     {
         StepRunsFixture fixture;
         auto* dialog = fixture.dialog();
-        auto* table = dialog->findChild<QTableView*>(text("runs"));
+        auto* table = dialog->findChild<QTableView*>(utf8("runs"));
         QTRY_COMPARE(table->model()->rowCount(), 3);
         table->selectRow(0);
-        QTest::mouseClick(dialog->findChild<QPushButton*>(text("runsDelete")), Qt::LeftButton);
-        QTRY_VERIFY(dialog->findChild<QPushButton*>(text("questionYes")));
+        QTest::mouseClick(dialog->findChild<QPushButton*>(utf8("runsDelete")), Qt::LeftButton);
+        QTRY_VERIFY(dialog->findChild<QPushButton*>(utf8("questionYes")));
         QCOMPARE(table->model()->rowCount(), 3);
-        QTest::mouseClick(dialog->findChild<QPushButton*>(text("questionYes")), Qt::LeftButton);
+        QTest::mouseClick(dialog->findChild<QPushButton*>(utf8("questionYes")), Qt::LeftButton);
         QTRY_COMPARE(table->model()->rowCount(), 2);
     }
 
@@ -230,10 +226,10 @@ private Q_SLOTS:
         StepRunsFixture fixture;
         fixture.open({2, 3});
         auto* dialog = fixture.dialog();
-        fixture.setLanguage(text("zh_CN"));
-        QCOMPARE(dialog->windowTitle(), text("以往阶跃响应"));
-        QVERIFY(fixture.find<QLabel>("stepStored")->text().contains(text("测试 2")));
-        QCOMPARE(fixture.find<QPushButton>("stepEarlier")->text(), text("以往的运行…"));
+        fixture.setLanguage(utf8("zh_CN"));
+        QCOMPARE(dialog->windowTitle(), utf8("以往阶跃响应"));
+        QVERIFY(fixture.find<QLabel>("stepStored")->text().contains(utf8("测试 2")));
+        QCOMPARE(fixture.find<QPushButton>("stepEarlier")->text(), utf8("以往的运行…"));
         QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();
         buttons << fixture.find<QPushButton>("stepEarlier");
         for (const QPushButton* button : std::as_const(buttons)) {

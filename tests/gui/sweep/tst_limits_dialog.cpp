@@ -4,6 +4,7 @@
 #include "gui/workbench_fixture.h"
 #include "session/settings.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "text/language.h"
 #include "ui/sweep/limits_dialog.h"
 #include "ui/sweep/limits_model.h"
@@ -20,34 +21,30 @@
 #include <QTemporaryDir>
 
 using results::SweepLimits;
+using support::utf8;
 using ui::LimitColumn;
 using ui::LimitsDialog;
 using ui::LimitsModel;
 
 namespace {
-QString q(const char* text)
-{
-    return QString::fromUtf8(text);
-}
-
 SweepLimits customLimits()
 {
     SweepLimits limits;
-    limits.name = q("shop");
-    limits.models = QStringList{q("STS3215"), q("STS")};
+    limits.name = utf8("shop");
+    limits.models = QStringList{utf8("STS3215"), utf8("STS")};
     limits.tolerance = 12.5;
-    limits.lines = {{q("overshoot"), q("%"), 3, 5, false},
-                    {q("steady_error"), q("step"), {}, 8.125, false},
-                    {q("voltage_min"), q("V"), 7, 6.5, true}};
+    limits.lines = {{utf8("overshoot"), utf8("%"), 3, 5, false},
+                    {utf8("steady_error"), utf8("step"), {}, 8.125, false},
+                    {utf8("voltage_min"), utf8("V"), 7, 6.5, true}};
     return limits;
 }
 
 /// The dialog deletes itself when it closes.
 struct Fixture {
     QTemporaryDir folder;
-    session::Settings settings{folder.filePath(q("servodesk.ini"))};
+    session::Settings settings{folder.filePath(utf8("servodesk.ini"))};
     explicit Fixture(const SweepLimits& limits = customLimits())
-        : dialog(new LimitsDialog(settings, limits, q("STS3215"), q("STS")))
+        : dialog(new LimitsDialog(settings, limits, utf8("STS3215"), utf8("STS")))
         , chosen(dialog, &LimitsDialog::limitsAccepted)
     {
         dialog->open();
@@ -60,10 +57,10 @@ struct Fixture {
     QTableView& table() const { return *dialog->findChild<QTableView*>(); }
     QPushButton& button(const char* name) const
     {
-        return *dialog->findChild<QPushButton*>(q(name));
+        return *dialog->findChild<QPushButton*>(utf8(name));
     }
-    QLineEdit& field(const char* name) const { return *dialog->findChild<QLineEdit*>(q(name)); }
-    QString said() const { return dialog->findChild<QLabel*>(q("limitsTrouble"))->text(); }
+    QLineEdit& field(const char* name) const { return *dialog->findChild<QLineEdit*>(utf8(name)); }
+    QString said() const { return dialog->findChild<QLabel*>(utf8("limitsTrouble"))->text(); }
     bool type(int row, LimitColumn column, const QVariant& value) const
     {
         return model().setData(model().index(row, int(column)), value);
@@ -81,9 +78,9 @@ private Q_SLOTS:
     void init()
     {
         gui::failOnWarnings();
-        text::installTranslator(q("en"));
+        text::installTranslator(utf8("en"));
     }
-    void cleanup() { text::installTranslator(q("en")); }
+    void cleanup() { text::installTranslator(utf8("en")); }
 
     void valuesRoundTrip();
     void editedValuesAreUsed();
@@ -116,16 +113,16 @@ void TestLimitsDialog::valuesRoundTrip()
 void TestLimitsDialog::editedValuesAreUsed()
 {
     const Fixture fixture;
-    QVERIFY(fixture.type(0, LimitColumn::Warn, q(" 2,5 "))); // as typed on a German keyboard
-    QVERIFY(fixture.type(1, LimitColumn::Fail, q("")));
-    QVERIFY(fixture.type(1, LimitColumn::Warn, q("6")));
-    fixture.field("limitsModels").setText(q(" STS3250 ,, HLS "));
+    QVERIFY(fixture.type(0, LimitColumn::Warn, utf8(" 2,5 "))); // as typed on a German keyboard
+    QVERIFY(fixture.type(1, LimitColumn::Fail, utf8("")));
+    QVERIFY(fixture.type(1, LimitColumn::Warn, utf8("6")));
+    fixture.field("limitsModels").setText(utf8(" STS3250 ,, HLS "));
     fixture.field("limitsTolerance").clear();
     const SweepLimits now = fixture.dialog->limits();
     QCOMPARE(now.lines[0].warn, std::optional(2.5));
     QCOMPARE(now.lines[1].fail, std::nullopt);
     QCOMPARE(now.lines[1].warn, std::optional(6.0));
-    QCOMPARE(now.models, (QStringList{q("STS3250"), q("HLS")}));
+    QCOMPARE(now.models, (QStringList{utf8("STS3250"), utf8("HLS")}));
     QCOMPARE(now.tolerance, std::nullopt);
     QVERIFY2(fixture.dialog->problem().isEmpty(), qPrintable(fixture.dialog->problem()));
 }
@@ -136,18 +133,20 @@ void TestLimitsDialog::errorsAreReported_data()
     QTest::addColumn<int>("column");
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("said");
-    QTest::newRow("no number") << 0 << int(LimitColumn::Warn) << q("abc")
-                               << q("Row 1, Overshoot: \"abc\" is not a number");
-    QTest::newRow("infinite") << 0 << int(LimitColumn::Fail) << q("inf") << q("not a number");
-    QTest::newRow("negative") << 1 << int(LimitColumn::Fail) << q("-3") << q("cannot be negative");
-    QTest::newRow("neither") << 1 << int(LimitColumn::Fail) << q("") << q("Enter a warning limit");
-    QTest::newRow("crossed") << 0 << int(LimitColumn::Warn) << q("7")
-                             << q("would be reached before the warning limit");
+    QTest::newRow("no number") << 0 << int(LimitColumn::Warn) << utf8("abc")
+                               << utf8("Row 1, Overshoot: \"abc\" is not a number");
+    QTest::newRow("infinite") << 0 << int(LimitColumn::Fail) << utf8("inf") << utf8("not a number");
+    QTest::newRow("negative") << 1 << int(LimitColumn::Fail) << utf8("-3")
+                              << utf8("cannot be negative");
+    QTest::newRow("neither") << 1 << int(LimitColumn::Fail) << utf8("")
+                             << utf8("Enter a warning limit");
+    QTest::newRow("crossed") << 0 << int(LimitColumn::Warn) << utf8("7")
+                             << utf8("would be reached before the warning limit");
     QTest::newRow("crossed below")
-        << 2 << int(LimitColumn::Warn) << q("6")
-        << q("Row 3, Lowest voltage: The failure limit would be reached");
-    QTest::newRow("twice") << 1 << int(LimitColumn::Metric) << q("overshoot")
-                           << q("already has a limit of this kind");
+        << 2 << int(LimitColumn::Warn) << utf8("6")
+        << utf8("Row 3, Lowest voltage: The failure limit would be reached");
+    QTest::newRow("twice") << 1 << int(LimitColumn::Metric) << utf8("overshoot")
+                           << utf8("already has a limit of this kind");
 }
 
 void TestLimitsDialog::errorsAreReported()
@@ -172,14 +171,14 @@ void TestLimitsDialog::errorsAreReported()
 void TestLimitsDialog::aNameIsRequired()
 {
     const Fixture fixture;
-    fixture.field("limitsName").setText(q("  "));
-    QVERIFY(fixture.said().contains(q("Enter a name")));
+    fixture.field("limitsName").setText(utf8("  "));
+    QVERIFY(fixture.said().contains(utf8("Enter a name")));
     QVERIFY(!fixture.button("limitsUse").isEnabled());
-    fixture.field("limitsName").setText(q("mine"));
+    fixture.field("limitsName").setText(utf8("mine"));
     QVERIFY(fixture.button("limitsUse").isEnabled());
     for (const char* tolerance : {"0", "-4", "near"}) {
-        fixture.field("limitsTolerance").setText(q(tolerance));
-        QVERIFY2(fixture.said().contains(q("tolerance")), tolerance);
+        fixture.field("limitsTolerance").setText(utf8(tolerance));
+        QVERIFY2(fixture.said().contains(utf8("tolerance")), tolerance);
     }
 }
 
@@ -191,7 +190,7 @@ void TestLimitsDialog::aLimitIsRequired()
         fixture.button("limitsRemove").click();
         QCOMPARE(fixture.model().rowCount(), left - 1);
     }
-    QVERIFY(fixture.said().contains(q("every servo would pass")));
+    QVERIFY(fixture.said().contains(utf8("every servo would pass")));
     QVERIFY(!fixture.button("limitsRemove").isEnabled());
 }
 
@@ -204,42 +203,42 @@ void TestLimitsDialog::aNewLineOffersUnusedMetrics()
     QCOMPARE(fixture.model().rowCount(), 4);
     const auto line = fixture.model().lines().back();
     QCOMPARE(line.metric, results::sweepMetricKinds().front().key);
-    QVERIFY(fixture.said().contains(q("Enter a warning limit"))); // it judges nothing yet
-    QVERIFY(fixture.type(3, LimitColumn::Fail, q("1600")));
+    QVERIFY(fixture.said().contains(utf8("Enter a warning limit"))); // it judges nothing yet
+    QVERIFY(fixture.type(3, LimitColumn::Fail, utf8("1600")));
     QVERIFY(fixture.said().isEmpty());
 }
 
 void TestLimitsDialog::aMetricSetsUnitAndDirection()
 {
     const Fixture fixture;
-    QVERIFY(fixture.type(1, LimitColumn::Metric, q("mean_speed")));
+    QVERIFY(fixture.type(1, LimitColumn::Metric, utf8("mean_speed")));
     auto line = fixture.model().lines()[1];
-    QCOMPARE(line.unit, q("step/s"));
+    QCOMPARE(line.unit, utf8("step/s"));
     QVERIFY(line.atLeast);
     QVERIFY(fixture.type(1, LimitColumn::Direction, false));
     line = fixture.model().lines()[1];
     QVERIFY(!line.atLeast);
-    QVERIFY(!fixture.type(1, LimitColumn::Metric, q("beauty")));
-    QVERIFY(!fixture.type(1, LimitColumn::Unit, q("kg")));
+    QVERIFY(!fixture.type(1, LimitColumn::Metric, utf8("beauty")));
+    QVERIFY(!fixture.type(1, LimitColumn::Unit, utf8("kg")));
 }
 
 void TestLimitsDialog::builtInValuesComeBack()
 {
     const Fixture fixture;
     fixture.button("limitsBuiltIn").click();
-    QCOMPARE(fixture.dialog->limits(), results::builtInSweepLimits(q("STS3215"), q("STS")));
+    QCOMPARE(fixture.dialog->limits(), results::builtInSweepLimits(utf8("STS3215"), utf8("STS")));
     QVERIFY(fixture.dialog->problem().isEmpty());
 }
 
 void TestLimitsDialog::saveAndLoadRoundTrip()
 {
     const QTemporaryDir folder;
-    const QString path = folder.filePath(q("限值.json"));
+    const QString path = folder.filePath(utf8("限值.json"));
     const Fixture fixture;
     QSignalSpy saved(fixture.dialog, &LimitsDialog::saved);
     fixture.dialog->save(path);
     QTRY_COMPARE(saved.size(), 1);
-    QVERIFY(fixture.said().contains(q("限值.json")));
+    QVERIFY(fixture.said().contains(utf8("限值.json")));
     const auto kept = results::loadSweepLimits(path);
     QVERIFY(kept);
     QCOMPARE(*kept, customLimits());
@@ -253,14 +252,14 @@ void TestLimitsDialog::saveAndLoadRoundTrip()
 void TestLimitsDialog::aBadFileChangesNothing()
 {
     const QTemporaryDir folder;
-    const QString path = folder.filePath(q("bad.json"));
+    const QString path = folder.filePath(utf8("bad.json"));
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write("{\"format\": \"servodesk-limits\", \"version\": 1, \"name\": \"x\", \"lines\": "
                "[{\"metric\": \"beauty\", \"unit\": \"kg\", \"fail\": 1}]}");
     file.close();
     const Fixture fixture;
-    for (const QString& wrong : {path, folder.filePath(q("no-such-file.json"))}) {
+    for (const QString& wrong : {path, folder.filePath(utf8("no-such-file.json"))}) {
         fixture.dialog->load(wrong);
         QTRY_VERIFY(fixture.said().contains(QFileInfo(wrong).fileName()));
         QCOMPARE(fixture.dialog->limits(), customLimits());
@@ -277,8 +276,8 @@ void TestLimitsDialog::unwritableSettingsAreReported()
 {
     const QTemporaryDir folder;
     const Fixture fixture;
-    fixture.dialog->save(folder.filePath(q("no/such/folder.json")));
-    QTRY_VERIFY(fixture.said().contains(q("folder.json")));
+    fixture.dialog->save(folder.filePath(utf8("no/such/folder.json")));
+    QTRY_VERIFY(fixture.said().contains(utf8("folder.json")));
 }
 
 void TestLimitsDialog::worksWithTheKeyboard()
@@ -289,30 +288,30 @@ void TestLimitsDialog::worksWithTheKeyboard()
     table.setFocus();
     table.setCurrentIndex(fixture.model().index(0, int(LimitColumn::Warn)));
     QTest::keyClick(&table, Qt::Key_F2);
-    auto* line = table.findChild<QLineEdit*>(q("limitEditor"));
+    auto* line = table.findChild<QLineEdit*>(utf8("limitEditor"));
     QVERIFY(line != nullptr);
     line->selectAll();
-    QTest::keyClicks(line, q("1.5"));
+    QTest::keyClicks(line, utf8("1.5"));
     QTest::keyClick(line, Qt::Key_Return);
     QTRY_COMPARE(fixture.model().lines()[0].warn, std::optional(1.5));
     QVERIFY(fixture.dialog); // Return ended the cell, not the dialog
 
     table.setCurrentIndex(fixture.model().index(1, int(LimitColumn::Metric)));
     QTest::keyClick(&table, Qt::Key_F2);
-    auto* box = table.findChild<QComboBox*>(q("limitEditor"));
+    auto* box = table.findChild<QComboBox*>(utf8("limitEditor"));
     QVERIFY(box != nullptr);
     QTest::keyClick(box, Qt::Key_Down);
     QTest::keyClick(box, Qt::Key_Return);
-    QTRY_COMPARE(fixture.model().lines()[1].metric, q("hysteresis"));
+    QTRY_COMPARE(fixture.model().lines()[1].metric, utf8("hysteresis"));
 }
 
 void TestLimitsDialog::followsTheLanguage()
 {
     const Fixture fixture;
-    text::installTranslator(q("zh_CN"));
+    text::installTranslator(utf8("zh_CN"));
     QEvent change(QEvent::LanguageChange);
     QCoreApplication::sendEvent(fixture.dialog, &change);
-    QCOMPARE(fixture.model().index(0, int(LimitColumn::Metric)).data().toString(), q("超调"));
+    QCOMPARE(fixture.model().index(0, int(LimitColumn::Metric)).data().toString(), utf8("超调"));
     QCOMPARE(fixture.dialog->limits(), customLimits());
 }
 

@@ -4,6 +4,7 @@
 #include "gui/workbench_fixture.h"
 #include "jobs/sweep/sweep_statistics.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "text/language.h"
 #include "ui/sweep/sweep_legs_model.h"
 #include "ui/sweep/sweep_verdict_model.h"
@@ -16,6 +17,7 @@ using results::Grade;
 using results::SweepLeg;
 using results::SweepMetric;
 using results::VerdictLine;
+using support::utf8;
 using ui::LegColumn;
 using ui::SweepLegsModel;
 using ui::SweepVerdictModel;
@@ -23,11 +25,6 @@ using ui::Tone;
 using ui::VerdictColumn;
 
 namespace {
-QString q(const char* text)
-{
-    return QString::fromUtf8(text);
-}
-
 SweepLeg leg(int number)
 {
     SweepLeg one;
@@ -59,12 +56,12 @@ results::SweepServo tested()
 {
     results::SweepServo servo;
     results::SweepLimits& all = servo.limits;
-    all.name = q("test");
-    all.lines = {{q("steady_error"), q("step"), 2, 8, false},
-                 {q("hysteresis"), q("step"), 4, 8, false},
-                 {q("voltage_min"), q("V"), 7, 6.5, true},
-                 {q("current_peak"), q("mA"), {}, 1500, false},
-                 {q("overshoot"), q("%"), 2, 5, false}};
+    all.name = utf8("test");
+    all.lines = {{utf8("steady_error"), utf8("step"), 2, 8, false},
+                 {utf8("hysteresis"), utf8("step"), 4, 8, false},
+                 {utf8("voltage_min"), utf8("V"), 7, 6.5, true},
+                 {utf8("current_peak"), utf8("mA"), {}, 1500, false},
+                 {utf8("overshoot"), utf8("%"), 2, 5, false}};
     return servo;
 }
 
@@ -104,9 +101,9 @@ private Q_SLOTS:
     void init()
     {
         gui::failOnWarnings();
-        text::installTranslator(q("en"));
+        text::installTranslator(utf8("en"));
     }
-    void cleanup() { text::installTranslator(q("en")); }
+    void cleanup() { text::installTranslator(utf8("en")); }
 
     void everyMetricHasItsGradeAndReason();
     void unmeasuredMetricsKeepTheirRow();
@@ -131,28 +128,28 @@ void TestSweepModels::everyMetricHasItsGradeAndReason()
     model.show(shown.metrics, shown.lines);
     QCOMPARE(model.rowCount(), 5);
 
-    const int error = rowOf(model, q("steady_error"));
-    QCOMPARE(cell(model, error, VerdictColumn::Metric), q("Steady-state error"));
-    QCOMPARE(cell(model, error, VerdictColumn::Value), q("3 step"));
-    QCOMPARE(cell(model, error, VerdictColumn::Warn), q("> 2"));
-    QCOMPARE(cell(model, error, VerdictColumn::Fail), q("> 8"));
-    QCOMPARE(cell(model, error, VerdictColumn::Grade), q("⚠ Warn"));
+    const int error = rowOf(model, utf8("steady_error"));
+    QCOMPARE(cell(model, error, VerdictColumn::Metric), utf8("Steady-state error"));
+    QCOMPARE(cell(model, error, VerdictColumn::Value), utf8("3 step"));
+    QCOMPARE(cell(model, error, VerdictColumn::Warn), utf8("> 2"));
+    QCOMPARE(cell(model, error, VerdictColumn::Fail), utf8("> 8"));
+    QCOMPARE(cell(model, error, VerdictColumn::Grade), utf8("⚠ Warn"));
     const QModelIndex grade = model.index(error, int(VerdictColumn::Grade));
     QCOMPARE(grade.data(ui::toneRole).toInt(), int(Tone::Warn));
-    QCOMPARE(grade.data(SweepVerdictModel::ReasonRole).toString(), q("above 2 step"));
+    QCOMPARE(grade.data(SweepVerdictModel::ReasonRole).toString(), utf8("above 2 step"));
     const QString tip = grade.data(Qt::ToolTipRole).toString();
-    QVERIFY2(tip.contains(q("Mean: -3 step")), qPrintable(tip));
-    QVERIFY2(tip.contains(q("Count: 4")), qPrintable(tip));
-    QVERIFY2(tip.contains(q("above 2 step")), qPrintable(tip));
+    QVERIFY2(tip.contains(utf8("Mean: -3 step")), qPrintable(tip));
+    QVERIFY2(tip.contains(utf8("Count: 4")), qPrintable(tip));
+    QVERIFY2(tip.contains(utf8("above 2 step")), qPrintable(tip));
 
-    const int voltage = rowOf(model, q("voltage_min"));
-    QCOMPARE(cell(model, voltage, VerdictColumn::Warn), q("< 7"));
-    QCOMPARE(cell(model, voltage, VerdictColumn::Grade), q("⚠ Warn"));
+    const int voltage = rowOf(model, utf8("voltage_min"));
+    QCOMPARE(cell(model, voltage, VerdictColumn::Warn), utf8("< 7"));
+    QCOMPARE(cell(model, voltage, VerdictColumn::Grade), utf8("⚠ Warn"));
     QCOMPARE(model.index(voltage, 0).data(SweepVerdictModel::ReasonRole).toString(),
-             q("below 7 V"));
+             utf8("below 7 V"));
 
-    const int overshoot = rowOf(model, q("overshoot"));
-    QCOMPARE(cell(model, overshoot, VerdictColumn::Grade), q("✔ OK"));
+    const int overshoot = rowOf(model, utf8("overshoot"));
+    QCOMPARE(cell(model, overshoot, VerdictColumn::Grade), utf8("✔ OK"));
     QCOMPARE(model.index(overshoot, 0).data(SweepVerdictModel::GradeRole).toInt(),
              int(Grade::Pass));
 }
@@ -162,13 +159,13 @@ void TestSweepModels::unmeasuredMetricsKeepTheirRow()
     SweepVerdictModel model;
     const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
-    const int current = rowOf(model, q("current_peak"));
-    QVERIFY(current > rowOf(model, q("steady_error"))); // which warns
-    QVERIFY(current > rowOf(model, q("voltage_min")));
-    QCOMPARE(cell(model, current, VerdictColumn::Value), q("–"));
-    QCOMPARE(cell(model, current, VerdictColumn::Warn), q("–"));
-    QCOMPARE(cell(model, current, VerdictColumn::Fail), q("> 1500"));
-    QCOMPARE(cell(model, current, VerdictColumn::Grade), q("– not measured"));
+    const int current = rowOf(model, utf8("current_peak"));
+    QVERIFY(current > rowOf(model, utf8("steady_error"))); // which warns
+    QVERIFY(current > rowOf(model, utf8("voltage_min")));
+    QCOMPARE(cell(model, current, VerdictColumn::Value), utf8("–"));
+    QCOMPARE(cell(model, current, VerdictColumn::Warn), utf8("–"));
+    QCOMPARE(cell(model, current, VerdictColumn::Fail), utf8("> 1500"));
+    QCOMPARE(cell(model, current, VerdictColumn::Grade), utf8("– not measured"));
     QCOMPARE(model.index(current, int(VerdictColumn::Grade)).data(ui::toneRole).toInt(),
              int(Tone::Quiet));
 }
@@ -180,12 +177,12 @@ void TestSweepModels::allMetricsOnlyOnRequest()
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
     const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
-    QCOMPARE(rowOf(model, q("mean_speed")), -1);
+    QCOMPARE(rowOf(model, utf8("mean_speed")), -1);
     model.setShowAll(true);
     QCOMPARE(model.rowCount(), int(results::sweepMetricKinds().size()));
-    const int speed = rowOf(model, q("mean_speed"));
-    QCOMPARE(cell(model, speed, VerdictColumn::Value), q("2480 step/s"));
-    QCOMPARE(cell(model, speed, VerdictColumn::Grade), q("no limit"));
+    const int speed = rowOf(model, utf8("mean_speed"));
+    QCOMPARE(cell(model, speed, VerdictColumn::Value), utf8("2480 step/s"));
+    QCOMPARE(cell(model, speed, VerdictColumn::Grade), utf8("no limit"));
     QVERIFY(!model.index(speed, 0).data(SweepVerdictModel::GradeRole).isValid());
     model.setShowAll(false);
     QCOMPARE(model.rowCount(), 5);
@@ -197,14 +194,14 @@ void TestSweepModels::anUnmeasuredLimitIsKept()
 {
     SweepVerdictModel model;
     VerdictLine line;
-    line.limit = {q("of_tomorrow"), q("N"), {}, 3, false};
+    line.limit = {utf8("of_tomorrow"), utf8("N"), {}, 3, false};
     line.value = 4;
     line.grade = Grade::Fail;
     model.show({}, {line});
     QCOMPARE(model.rowCount(), 1);
-    QCOMPARE(cell(model, 0, VerdictColumn::Metric), q("of_tomorrow"));
-    QCOMPARE(cell(model, 0, VerdictColumn::Value), q("4 N"));
-    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Fail"));
+    QCOMPARE(cell(model, 0, VerdictColumn::Metric), utf8("of_tomorrow"));
+    QCOMPARE(cell(model, 0, VerdictColumn::Value), utf8("4 N"));
+    QCOMPARE(cell(model, 0, VerdictColumn::Grade), utf8("✘ Fail"));
 }
 
 void TestSweepModels::onlyChangesAreSignaled()
@@ -222,16 +219,16 @@ void TestSweepModels::onlyChangesAreSignaled()
     model.show(second.metrics, second.lines);
     QCOMPARE(changed.size(), 1);
     const auto row = changed.front().front().toModelIndex().row();
-    QCOMPARE(row, rowOf(model, q("voltage_min")));
-    QCOMPARE(cell(model, row, VerdictColumn::Value), q("6.6 V"));
+    QCOMPARE(row, rowOf(model, utf8("voltage_min")));
+    QCOMPARE(cell(model, row, VerdictColumn::Value), utf8("6.6 V"));
     QCOMPARE(reset.size(), 0);
     // What fails goes to the top, above what only warns.
     more.front().voltageMin = 6.2;
     const VerdictData third(more);
     model.show(third.metrics, third.lines);
-    QCOMPARE(rowOf(model, q("voltage_min")), 0);
-    QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Fail"));
-    QCOMPARE(rowOf(model, q("steady_error")), 1);
+    QCOMPARE(rowOf(model, utf8("voltage_min")), 0);
+    QCOMPARE(cell(model, 0, VerdictColumn::Grade), utf8("✘ Fail"));
+    QCOMPARE(rowOf(model, utf8("steady_error")), 1);
     QCOMPARE(reset.size(), 1);
 }
 
@@ -242,15 +239,15 @@ void TestSweepModels::metricsFollowTheLanguage()
     model.show(shown.metrics, shown.lines);
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     QSignalSpy headers(&model, &QAbstractItemModel::headerDataChanged);
-    text::installTranslator(q("zh_CN"));
+    text::installTranslator(utf8("zh_CN"));
     model.retranslate();
     QCOMPARE(changed.size(), 1);
     QCOMPARE(headers.size(), 1);
-    const int error = rowOf(model, q("steady_error"));
-    QCOMPARE(cell(model, error, VerdictColumn::Metric), q("静差"));
-    QCOMPARE(cell(model, error, VerdictColumn::Value), q("3 步"));
+    const int error = rowOf(model, utf8("steady_error"));
+    QCOMPARE(cell(model, error, VerdictColumn::Metric), utf8("静差"));
+    QCOMPARE(cell(model, error, VerdictColumn::Value), utf8("3 步"));
     QCOMPARE(model.headerData(int(VerdictColumn::Fail), Qt::Horizontal).toString(),
-             q("不合格限值"));
+             utf8("不合格限值"));
 }
 
 void TestSweepModels::legsShowTheirMeasurements()
@@ -260,16 +257,16 @@ void TestSweepModels::legsShowTheirMeasurements()
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.append(leg(7));
     QCOMPARE(model.rowCount(), 1);
-    QCOMPARE(cell(model, 0, LegColumn::Leg), q("7"));
-    QCOMPARE(cell(model, 0, LegColumn::Cycle), q("4"));
-    QCOMPARE(cell(model, 0, LegColumn::Reached), q("3797"));
-    QCOMPARE(cell(model, 0, LegColumn::Time), q("1420"));
-    QCOMPARE(cell(model, 0, LegColumn::SteadyError), q("-3"));
-    QCOMPARE(cell(model, 0, LegColumn::Voltage), q("6.9"));
-    QCOMPARE(cell(model, 0, LegColumn::Current), q("–"));
+    QCOMPARE(cell(model, 0, LegColumn::Leg), utf8("7"));
+    QCOMPARE(cell(model, 0, LegColumn::Cycle), utf8("4"));
+    QCOMPARE(cell(model, 0, LegColumn::Reached), utf8("3797"));
+    QCOMPARE(cell(model, 0, LegColumn::Time), utf8("1420"));
+    QCOMPARE(cell(model, 0, LegColumn::SteadyError), utf8("-3"));
+    QCOMPARE(cell(model, 0, LegColumn::Voltage), utf8("6.9"));
+    QCOMPARE(cell(model, 0, LegColumn::Current), utf8("–"));
     QCOMPARE(cell(model, 0, LegColumn::Remarks), QString());
     const QString tip = model.index(0, 0).data(Qt::ToolTipRole).toString();
-    QVERIFY2(tip.contains(q("Settling, ms: 86")), qPrintable(tip));
+    QVERIFY2(tip.contains(utf8("Settling, ms: 86")), qPrintable(tip));
     model.clear();
     QCOMPARE(model.rowCount(), 0);
     QCOMPARE(model.total(), std::size_t(0));
@@ -288,9 +285,9 @@ void TestSweepModels::remarksNameTheProblem()
     const QModelIndex remarks = model.index(0, int(LegColumn::Remarks));
     const QString words = remarks.data().toString();
     for (const char* part : {"goal missed", "moving flag error", "overload", "2 readings lost"})
-        QVERIFY2(words.contains(q(part)), qPrintable(words));
+        QVERIFY2(words.contains(utf8(part)), qPrintable(words));
     QCOMPARE(remarks.data(ui::toneRole).toInt(), int(Tone::Bad));
-    QCOMPARE(cell(model, 0, LegColumn::Time), q("–"));
+    QCOMPARE(cell(model, 0, LegColumn::Time), utf8("–"));
 }
 
 void TestSweepModels::onlyTheLatestLegsStay()
@@ -309,7 +306,7 @@ void TestSweepModels::onlyTheLatestLegsStay()
     QCOMPARE(model.leg(model.rowCount() - 1).number, 1020);
     QCOMPARE(model.total(), std::size_t(1020));
     QVERIFY2(model.notice().contains(QLocale().toString(1020)), qPrintable(model.notice()));
-    QVERIFY(model.notice().contains(q("CSV")));
+    QVERIFY(model.notice().contains(utf8("CSV")));
 }
 
 void TestSweepModels::manyLegsAreTrimmedAtOnce()
@@ -351,11 +348,11 @@ void TestSweepModels::legsFollowTheLanguage()
     SweepLeg bad = leg(1);
     bad.missed = true;
     model.append(bad);
-    text::installTranslator(q("zh_CN"));
+    text::installTranslator(utf8("zh_CN"));
     model.retranslate();
-    QVERIFY(cell(model, 0, LegColumn::Remarks).contains(q("未到位")));
+    QVERIFY(cell(model, 0, LegColumn::Remarks).contains(utf8("未到位")));
     QCOMPARE(model.headerData(int(LegColumn::Voltage), Qt::Horizontal).toString(),
-             q("最低电压（V）"));
+             utf8("最低电压（V）"));
 }
 
 SERVODESK_TEST(TestSweepModels)

@@ -3,30 +3,27 @@
 // and where only waiting helps nothing is written until it is over.
 #include "gui/servo_tasks_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "ui/widgets/question_dialog.h"
 
 #include <QRegularExpression>
 #include <QTableWidget>
 
 using gui::ServoTasksFixture;
+using support::utf8;
 using ui::Command;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QString cell(QDialog* dialog, int row, int column)
 {
-    const auto* table = dialog->findChild<QTableWidget*>(text("alarms"));
+    const auto* table = dialog->findChild<QTableWidget*>(utf8("alarms"));
     const QTableWidgetItem* item = table->item(row, column);
     return item != nullptr ? item->text() : QString();
 }
 
 int rows(QDialog* dialog)
 {
-    return dialog->findChild<QTableWidget*>(text("alarms"))->rowCount();
+    return dialog->findChild<QTableWidget*>(utf8("alarms"))->rowCount();
 }
 } // namespace
 
@@ -34,7 +31,7 @@ class TestAlarmDialog : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void overloadIsReleasedOnlyAfterConsent();
     void overcurrentIsReleasedOnlyAfterConsent();
@@ -56,13 +53,13 @@ void TestAlarmDialog::overloadIsReleasedOnlyAfterConsent()
     QVERIFY(fixture.raw(5, "servo_status") & 32);
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(cell(dialog, 0, 0), text("overload"));
-    QVERIFY(gui::textOf(dialog, "release").contains(text("back from the stalled position")));
+    QTRY_COMPARE(cell(dialog, 0, 0), utf8("overload"));
+    QVERIFY(gui::textOf(dialog, "release").contains(utf8("back from the stalled position")));
 
     gui::click(dialog, "taskAction");
     QDialog* question = fixture.dialog("question");
     QVERIFY(question);
-    QVERIFY(gui::textOf(question, "questionRisk").contains(text("fingers")));
+    QVERIFY(gui::textOf(question, "questionRisk").contains(utf8("fingers")));
     QTest::keyClick(question, Qt::Key_Escape);
     QVERIFY(fixture.waitUntilIdle());
     QVERIFY(fixture.raw(5, "servo_status") & 32);
@@ -75,7 +72,7 @@ void TestAlarmDialog::overloadIsReleasedOnlyAfterConsent()
     QVERIFY(question);
     gui::click(question, "questionYes");
     QVERIFY(gui::ended(dialog));
-    QVERIFY2(gui::resultOf(dialog).contains(text("The alarm has cleared")),
+    QVERIFY2(gui::resultOf(dialog).contains(utf8("The alarm has cleared")),
              qPrintable(gui::resultOf(dialog)));
     QCOMPARE(fixture.raw(5, "servo_status"), 0);
     const std::int64_t turned = before - fixture.raw(5, "present_position");
@@ -90,23 +87,23 @@ void TestAlarmDialog::overcurrentIsReleasedOnlyAfterConsent()
     fixture.withBus([](sim::VirtualBus& wire) {
         sim::VirtualServo& servo = *wire.servo(1);
         servo.load().coulombFriction = 100; // rusted in
-        servo.poke(text("protection_current"), 100);
-        servo.poke(text("overcurrent_time"), 10);
-        servo.poke(text("unload_condition"), 8);
-        servo.poke(text("goal_position"), 3000);
+        servo.poke(utf8("protection_current"), 100);
+        servo.poke(utf8("overcurrent_time"), 10);
+        servo.poke(utf8("unload_condition"), 8);
+        servo.poke(utf8("goal_position"), 3000);
     });
     QTRY_COMPARE(fixture.raw(1, "servo_status"), 8);
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(cell(dialog, 0, 0), text("overcurrent"));
-    QVERIFY(cell(dialog, 0, 3).startsWith(text("100 (650")));
+    QTRY_COMPARE(cell(dialog, 0, 0), utf8("overcurrent"));
+    QVERIFY(cell(dialog, 0, 3).startsWith(utf8("100 (650")));
     gui::click(dialog, "taskAction");
     QDialog* question = fixture.dialog("question");
     QVERIFY(question);
     QCOMPARE(fixture.raw(1, "torque_switch"), 0);
     gui::click(question, "questionYes");
     QVERIFY(gui::ended(dialog));
-    QVERIFY2(gui::resultOf(dialog).contains(text("The alarm has cleared")),
+    QVERIFY2(gui::resultOf(dialog).contains(utf8("The alarm has cleared")),
              qPrintable(gui::resultOf(dialog)));
     QCOMPARE(fixture.raw(1, "torque_switch"), 1);
 }
@@ -117,10 +114,10 @@ void TestAlarmDialog::voltageIsShownUntilItReturns()
     QVERIFY(fixture.ready("sim:demo", 6, 6, 6));
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(cell(dialog, 0, 0), text("voltage"));
-    QVERIFY(cell(dialog, 0, 1).contains(text("8.6 V")));
-    QVERIFY(cell(dialog, 0, 3).contains(text("8.0 V")));
-    QVERIFY(gui::textOf(dialog, "release").contains(text("Nothing is written")));
+    QTRY_COMPARE(cell(dialog, 0, 0), utf8("voltage"));
+    QVERIFY(cell(dialog, 0, 1).contains(utf8("8.6 V")));
+    QVERIFY(cell(dialog, 0, 3).contains(utf8("8.0 V")));
+    QVERIFY(gui::textOf(dialog, "release").contains(utf8("Nothing is written")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     // Live: still too much, then right.
     const auto supply = [&](double volts) {
@@ -128,10 +125,10 @@ void TestAlarmDialog::voltageIsShownUntilItReturns()
             [&](sim::VirtualBus& wire) { wire.servo(6)->environment().supplyVolts = volts; });
     };
     supply(8.3);
-    QTRY_VERIFY(cell(dialog, 0, 1).contains(text("8.3 V")));
+    QTRY_VERIFY(cell(dialog, 0, 1).contains(utf8("8.3 V")));
     supply(6.0);
     QTRY_COMPARE(rows(dialog), 0);
-    QVERIFY(gui::resultOf(dialog).contains(text("The alarm has cleared")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("The alarm has cleared")));
     QVERIFY(fixture.session.journal().entries()->empty());
 }
 
@@ -141,15 +138,15 @@ void TestAlarmDialog::lxHeatIsShownUntilItReturns()
     QVERIFY(fixture.ready("sim:lx", 3, 3, 3));
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(cell(dialog, 0, 0), text("temperature"));
-    QVERIFY(gui::textOf(dialog, "release").contains(text("does not report alarms")));
+    QTRY_COMPARE(cell(dialog, 0, 0), utf8("temperature"));
+    QVERIFY(gui::textOf(dialog, "release").contains(utf8("does not report alarms")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     fixture.withBus([](sim::VirtualBus& wire) {
         wire.servo(3)->environment().ambientCelsius = 25;
         wire.servo(3)->setTemperature(40);
     });
     QTRY_COMPARE(rows(dialog), 0);
-    QVERIFY(gui::resultOf(dialog).contains(text("The alarm has cleared")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("The alarm has cleared")));
     QVERIFY(fixture.session.journal().entries()->empty());
 }
 
@@ -160,11 +157,11 @@ void TestAlarmDialog::modbusIsReset()
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(2); });
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_COMPARE(cell(dialog, 0, 0), text("sensor"));
+    QTRY_COMPARE(cell(dialog, 0, 0), utf8("sensor"));
     QTRY_VERIFY(gui::button(dialog, "taskAction")->isEnabled());
     gui::click(dialog, "taskAction"); // nothing moves, so there is no question
     QVERIFY(gui::ended(dialog));
-    QVERIFY2(gui::resultOf(dialog).contains(text("The alarm has cleared")),
+    QVERIFY2(gui::resultOf(dialog).contains(utf8("The alarm has cleared")),
              qPrintable(gui::resultOf(dialog)));
     QCOMPARE(fixture.raw(1, "servo_status") & 2, 0);
 }
@@ -175,7 +172,7 @@ void TestAlarmDialog::noAlarmOffersNothing()
     QVERIFY(fixture.ready("sim:demo", 1, 1, 1));
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
-    QTRY_VERIFY(gui::textOf(dialog, "release").contains(text("No alarms")));
+    QTRY_VERIFY(gui::textOf(dialog, "release").contains(utf8("No alarms")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
 }
 
@@ -189,7 +186,7 @@ void TestAlarmDialog::aServoThatStopsAnsweringShowsNoValues()
     fixture.withBus([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {6}; });
     QTRY_COMPARE(rows(dialog), 0);
     QVERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✗")));
-    QVERIFY(!gui::resultOf(dialog).contains(text("gone")));
+    QVERIFY(!gui::resultOf(dialog).contains(utf8("gone")));
 }
 
 void TestAlarmDialog::questionsDefaultToNo_data()
@@ -212,15 +209,15 @@ void TestAlarmDialog::questionsDefaultToNo()
     int agreed = 0;
     int refused = 0;
     ui::Question question;
-    question.title = text("Really?");
-    question.risk = text("It may break.");
-    question.acceptText = text("Do it");
+    question.title = utf8("Really?");
+    question.risk = utf8("It may break.");
+    question.acceptText = utf8("Do it");
     question.acceptIsDefault = harmless;
     question.rejected = [&] { ++refused; };
     ui::ask(&fixture.window, question, [&] { ++agreed; });
     QDialog* dialog = fixture.dialog("question");
     QVERIFY(dialog);
-    QCOMPARE(gui::textOf(dialog, "questionRisk"), text("It may break."));
+    QCOMPARE(gui::textOf(dialog, "questionRisk"), utf8("It may break."));
     QTest::keyClick(dialog, Qt::Key(key));
     QTRY_COMPARE(agreed + refused, 1);
     QCOMPARE(agreed == 1, yes);
@@ -231,8 +228,8 @@ void TestAlarmDialog::aQuestionEmitsItsAnswerOnce()
     ServoTasksFixture fixture;
     int agreed = 0;
     ui::Question question;
-    question.title = text("Really?");
-    question.acceptText = text("Do it");
+    question.title = utf8("Really?");
+    question.acceptText = utf8("Do it");
     ui::ask(&fixture.window, question, [&] { ++agreed; });
     QPointer<QDialog> dialog(fixture.dialog("question"));
     QVERIFY(dialog);
@@ -247,8 +244,8 @@ void TestAlarmDialog::aQuestionClosesWithItsGuard()
     int answers = 0;
     auto guard = std::make_unique<QWidget>();
     ui::Question question;
-    question.title = text("Really?");
-    question.acceptText = text("Do it");
+    question.title = utf8("Really?");
+    question.acceptText = utf8("Do it");
     question.guard = guard.get();
     question.rejected = [&] { ++answers; };
     ui::ask(&fixture.window, question, [&] { ++answers; });

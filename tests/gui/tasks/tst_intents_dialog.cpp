@@ -8,6 +8,7 @@
 #include "support/cut_cable.h"
 #include "support/real_time.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "ui/app/event_text.h"
 #include "ui/tasks/intents_dialog.h"
 
@@ -16,17 +17,13 @@
 #include <QTableView>
 
 using gui::ServoTasksFixture;
+using support::utf8;
 using ui::Command;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QTableView* table(QDialog* dialog)
 {
-    return dialog->findChild<QTableView*>(text("intents"));
+    return dialog->findChild<QTableView*>(utf8("intents"));
 }
 
 QString cell(QDialog* dialog, int row, ui::IntentColumn column)
@@ -56,8 +53,8 @@ QString leaveOpenIntent(ServoTasksFixture& fixture, const QString& port = {})
     intent.servo = fixture.entry().servo.identity();
     if (!port.isEmpty())
         intent.servo.port = port;
-    const auto before = fixture.entry().servo.raw(text("max_temperature")).value_or(0);
-    intent.items = {{text("max_temperature"), 13, before, 61}};
+    const auto before = fixture.entry().servo.raw(utf8("max_temperature")).value_or(0);
+    intent.items = {{utf8("max_temperature"), 13, before, 61}};
     return fixture.session.journal().begin(intent).value_or(QString());
 }
 /// Closing the window would ask nothing.
@@ -77,7 +74,7 @@ class TestIntentsDialog : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void anInterruptedWriteIsOfferedAndUndone();
     void anInterruptedWriteIsFinished();
@@ -116,9 +113,9 @@ void TestIntentsDialog::anInterruptedWriteIsOfferedAndUndone()
     QVERIFY(dialog);
     QAbstractItemModelTester tester(table(dialog)->model());
     QCOMPARE(table(dialog)->model()->rowCount(), 1);
-    QVERIFY(cell(dialog, 0, ui::IntentColumn::Servo).contains(text("STS3215")));
-    QVERIFY(cell(dialog, 0, ui::IntentColumn::Change).contains(text("500")));
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Lock), text("unlocked"));
+    QVERIFY(cell(dialog, 0, ui::IntentColumn::Servo).contains(utf8("STS3215")));
+    QVERIFY(cell(dialog, 0, ui::IntentColumn::Change).contains(utf8("500")));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Lock), utf8("unlocked"));
     QCOMPARE(fixture.raw(1, "lock"), 0); // looking wrote nothing
     gui::click(dialog, "intentUndo");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
@@ -141,7 +138,7 @@ void TestIntentsDialog::anInterruptedWriteIsFinished()
     QCOMPARE(fixture.raw(1, "overload_torque"), 70);
     QCOMPARE(fixture.raw(1, "lock"), 1);
     // The table follows by itself.
-    QTRY_COMPARE(fixture.entry().servo.raw(text("overload_torque")),
+    QTRY_COMPARE(fixture.entry().servo.raw(utf8("overload_torque")),
                  std::optional<std::int64_t>(70));
 }
 
@@ -152,8 +149,8 @@ void TestIntentsDialog::aRenumberedServoIsFollowed_data()
     QTest::addColumn<int>("value");
     QTest::addColumn<int>("id");
     QTest::addColumn<int>("baud");
-    QTest::newRow("new ID") << int(base::IntentKind::SetId) << text("id") << 9 << 9 << 1'000'000;
-    QTest::newRow("new rate") << int(base::IntentKind::SetBaud) << text("baud_rate") << 1 << 1
+    QTest::newRow("new ID") << int(base::IntentKind::SetId) << utf8("id") << 9 << 9 << 1'000'000;
+    QTest::newRow("new rate") << int(base::IntentKind::SetBaud) << utf8("baud_rate") << 1 << 1
                               << 500'000;
 }
 
@@ -203,7 +200,7 @@ void TestIntentsDialog::aServoAlreadyAtItsNewIdIsFollowed()
     QVERIFY(fixture.session.journal().begin(intent));
     fixture.withBus([&](sim::VirtualBus& wire) {
         sim::VirtualServo* servo = wire.servo(1);
-        servo->poke(text("lock"), 0);
+        servo->poke(utf8("lock"), 0);
         servo->poke(key, value);
     });
     fixture.workbench.writes().readTable(ref);
@@ -237,7 +234,7 @@ void TestIntentsDialog::isOfferedAfterTheFirstSearch()
     QVERIFY(fixture.search(1, 1));
     QDialog* dialog = fixture.dialog("intentsDialog");
     QVERIFY(dialog);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), utf8("the old values"));
     QTest::keyClick(dialog, Qt::Key_Escape);
     QVERIFY(fixture.waitUntilIdle());
     QCOMPARE(fixture.raw(1, "max_temperature"), before);
@@ -304,15 +301,15 @@ void TestIntentsDialog::aTrialIsRevertedAndReported()
     intent.temporary = true;
     intent.servo = fixture.entry().servo.identity();
     const std::int64_t before = fixture.raw(1, "position_p");
-    intent.items = {{text("position_p"), 21, before, before + 28}};
+    intent.items = {{utf8("position_p"), 21, before, before + 28}};
     QVERIFY(fixture.session.journal().begin(intent));
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
-    QCOMPARE(gui::button(dialog, "intentFinish")->text(), text("Restore"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), utf8("the old values"));
+    QCOMPARE(gui::button(dialog, "intentFinish")->text(), utf8("Restore"));
     gui::click(dialog, "intentFinish");
-    QTRY_VERIFY(gui::resultOf(dialog).contains(text("settings from before the test")));
-    QVERIFY(!gui::resultOf(dialog).contains(text("finished")));
+    QTRY_VERIFY(gui::resultOf(dialog).contains(utf8("settings from before the test")));
+    QVERIFY(!gui::resultOf(dialog).contains(utf8("finished")));
     QCOMPARE(fixture.raw(1, "position_p"), before);
     QVERIFY(fixture.session.journal().open()->empty());
 }
@@ -347,7 +344,7 @@ void TestIntentsDialog::missingServoCannotBeRecovered()
     fixture.withBus([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("no reply"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), utf8("no reply"));
     QVERIFY(!gui::button(dialog, "intentFinish")->isEnabled());
     QVERIFY(!gui::button(dialog, "intentUndo")->isEnabled());
     QVERIFY(gui::button(dialog, "intentForget")->isEnabled());
@@ -359,9 +356,9 @@ void TestIntentsDialog::emptyListShowsAMessage()
     QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
-    QVERIFY(gui::resultOf(dialog).contains(text("No unfinished changes")));
-    QVERIFY(!gui::textOf(dialog, "explanation").contains(text("Choose what to do")));
-    QCOMPARE(gui::button(dialog, "intentLater")->text(), text("Close"));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("No unfinished changes")));
+    QVERIFY(!gui::textOf(dialog, "explanation").contains(utf8("Choose what to do")));
+    QCOMPARE(gui::button(dialog, "intentLater")->text(), utf8("Close"));
     QVERIFY(!gui::button(dialog, "intentForget")->isEnabled());
 }
 
@@ -369,7 +366,7 @@ void TestIntentsDialog::anotherPortIsReportedOnTheFirstConnection()
 {
     ServoTasksFixture fixture;
     QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(!leaveOpenIntent(fixture, text("/dev/ttyUSB7")).isEmpty());
+    QVERIFY(!leaveOpenIntent(fixture, utf8("/dev/ttyUSB7")).isEmpty());
     fixture.workbench.closing().disconnectFrom();
     QTRY_COMPARE(fixture.workbench.link().state(), session::LinkState::Off);
     QVERIFY(fixture.connectTo("sim:sts3215@1"));
@@ -378,9 +375,9 @@ void TestIntentsDialog::anotherPortIsReportedOnTheFirstConnection()
     QVERIFY(dialog);
     QCOMPARE(table(dialog)->model()->rowCount(), 0);
     const QString named = gui::textOf(dialog, "intentsElsewhere");
-    QVERIFY2(named.contains(text("/dev/ttyUSB7")), qPrintable(named));
-    QVERIFY2(named.contains(text("STS3215")), qPrintable(named));
-    QVERIFY(!gui::resultOf(dialog).contains(text("No unfinished changes")));
+    QVERIFY2(named.contains(utf8("/dev/ttyUSB7")), qPrintable(named));
+    QVERIFY2(named.contains(utf8("STS3215")), qPrintable(named));
+    QVERIFY(!gui::resultOf(dialog).contains(utf8("No unfinished changes")));
     // A simulated servo is never the one with the interrupted change.
     QVERIFY(!gui::button(dialog, "intentsLookHere")->isVisible());
 }
@@ -389,15 +386,15 @@ void TestIntentsDialog::anAdapterUnderAnotherNameIsChecked()
 {
     const support::RealTime realTime; // no simulated port
     ServoTasksFixture fixture;
-    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    support::SimProgram sim({utf8("--servos"), utf8("sts3215@1")});
     QVERIFY(fixture.connectTo(sim.port()) && fixture.search(1, 1) && fixture.choose(1));
-    QVERIFY(!leaveOpenIntent(fixture, text("/dev/ttyUSB7")).isEmpty());
+    QVERIFY(!leaveOpenIntent(fixture, utf8("/dev/ttyUSB7")).isEmpty());
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(table(dialog)->model()->rowCount(), 0);
     gui::click(dialog, "intentsLookHere");
     QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), utf8("the old values"));
     QVERIFY(gui::textOf(dialog, "intentsElsewhere").isEmpty());
     table(dialog)->selectRow(0);
     gui::click(dialog, "intentFinish");
@@ -410,14 +407,14 @@ void TestIntentsDialog::aPresentPortIsNotCheckedHere()
 {
     const support::RealTime realTime; // no simulated port
     ServoTasksFixture fixture;
-    support::SimProgram other({text("--servos"), text("sts3215@1")});
-    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    support::SimProgram other({utf8("--servos"), utf8("sts3215@1")});
+    support::SimProgram sim({utf8("--servos"), utf8("sts3215@1")});
     QVERIFY(fixture.connectTo(sim.port()) && fixture.search(1, 1) && fixture.choose(1));
     QVERIFY(!leaveOpenIntent(fixture, other.port()).isEmpty());
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     const QString named = gui::textOf(dialog, "intentsElsewhere");
-    QVERIFY2(named.contains(text("connect to its port")) && named.contains(other.port()),
+    QVERIFY2(named.contains(utf8("connect to its port")) && named.contains(other.port()),
              qPrintable(named));
     QVERIFY(!gui::button(dialog, "intentsLookHere")->isVisible());
     QSignalSpy found(&fixture.workbench.recovery(), &session::RecoveryService::openIntentsFound);
@@ -431,21 +428,21 @@ void TestIntentsDialog::intentsInProgressElsewhereAreSkipped()
 {
     ServoTasksFixture fixture;
     QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
-    auto other = std::make_unique<history::HistoryJournal>(session::historyFile(), text("other"));
+    auto other = std::make_unique<history::HistoryJournal>(session::historyFile(), utf8("other"));
     base::Intent intent;
     intent.servo = fixture.entry().servo.identity();
-    const auto before = fixture.entry().servo.raw(text("max_temperature")).value_or(0);
-    intent.items = {{text("max_temperature"), 13, before, 61}};
+    const auto before = fixture.entry().servo.raw(utf8("max_temperature")).value_or(0);
+    intent.items = {{utf8("max_temperature"), 13, before, 61}};
     const auto uuid = other->begin(intent);
     QVERIFY(uuid);
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found),
-             text("still in progress in another program"));
+             utf8("still in progress in another program"));
     const auto explanation = [&] { return gui::textOf(dialog, "explanation"); };
-    QVERIFY2(explanation().contains(text("Another program is still making")),
+    QVERIFY2(explanation().contains(utf8("Another program is still making")),
              qPrintable(explanation()));
-    QVERIFY2(!explanation().contains(text("cable")), qPrintable(explanation()));
+    QVERIFY2(!explanation().contains(utf8("cable")), qPrintable(explanation()));
     for (const char* name : {"intentFinish", "intentUndo", "intentForget"})
         QVERIFY2(!gui::button(dialog, name)->isEnabled(), name);
     fixture.workbench.recovery().discardIntent(*uuid);
@@ -453,9 +450,9 @@ void TestIntentsDialog::intentsInProgressElsewhereAreSkipped()
     QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
     other.reset(); // as if it had been killed
     fixture.workbench.recovery().findOpenIntents();
-    QTRY_COMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
+    QTRY_COMPARE(cell(dialog, 0, ui::IntentColumn::Found), utf8("the old values"));
     QVERIFY(gui::button(dialog, "intentUndo")->isEnabled());
-    QVERIFY2(explanation().contains(text("a cable was pulled")), qPrintable(explanation()));
+    QVERIFY2(explanation().contains(utf8("a cable was pulled")), qPrintable(explanation()));
 }
 
 void TestIntentsDialog::anInterruptedRecoveryReportsWhy_data()
@@ -500,7 +497,7 @@ void TestIntentsDialog::anInterruptedRecoveryReportsWhy()
         cable.cutAtWrite(framesUntilThirdRow + 1);
     } else {
         session::Task test;
-        test.name = text("sweep");
+        test.name = utf8("sweep");
         test.isLongRunning = true;
         test.work = [](session::TaskContext& context) -> base::Result<void> {
             while (!context.stop.isRequested())
@@ -512,14 +509,14 @@ void TestIntentsDialog::anInterruptedRecoveryReportsWhy()
     }
     QSignalSpy found(&fixture.workbench.recovery(), &session::RecoveryService::openIntentsFound);
     gui::click(dialog, "intentFinish");
-    const auto working = [&] { return gui::resultOf(dialog).contains(text("Working")); };
+    const auto working = [&] { return gui::resultOf(dialog).contains(utf8("Working")); };
     QTRY_VERIFY(!working());
     fixture.workbench.tasks().stopTest();
     QVERIFY(fixture.waitUntilIdle());
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
-    QVERIFY2(!message.contains(text("Nothing was written")), qPrintable(message));
-    QVERIFY2(message.contains(text("still unfinished")), qPrintable(message));
+    QVERIFY2(!message.contains(utf8("Nothing was written")), qPrintable(message));
+    QVERIFY2(message.contains(utf8("still unfinished")), qPrintable(message));
     QCOMPARE(cable.writes() - before >= framesUntilThirdRow, cut);
     QCOMPARE(found.size(), 0);
     QCOMPARE(table(dialog)->model()->rowCount(), 1);
@@ -537,12 +534,12 @@ void TestIntentsDialog::unrecordedResultIsReported()
     event.servo = fixture.selection.current();
     event.report.emplace();
     event.report->id = 1;
-    event.report->writes = {{text("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}};
-    event.notices = {{base::NoticeCode::NotRecorded, 1, text("history.sqlite: disk full")}};
+    event.report->writes = {{utf8("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}};
+    event.notices = {{base::NoticeCode::NotRecorded, 1, utf8("history.sqlite: disk full")}};
     const ui::EventText words = ui::describe(event, fixture.workbench.registry());
-    QVERIFY2(words.message.contains(text("20, kept")), qPrintable(words.message));
-    QVERIFY2(words.message.contains(text("NOT RECORDED")), qPrintable(words.message));
-    QVERIFY(words.details.join(QLatin1Char('\n')).contains(text("disk full")));
+    QVERIFY2(words.message.contains(utf8("20, kept")), qPrintable(words.message));
+    QVERIFY2(words.message.contains(utf8("NOT RECORDED")), qPrintable(words.message));
+    QVERIFY(words.details.join(QLatin1Char('\n')).contains(utf8("disk full")));
 }
 
 namespace {
@@ -553,9 +550,9 @@ bool leaveRestartMarker(ServoTasksFixture& fixture, std::int64_t standing)
     intent.kind = base::IntentKind::Trial;
     intent.temporary = true;
     intent.servo = fixture.entry().servo.identity();
-    intent.items = {{text("torque_limit"), 48, 1000, 999}};
+    intent.items = {{utf8("torque_limit"), 48, 1000, 999}};
     fixture.withBus(
-        [standing](sim::VirtualBus& wire) { wire.servo(1)->poke(text("torque_limit"), standing); });
+        [standing](sim::VirtualBus& wire) { wire.servo(1)->poke(utf8("torque_limit"), standing); });
     return fixture.session.journal().begin(intent).has_value();
 }
 } // namespace
@@ -567,9 +564,9 @@ void TestIntentsDialog::theRestartMarkIsRestored()
     QVERIFY(leaveRestartMarker(fixture, 999));
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
-    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the new values"));
+    QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), utf8("the new values"));
     gui::click(dialog, "intentFinish");
-    QTRY_VERIFY(gui::resultOf(dialog).contains(text("have been restored")));
+    QTRY_VERIFY(gui::resultOf(dialog).contains(utf8("have been restored")));
     QCOMPARE(fixture.raw(1, "torque_limit"), 1000);
     QVERIFY(fixture.session.journal().open()->empty());
 }
@@ -582,10 +579,10 @@ void TestIntentsDialog::otherValuesAreKeptAndReported()
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found),
-             text("value has changed in the meantime; left as is"));
+             utf8("value has changed in the meantime; left as is"));
     gui::click(dialog, "intentUndo");
-    QTRY_VERIFY(gui::resultOf(dialog).contains(text("Nothing was written")));
-    QVERIFY2(gui::resultOf(dialog).contains(text("Torque limit")),
+    QTRY_VERIFY(gui::resultOf(dialog).contains(utf8("Nothing was written")));
+    QVERIFY2(gui::resultOf(dialog).contains(utf8("Torque limit")),
              qPrintable(gui::resultOf(dialog)));
     QCOMPARE(fixture.raw(1, "torque_limit"), 700);
     QVERIFY(fixture.session.journal().open()->empty());
@@ -600,13 +597,13 @@ void TestIntentsDialog::anotherServoIsNotReportedDone()
     QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     fixture.withBus([](sim::VirtualBus& wire) {
-        wire.servo(1)->poke(text("id"), 20);
-        wire.servo(7)->poke(text("id"), 1);
+        wire.servo(1)->poke(utf8("id"), 20);
+        wire.servo(7)->poke(utf8("id"), 1);
     });
     std::optional<session::Event> task;
     connect(&fixture.workbench, &session::Workbench::eventOccurred, dialog,
             [&task](const session::Event& event) {
-                if (event.kind == session::Event::Kind::Task && event.task == text("recover"))
+                if (event.kind == session::Event::Kind::Task && event.task == utf8("recover"))
                     task = event;
             });
     gui::click(dialog, "intentFinish");
@@ -614,7 +611,7 @@ void TestIntentsDialog::anotherServoIsNotReportedDone()
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✗")));
     const ui::EventText words = ui::describe(*task, fixture.workbench.registry());
     QCOMPARE(words.symbol, QStringLiteral("✗"));
-    QVERIFY2(!words.message.contains(text("done")), qPrintable(words.message));
+    QVERIFY2(!words.message.contains(utf8("done")), qPrintable(words.message));
     QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
 }
 

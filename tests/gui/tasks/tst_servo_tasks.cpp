@@ -7,6 +7,7 @@
 #include "support/real_time.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "ui/widgets/servo_row.h"
 
 #include <QComboBox>
@@ -15,23 +16,19 @@
 #include <QSpinBox>
 
 using gui::ServoTasksFixture;
+using support::utf8;
 using ui::Command;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QSpinBox* newId(QDialog* dialog)
 {
-    return dialog->findChild<QSpinBox*>(text("newId"));
+    return dialog->findChild<QSpinBox*>(utf8("newId"));
 }
 
 QStringList lines(QDialog* dialog)
 {
     QStringList all;
-    const auto* list = dialog->findChild<QListWidget*>(text("idList"));
+    const auto* list = dialog->findChild<QListWidget*>(utf8("idList"));
     for (int row = 0; row < list->count(); ++row)
         all << list->item(row)->text();
     return all;
@@ -42,7 +39,7 @@ class TestServoTasks : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void idByKeyboardKeepsTheServoSelected();
     void idByMouseFromTheSuggestions();
@@ -76,17 +73,17 @@ void TestServoTasks::idByKeyboardKeepsTheServoSelected()
     QTRY_COMPARE(newId(dialog)->value(), 7);
     QVERIFY(newId(dialog)->hasFocus() || !dialog->isActiveWindow());
     newId(dialog)->selectAll();
-    QTest::keyClicks(newId(dialog), text("42"));
+    QTest::keyClicks(newId(dialog), utf8("42"));
     QTest::keyClick(newId(dialog), Qt::Key_Return);
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
              qPrintable(gui::resultOf(dialog)));
-    QVERIFY(gui::resultOf(dialog).contains(text("ID 42")));
-    QVERIFY(gui::resultOf(dialog).contains(text("locked")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("ID 42")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("locked")));
     QCOMPARE(fixture.selection.current(), ref);
     QCOMPARE(fixture.entry().servo.id, 42);
     QCOMPARE(fixture.raw(42, "lock"), 1);
-    QVERIFY(gui::textOf(dialog, "who").contains(text("ID 42")));
+    QVERIFY(gui::textOf(dialog, "who").contains(utf8("ID 42")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled()); // it has this ID now
     QVERIFY(!fixture.entry().snapshotPath.isEmpty());
 }
@@ -97,7 +94,7 @@ void TestServoTasks::idByMouseFromTheSuggestions()
     QVERIFY(fixture.ready("sim:demo", 0, 10, 3));
     QDialog* dialog = fixture.open(Command::SetId, "setIdDialog");
     QVERIFY(dialog);
-    const auto* list = dialog->findChild<QListWidget*>(text("idList"));
+    const auto* list = dialog->findChild<QListWidget*>(utf8("idList"));
     QTRY_VERIFY(lines(dialog).contains(QStringLiteral("9 — free")));
     QVERIFY(lines(dialog).contains(QStringLiteral("3 — this servo (STS3250)")));
     QVERIFY(lines(dialog).contains(QStringLiteral("5 — taken by SCS15")));
@@ -118,7 +115,7 @@ void TestServoTasks::aTakenIdIsNotOffered()
     QDialog* dialog = fixture.open(Command::SetId, "setIdDialog");
     QVERIFY(dialog);
     newId(dialog)->setValue(5);
-    QVERIFY(gui::textOf(dialog, "idState").contains(text("SCS15")));
+    QVERIFY(gui::textOf(dialog, "idState").contains(utf8("SCS15")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     QTest::keyClick(newId(dialog), Qt::Key_Return);
     QVERIFY(fixture.waitUntilIdle());
@@ -139,7 +136,7 @@ void TestServoTasks::anUndiscoveredTakenIdIsRefused()
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
-    QVERIFY2(message.contains(text("Remedy:")), qPrintable(message));
+    QVERIFY2(message.contains(utf8("Remedy:")), qPrintable(message));
     QCOMPARE(fixture.entry().servo.id, 1);
     QVERIFY(fixture.session.journal().open()->empty());
 }
@@ -151,11 +148,11 @@ void TestServoTasks::baudRateChangeIsFollowed()
     const session::ServoRef ref = fixture.selection.current();
     QDialog* dialog = fixture.open(Command::SetBaud, "setBaudDialog");
     QVERIFY(dialog);
-    auto* rates = dialog->findChild<QComboBox*>(text("newBaud"));
+    auto* rates = dialog->findChild<QComboBox*>(utf8("newBaud"));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     QTest::keyClick(rates, Qt::Key_Down); // 500 000
     const QString state = gui::textOf(dialog, "baudState");
-    QVERIFY2(state.contains(text("5 other servo(s) stay at")), qPrintable(state));
+    QVERIFY2(state.contains(utf8("5 other servo(s) stay at")), qPrintable(state));
     gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
@@ -175,7 +172,7 @@ void TestServoTasks::anInterruptedRateChangeNamesBothRates()
     QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
     QDialog* dialog = fixture.open(Command::SetBaud, "setBaudDialog");
     QVERIFY(dialog);
-    QTest::keyClick(dialog->findChild<QComboBox*>(text("newBaud")), Qt::Key_Down); // 500 000
+    QTest::keyClick(dialog->findChild<QComboBox*>(utf8("newBaud")), Qt::Key_Down); // 500 000
     fixture.withBus([](sim::VirtualBus& wire) {
         wire.config().faults.muteWhen = [](const sim::VirtualServo& servo) {
             return servo.baud() == 500'000; // has obeyed, but is not heard any more
@@ -185,14 +182,14 @@ void TestServoTasks::anInterruptedRateChangeNamesBothRates()
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
-    QVERIFY2(!message.contains(text("The servo answers as")), qPrintable(message));
-    QVERIFY2(message.contains(text("1 000 000")) || message.contains(text("1000000")),
+    QVERIFY2(!message.contains(utf8("The servo answers as")), qPrintable(message));
+    QVERIFY2(message.contains(utf8("1 000 000")) || message.contains(utf8("1000000")),
              qPrintable(message));
-    QVERIFY2(message.contains(text("search at both baud rates")), qPrintable(message));
-    QVERIFY2(message.contains(text("EPROM lock: not confirmed")), qPrintable(message));
+    QVERIFY2(message.contains(utf8("search at both baud rates")), qPrintable(message));
+    QVERIFY2(message.contains(utf8("EPROM lock: not confirmed")), qPrintable(message));
     const QString row =
         ui::servoRow(fixture.entry(), std::nullopt, fixture.workbench.now()).toolTipText();
-    QVERIFY2(row.contains(text("EPROM lock not confirmed")), qPrintable(row));
+    QVERIFY2(row.contains(utf8("EPROM lock not confirmed")), qPrintable(row));
 }
 
 void TestServoTasks::aFixedRateIsReported()
@@ -201,7 +198,7 @@ void TestServoTasks::aFixedRateIsReported()
     QVERIFY(fixture.ready("sim:lx", 1, 3, 1));
     QDialog* dialog = fixture.open(Command::SetBaud, "setBaudDialog");
     QVERIFY(dialog);
-    QVERIFY(gui::resultOf(dialog).contains(text("fixed baud rate")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("fixed baud rate")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     QVERIFY(fixture.waitUntilIdle());
     QVERIFY(fixture.session.journal().entries()->empty());
@@ -213,16 +210,16 @@ void TestServoTasks::centeringShowsBeforeAndAfter()
     QVERIFY(fixture.ready("sim:demo", 0, 10, 2));
     QDialog* dialog = fixture.open(Command::Center, "centerDialog");
     QVERIFY(dialog);
-    QVERIFY(gui::textOf(dialog, "explanation").contains(text("stays off")));
-    QTRY_VERIFY(gui::textOf(dialog, "positionBefore").startsWith(text("15"))); // 135°
+    QVERIFY(gui::textOf(dialog, "explanation").contains(utf8("stays off")));
+    QTRY_VERIFY(gui::textOf(dialog, "positionBefore").startsWith(utf8("15"))); // 135°
     QCOMPARE(gui::textOf(dialog, "positionAfter"), QStringLiteral("–"));
     gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
              qPrintable(gui::resultOf(dialog)));
-    QVERIFY(gui::textOf(dialog, "positionAfter").startsWith(text("20"))); // 2048
-    QVERIFY(gui::textOf(dialog, "positionBefore").startsWith(text("15")));
-    QVERIFY(gui::resultOf(dialog).contains(text("Torque stays off")));
+    QVERIFY(gui::textOf(dialog, "positionAfter").startsWith(utf8("20"))); // 2048
+    QVERIFY(gui::textOf(dialog, "positionBefore").startsWith(utf8("15")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("Torque stays off")));
     QCOMPARE(fixture.raw(2, "torque_switch"), 0);
     QCOMPARE(fixture.raw(2, "lock"), 1);
 }
@@ -243,18 +240,18 @@ void TestServoTasks::restoringShowsTheSnapshotPath()
     QVERIFY(fixture.ready("sim:demo", 0, 10, 1));
     fixture.workbench.writes().write(
         fixture.selection.current(),
-        {{{text("max_temperature"), 61}}, false, device::Consent::confirmed()});
+        {{{utf8("max_temperature"), 61}}, false, device::Consent::confirmed()});
     QVERIFY(fixture.waitUntilIdle());
     QDialog* dialog = fixture.open(Command::RestoreDefaults, "restoreDialog");
     QVERIFY(dialog);
-    QVERIFY(gui::textOf(dialog, "restoreWhat").contains(text("ID")));
-    QVERIFY(gui::textOf(dialog, "restoreWhat").contains(text("Baud rate")));
+    QVERIFY(gui::textOf(dialog, "restoreWhat").contains(utf8("ID")));
+    QVERIFY(gui::textOf(dialog, "restoreWhat").contains(utf8("Baud rate")));
     gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✓")), qPrintable(message));
-    QVERIFY(message.contains(text("Maximum temperature")));
-    static const QRegularExpression file(text("(/\\S+\\.servo\\.json)"));
+    QVERIFY(message.contains(utf8("Maximum temperature")));
+    static const QRegularExpression file(utf8("(/\\S+\\.servo\\.json)"));
     const QString path = file.match(message).captured(1);
     QFile saved(path);
     QVERIFY2(saved.open(QIODevice::ReadOnly), qPrintable(message));
@@ -272,7 +269,7 @@ void TestServoTasks::restartWaitsForTheServo()
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
              qPrintable(gui::resultOf(dialog)));
-    QVERIFY(gui::resultOf(dialog).contains(text(" ms")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8(" ms")));
 }
 
 void TestServoTasks::anIgnoredRestartIsNotReportedDone()
@@ -289,8 +286,8 @@ void TestServoTasks::anIgnoredRestartIsNotReportedDone()
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
-    QVERIFY2(message.contains(text("did not reboot")), qPrintable(message));
-    QVERIFY2(!message.contains(text("replies again")), qPrintable(message));
+    QVERIFY2(message.contains(utf8("did not reboot")), qPrintable(message));
+    QVERIFY2(!message.contains(utf8("replies again")), qPrintable(message));
 }
 
 void TestServoTasks::lxHasNoRestart()
@@ -299,7 +296,7 @@ void TestServoTasks::lxHasNoRestart()
     QVERIFY(fixture.ready("sim:lx", 1, 3, 1));
     QDialog* dialog = fixture.open(Command::Reboot, "rebootDialog");
     QVERIFY(dialog);
-    QVERIFY(gui::resultOf(dialog).contains(text("supply off and on")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("supply off and on")));
     QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
 }
 
@@ -319,8 +316,8 @@ void TestServoTasks::identifyRestoresTheLed()
     }
     gui::click(dialog, "taskStop");
     QVERIFY(gui::ended(dialog));
-    QVERIFY(gui::resultOf(dialog).contains(text("has been restored")));
-    QVERIFY(gui::resultOf(dialog).contains(text("LED alarm condition"))); // not its key
+    QVERIFY(gui::resultOf(dialog).contains(utf8("has been restored")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("LED alarm condition"))); // not its key
     QCOMPARE(fixture.raw(1, "led_alarm_condition"), before);
     QVERIFY(fixture.session.journal().open()->empty());
 }
@@ -362,7 +359,7 @@ void TestServoTasks::modbusCannotBlink()
     QDialog* dialog = fixture.open(Command::Identify, "identifyDialog");
     QVERIFY(dialog);
     QVERIFY(gui::ended(dialog));
-    QVERIFY(gui::resultOf(dialog).contains(text("factory values")));
+    QVERIFY(gui::resultOf(dialog).contains(utf8("factory values")));
     QVERIFY(fixture.session.journal().entries()->empty());
 }
 

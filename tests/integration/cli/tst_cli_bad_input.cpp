@@ -17,11 +17,6 @@ using support::ProgramResult;
 using support::words;
 
 namespace {
-QString errorCode(const ProgramResult& result)
-{
-    return result.json()[QLatin1String("error")][QLatin1String("code")].toString();
-}
-
 void writeFile(const QString& path, const QByteArray& text)
 {
     QDir().mkpath(QFileInfo(path).path());
@@ -232,7 +227,7 @@ void TestCliBadInput::badPorts()
     CliProgram cli;
     cli.setPort(port);
     const ProgramResult result = cli.json("info 1");
-    QCOMPARE(errorCode(result), code);
+    QCOMPARE(result.errorCode(), code);
     QCOMPARE(result.exit, exit);
 }
 
@@ -253,7 +248,7 @@ void TestCliBadInput::fullDiskEndsAWatch()
     QVERIFY2(result.err.contains(QStringLiteral("/dev/full")), qPrintable(result.err));
     const ProgramResult json = cli.json("watch 1 --csv /dev/full");
     QCOMPARE(json.exit, 5);
-    QCOMPARE(errorCode(json), QStringLiteral("disk-full"));
+    QCOMPARE(json.errorCode(), QStringLiteral("disk-full"));
 }
 
 void TestCliBadInput::fullDiskForTheResult()
@@ -300,7 +295,7 @@ void TestCliBadInput::withoutAJournalNothingIsWritten()
     const ProgramResult result = cli.json("write 1 max_temperature=60");
     QCOMPARE(result.exit, 5);
     // For Qt a quota is not a full disk; what matters is that no write was begun.
-    const QString code = errorCode(result);
+    const QString code = result.errorCode();
     QVERIFY2(code.startsWith(QLatin1String("file-un")) ||
                  (full && code == QLatin1String("disk-full")),
              qPrintable(code));
@@ -358,7 +353,7 @@ void TestCliBadInput::badSnapshotFiles()
     writeFile(path, content);
     const ProgramResult result = cli.run(words("snapshot show --json") << path);
     QCOMPARE(result.exit, 5);
-    QCOMPARE(errorCode(result), QStringLiteral("file-format"));
+    QCOMPARE(result.errorCode(), QStringLiteral("file-format"));
 }
 
 void TestCliBadInput::badModelFilesCauseAWarning_data()

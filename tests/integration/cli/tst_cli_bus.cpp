@@ -22,11 +22,6 @@ qint64 raw(CliProgram& cli, int id, const char* key)
         cli.json(qPrintable(QStringLiteral("read %1 %2").arg(id).arg(QLatin1String(key))));
     return result.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInteger(-999);
 }
-
-QString errorCode(const ProgramResult& result)
-{
-    return result.json()[QLatin1String("error")][QLatin1String("code")].toString();
-}
 } // namespace
 
 class TestCliBus : public QObject {
@@ -214,7 +209,7 @@ void TestCliBus::busyPortNamesItsOwner()
     second.setPort(sim.port());
     const ProgramResult result = second.json("info 1");
     QCOMPARE(result.exit, 3);
-    QCOMPARE(errorCode(result), QStringLiteral("port-busy"));
+    QCOMPARE(result.errorCode(), QStringLiteral("port-busy"));
     const QString message =
         result.json()[QLatin1String("error")][QLatin1String("message")].toString();
     QVERIFY2(message.contains(QStringLiteral("servodesk-cli")), qPrintable(message));
@@ -232,7 +227,7 @@ void TestCliBus::unpluggedPortEndsTheWatch()
     sim.end();
     const ProgramResult result = cli.finish();
     QCOMPARE(result.exit, 3);
-    QCOMPARE(errorCode(result), QStringLiteral("link-lost"));
+    QCOMPARE(result.errorCode(), QStringLiteral("link-lost"));
 }
 
 void TestCliBus::silentServoIsRetriedAsRequested()

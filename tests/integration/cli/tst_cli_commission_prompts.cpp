@@ -5,6 +5,7 @@
 #include "results/commission_batch.h"
 #include "support/cli_program.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -18,22 +19,18 @@
 
 using support::CliProgram;
 using support::ProgramResult;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 /// The command with six simulated servos and typed input.
 class InteractiveCommission {
 public:
-    InteractiveCommission() { m_cli.setPort(text("sim:line")); }
+    InteractiveCommission() { m_cli.setPort(utf8("sim:line")); }
 
-    QString csv() const { return m_cli.dataFolder() + text("/batch.csv"); }
+    QString csv() const { return m_cli.dataFolder() + utf8("/batch.csv"); }
     void start(const char* line)
     {
-        m_cli.start(support::words(line) << text("--batch") << csv(), CliProgram::Time::Skipped);
+        m_cli.start(support::words(line) << utf8("--batch") << csv(), CliProgram::Time::Skipped);
     }
     /// Whether it asks this; false: it has ended without asking.
     bool asks(const char* question) { return m_cli.waitForError(question); }
@@ -52,7 +49,7 @@ public:
     void press(const char* keys)
     {
         if (m_terminal >= 0)
-            (void)!write(m_terminal, keys, strlen(keys));
+            (void)!::write(m_terminal, keys, strlen(keys));
         else
             m_cli.process().write(keys);
     }
@@ -106,7 +103,7 @@ class TestCliCommissionPrompts : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void enterConfiguresIt();
     void aRejectsIt();
@@ -163,7 +160,7 @@ void TestCliCommissionPrompts::aRejectsIt()
     QCOMPARE(rows.size(), std::size_t(2));
     QCOMPARE(rows[1].verdict, results::CommissionVerdict::Good);
     QCOMPARE(rows[1].newId, 5);
-    QVERIFY(result.err.contains(text("1 set up, 0 failed, 1 set aside; 0 unfinished")));
+    QVERIFY(result.err.contains(utf8("1 set up, 0 failed, 1 set aside; 0 unfinished")));
 }
 
 void TestCliCommissionPrompts::sConfirmsTheInterruptedServo_data()
@@ -211,7 +208,7 @@ void TestCliCommissionPrompts::sConfirmsTheInterruptedServo()
     keys.press(answer.constData());
     const ProgramResult result = keys.finish();
     QCOMPARE(result.exit, unfinished);
-    QVERIFY2(result.err.contains(text("one of these IDs: 1, 9")), qPrintable(result.err));
+    QVERIFY2(result.err.contains(utf8("one of these IDs: 1, 9")), qPrintable(result.err));
     const auto after = results::openCommissionBatch(keys.csv());
     QVERIFY(after);
     QCOMPARE(after->pending.size(), std::size_t(unfinished));
@@ -262,7 +259,7 @@ void TestCliCommissionPrompts::closedStdinEndsTheBatch()
     const ProgramResult result = keys.finish(); // the end of its standard input
     QCOMPARE(result.exit, 0);
     QVERIFY(keys.rows().empty());
-    QVERIFY(result.err.contains(text("0 set up, 0 failed, 0 set aside; 0 unfinished")));
+    QVERIFY(result.err.contains(utf8("0 set up, 0 failed, 0 set aside; 0 unfinished")));
 }
 
 void TestCliCommissionPrompts::hotplugFollowsStdinCommands()
@@ -271,14 +268,14 @@ void TestCliCommissionPrompts::hotplugFollowsStdinCommands()
     QVERIFY2(bag.silent(), "nobody is plugged in yet");
     bag.sendLine("next");
     const QString plugged = bag.readLine();
-    QVERIFY2(plugged.startsWith(text("plugged: ")) && plugged.endsWith(text("(1 of 6)")),
+    QVERIFY2(plugged.startsWith(utf8("plugged: ")) && plugged.endsWith(utf8("(1 of 6)")),
              qPrintable(plugged));
     QCOMPARE(bag.ping(), pingReply);
     bag.sendLine("unplug");
-    QCOMPARE(bag.readLine(), text("unplugged"));
+    QCOMPARE(bag.readLine(), utf8("unplugged"));
     QVERIFY(bag.silent());
     bag.sendLine("plug 3");
-    QVERIFY(bag.readLine().endsWith(text("(3 of 6)")));
+    QVERIFY(bag.readLine().endsWith(utf8("(3 of 6)")));
     QCOMPARE(bag.ping(), pingReply);
     // The next servo replaces it; one that has been connected does not return.
     for (const int place : {2, 4, 5, 6}) {
@@ -287,7 +284,7 @@ void TestCliCommissionPrompts::hotplugFollowsStdinCommands()
         QCOMPARE(bag.ping(), pingReply);
     }
     bag.sendLine("next");
-    QCOMPARE(bag.readLine(), text("unplugged; the bag is empty"));
+    QCOMPARE(bag.readLine(), utf8("unplugged; the bag is empty"));
     QVERIFY(bag.silent());
     QCOMPARE(bag.end(), 0);
 }
@@ -302,7 +299,7 @@ void TestCliCommissionPrompts::hotplugFollowsASignal()
         QCOMPARE(bag.ping(), pingReply);
     }
     bag.signal(SIGUSR1);
-    QCOMPARE(bag.readLine(), text("unplugged; the bag is empty"));
+    QCOMPARE(bag.readLine(), utf8("unplugged; the bag is empty"));
     QVERIFY(bag.silent());
     QCOMPARE(bag.end(), 0);
 }
@@ -312,13 +309,13 @@ void TestCliCommissionPrompts::unknownHotplugCommandsAreReported()
     HotplugSimulator bag;
     for (const char* line : {"plug", "plug 0", "plug 7", "plug one", "plug 1 2", "shake", "NEXT"}) {
         bag.sendLine(line);
-        QCOMPARE(bag.readLine(), text("not understood: ") + text(line));
+        QCOMPARE(bag.readLine(), utf8("not understood: ") + utf8(line));
     }
     QVERIFY(bag.silent());
     // An empty line is nothing.
     bag.sendLine("");
     bag.sendLine("next");
-    QVERIFY(bag.readLine().endsWith(text("(1 of 6)")));
+    QVERIFY(bag.readLine().endsWith(utf8("(1 of 6)")));
     QCOMPARE(bag.ping(), pingReply);
 }
 

@@ -10,7 +10,9 @@
 #include "support/cli_program.h"
 #include "support/commission_fixture.h"
 #include "support/deep_check.h"
+#include "support/feetech_bytes.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -19,9 +21,13 @@
 #include <QTest>
 
 using support::CliProgram;
+using support::contentOf;
+using support::goalAddress;
 using support::InterruptPoint;
 using support::KillCable;
+using support::modeAddress;
 using support::ProgramResult;
+using support::torqueSwitch;
 using support::words;
 
 namespace {
@@ -30,9 +36,6 @@ constexpr int idAddress = 5;
 constexpr int rateAddress = 6;
 constexpr int maxTemperature = 13;
 constexpr int gainAddress = 21;
-constexpr int modeAddress = 33;
-constexpr int torqueSwitch = 40;
-constexpr int goalAddress = 42;
 constexpr int goalFrame = 41; ///< the write of the goal begins with the acceleration
 constexpr int lockAddress = 55;
 constexpr int presentPosition = 56;
@@ -93,12 +96,6 @@ struct CtrlC {
     KillCable cable;
     CliProgram cli;
 };
-
-QByteArray contents(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 enum class Always { None, Repeated }; ///< what runs outside the deep check too
 
@@ -174,7 +171,7 @@ void TestCliCtrlC::sweep()
         QVERIFY(std::abs(fixture.at(1, goalAddress, 2) - place) < 40);
     QVERIFY(fixture.hasNoOpenChanges());
 
-    for (const QByteArray& document : {result.out.toUtf8(), contents(fixture.file("r.json"))}) {
+    for (const QByteArray& document : {result.out.toUtf8(), contentOf(fixture.file("r.json"))}) {
         const QJsonObject run = QJsonDocument::fromJson(document).object();
         QCOMPARE(run[QLatin1String("end")].toString(), QStringLiteral("stopped"));
         QVERIFY2(run[QLatin1String("verdict")].toString() != QLatin1String("pass"),
@@ -182,7 +179,7 @@ void TestCliCtrlC::sweep()
         QVERIFY(run.contains(QLatin1String("legs")));
         QVERIFY(run[QLatin1String("legs")].toArray().size() <= skip);
     }
-    QVERIFY(contents(fixture.file("r.readings.csv")).count('\n') > 5);
+    QVERIFY(contentOf(fixture.file("r.readings.csv")).count('\n') > 5);
     // Kept for later, and no better there.
     const ProgramResult kept = fixture.cli.json("sweep-runs");
     QCOMPARE(kept.exit, 0);

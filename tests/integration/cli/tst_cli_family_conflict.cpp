@@ -4,6 +4,7 @@
 #include "integration/raw_servo_bus.h"
 #include "support/cli_program.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -11,13 +12,9 @@
 
 using support::CliProgram;
 using support::ProgramResult;
+using support::utf8;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QJsonObject errorOf(const ProgramResult& result)
 {
     return result.json()[QLatin1String("error")].toObject();
@@ -35,7 +32,7 @@ class TestCliFamilyConflict : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void noCommandWrites_data();
     void noCommandWrites();
@@ -53,7 +50,7 @@ void TestCliFamilyConflict::noCommandWrites_data()
          {"write 1 max_temperature=61", "write 1 byte_13=61", "set-id 1 9", "set-baud 1 500000",
           "torque 1 on", "move 1=2100", "center 1", "reboot 1", "restore-defaults 1", "identify 1",
           "sweep 1 --from 1000 --to 2000 --delay 500", "step-response 1 --size 100"})
-        QTest::newRow(command) << text(command);
+        QTest::newRow(command) << utf8(command);
 }
 
 void TestCliFamilyConflict::noCommandWrites()
@@ -65,10 +62,10 @@ void TestCliFamilyConflict::noCommandWrites()
     cli.setPort(bus.port());
     const ProgramResult result = cli.json(qPrintable(command));
     QCOMPARE(bus.writes(), 0);
-    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("family-unclear"));
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), utf8("family-unclear"));
     const QString message = errorOf(result)[QLatin1String("message")].toString();
     for (const char* fact : {"3.25", "byte order flag 1", "9.3 (STS3215"})
-        QVERIFY2(message.contains(text(fact)), qPrintable(message));
+        QVERIFY2(message.contains(utf8(fact)), qPrintable(message));
 }
 
 void TestCliFamilyConflict::torqueGoesOff()
@@ -92,7 +89,7 @@ void TestCliFamilyConflict::unknownFirmwareIsTheReason()
     CliProgram cli;
     cli.setPort(bus.port());
     const ProgramResult result = cli.json("write 1 max_temperature=61");
-    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("unknown-model"));
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), utf8("unknown-model"));
     QCOMPARE(bus.writes(), 0);
 }
 
@@ -103,11 +100,11 @@ void TestCliFamilyConflict::invalidLockValueIsTheReason()
     CliProgram cli;
     cli.setPort(bus.port());
     const ProgramResult result = cli.json("write 1 max_temperature=61");
-    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("family-unclear"));
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), utf8("family-unclear"));
     QVERIFY(errorOf(result)[QLatin1String("message")].toString().contains(
-        text("the byte at that address is 77")));
+        utf8("the byte at that address is 77")));
     QCOMPARE(bus.writes(), 0);
-    QVERIFY(cli.run("info 1").out.contains(text("the byte at that address is 77")));
+    QVERIFY(cli.run("info 1").out.contains(utf8("the byte at that address is 77")));
 }
 
 void TestCliFamilyConflict::theTableCanBeRead()
@@ -122,8 +119,8 @@ void TestCliFamilyConflict::theTableCanBeRead()
     QCOMPARE(rows.size(), 2);
     QCOMPARE(rows[0][QLatin1String("raw")].toInt(), 0xE8);
     QCOMPARE(rows[1][QLatin1String("raw")].toInt(), 1);
-    QVERIFY(cli.run("info 1").out.contains(text("the servo family is unclear")));
-    QVERIFY(cli.run("scan").out.contains(text("family unclear, so read-only")));
+    QVERIFY(cli.run("info 1").out.contains(utf8("the servo family is unclear")));
+    QVERIFY(cli.run("scan").out.contains(utf8("family unclear, so read-only")));
     QCOMPARE(cli.run("dump 1").exit, 0);
     QCOMPARE(bus.writes(), 0);
 }
@@ -134,8 +131,8 @@ void TestCliFamilyConflict::consentErrorNamesTheOption()
     CliProgram cli;
     cli.setPort(bus.port());
     const ProgramResult result = cli.json("write 1 return_delay=3 phase=0");
-    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("needs-consent"));
-    QVERIFY(errorOf(result)[QLatin1String("remedy")].toString().contains(text("--dangerous")));
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), utf8("needs-consent"));
+    QVERIFY(errorOf(result)[QLatin1String("remedy")].toString().contains(utf8("--dangerous")));
     QCOMPARE(bus.writes(), 0);
 }
 

@@ -21,8 +21,6 @@ using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
-Q_DECLARE_METATYPE(FloodCable::Endpoint)
-
 namespace {
 constexpr double megabyte = 1e6;
 

@@ -22,13 +22,6 @@ using support::SimProgram;
 using support::words;
 
 namespace {
-/// A write has begun but not ended.
-bool hasOpenIntent(const CliProgram& cli)
-{
-    const history::HistoryJournal journal(cli.dataFolder() + QStringLiteral("/history.sqlite"), {});
-    const auto open = journal.open();
-    return open && !open->empty();
-}
 /// A full pipe without a reader: a write to it blocks.
 class FullPipe {
 public:
@@ -107,7 +100,7 @@ void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
     cli.setPort(sim.port());
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
                     "overload_torque=70 --json"));
-    QTRY_VERIFY(hasOpenIntent(cli));
+    QTRY_VERIFY(cli.hasOpenIntent());
     cli.signal(SIGINT);
     const ProgramResult result = cli.finish();
     QCOMPARE(result.exit, 1);
@@ -185,7 +178,7 @@ void TestCliInterrupt::killedWriteIsRecovered_data()
 void TestCliInterrupt::killDuringWrite(CliProgram& cli)
 {
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
-    QTRY_VERIFY(hasOpenIntent(cli));
+    QTRY_VERIFY(cli.hasOpenIntent());
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
 }

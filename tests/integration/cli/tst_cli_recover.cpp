@@ -23,18 +23,6 @@ using support::SimProgram;
 using support::words;
 
 namespace {
-QString historyOf(const CliProgram& cli)
-{
-    return cli.dataFolder() + QStringLiteral("/history.sqlite");
-}
-
-bool hasOpenIntent(const CliProgram& cli)
-{
-    const history::HistoryJournal journal(historyOf(cli), {});
-    const auto open = journal.open();
-    return open && !open->empty();
-}
-
 QJsonArray list(const ProgramResult& result, const char* name)
 {
     return result.json()[QLatin1String(name)].toArray();
@@ -83,7 +71,7 @@ private:
 void TestCliRecover::killDuringWrite(CliProgram& cli, const char* command)
 {
     cli.start(words(command));
-    QTRY_VERIFY(hasOpenIntent(cli));
+    QTRY_VERIFY(cli.hasOpenIntent());
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
 }
@@ -181,7 +169,7 @@ void TestCliRecover::aMissingPortIsNotSuggested()
     }
     const QString gone = QStringLiteral("/dev/no-such-servo-port1");
     {
-        const auto file = history::HistoryFile::open(historyOf(cli), std::chrono::seconds(1));
+        const auto file = history::HistoryFile::open(cli.historyFile(), std::chrono::seconds(1));
         QVERIFY(file);
         QVERIFY((*file)->run(QStringLiteral("UPDATE intents SET port = '/dev/no-such-servo-port' "
                                             "|| (SELECT COUNT(*) FROM intents AS earlier "
@@ -223,7 +211,7 @@ void TestCliRecover::aChangeInProgressIsNotDiscarded()
     running.setPort(sim.port());
     QCOMPARE(running.run("mode 1 speed").exit, 0);
     running.start(words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 --switch-mode"));
-    QTRY_VERIFY(hasOpenIntent(running));
+    QTRY_VERIFY(running.hasOpenIntent());
     CliProgram cli;
     cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), running.dataFolder());
     cli.setPort(sim.port());
@@ -240,7 +228,7 @@ void TestCliRecover::aChangeInProgressIsNotDiscarded()
     QCOMPARE(list(look, "here").size(), 1);
     QCOMPARE(list(look, "here")[0][QLatin1String("under_way")].toBool(), true);
     QVERIFY(list(look, "elsewhere").isEmpty());
-    QVERIFY(hasOpenIntent(running));
+    QVERIFY(running.hasOpenIntent());
 
     running.signal(SIGKILL);
     QCOMPARE(running.finish().exit, -1);
@@ -307,7 +295,7 @@ void TestCliRecover::aFullDiskAtTheEndHidesNoWrite()
     SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
     cli.setPort(sim.port());
     cli.start(words(fourRegisters) << QStringLiteral("--json"));
-    QTRY_VERIFY(hasOpenIntent(cli));
+    QTRY_VERIFY(cli.hasOpenIntent());
     // From here on, no file of this program can grow.
     const rlimit little{256, 256};
     QCOMPARE(prlimit(pid_t(cli.process().processId()), RLIMIT_FSIZE, &little, nullptr), 0);
@@ -347,7 +335,7 @@ void TestCliRecover::aLostLinkLeavesTheRestUnsent()
     QCOMPARE(outcomes.size(), 4);
     QCOMPARE(outcomes[2], QStringLiteral("unknown"));
     QCOMPARE(outcomes[3], notSent);
-    QVERIFY(hasOpenIntent(cli));
+    QVERIFY(cli.hasOpenIntent());
 }
 
 void TestCliRecover::aLockedHistoryIsReported()
@@ -355,7 +343,7 @@ void TestCliRecover::aLockedHistoryIsReported()
     static_assert(2 * history::historyTimeout < std::chrono::seconds(2));
     CliProgram cli;
     QCOMPARE(cli.run("write 1 max_temperature=61").exit, 0);
-    const auto other = history::HistoryFile::open(historyOf(cli), std::chrono::seconds(5));
+    const auto other = history::HistoryFile::open(cli.historyFile(), std::chrono::seconds(5));
     QVERIFY(other);
     ProgramResult result;
     const auto held = (*other)->transaction([&]() -> base::Result<void> {

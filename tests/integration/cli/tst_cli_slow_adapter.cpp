@@ -5,6 +5,7 @@
 #include "support/cli_program.h"
 #include "support/deep_check.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -12,25 +13,14 @@
 
 using support::CliProgram;
 using support::ProgramResult;
+using support::utf8;
 using namespace std::chrono_literals;
-
-namespace {
-QString errorCode(const ProgramResult& result)
-{
-    return result.json()[QLatin1String("error")][QLatin1String("code")].toString();
-}
-
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-} // namespace
 
 class TestCliSlowAdapter : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void takenIdIsRefused_data() { links(); }
     void takenIdIsRefused();
@@ -48,7 +38,7 @@ private:
             if (latency != 20 || support::isDeepCheck())
                 QTest::addRow("%d ms", latency) << latency << QString();
         }
-        QTest::newRow("60 ms, --timeout 200") << 60 << text("--timeout 200");
+        QTest::newRow("60 ms, --timeout 200") << 60 << utf8("--timeout 200");
     }
     static void setUp(CliProgram& cli, const bytes::Bus& bus, const QString& options = {})
     {
@@ -67,7 +57,7 @@ void TestCliSlowAdapter::takenIdIsRefused()
     setUp(cli, bus, options);
     const ProgramResult result = cli.json("set-id 1 9");
     QCOMPARE(result.exit, 1);
-    QCOMPARE(errorCode(result), text("id-in-use"));
+    QCOMPARE(result.errorCode(), utf8("id-in-use"));
     QCOMPARE(bus.writes(), 0);
     QVERIFY(bus.has(1) && bus.has(9));
 }
@@ -96,13 +86,13 @@ void TestCliSlowAdapter::restartIsVerifiedOrNotReported_data()
     QTest::addColumn<QString>("says");
     for (const int latency : {0, 60}) {
         QTest::addRow("ignored, %d ms", latency)
-            << bytes::RestartBehavior::Ignored << latency << 1 << text("the servo did not reboot");
+            << bytes::RestartBehavior::Ignored << latency << 1 << utf8("the servo did not reboot");
         QTest::addRow("acknowledged only, %d ms", latency)
             << bytes::RestartBehavior::AcknowledgedOnly << latency << 1
-            << text("the servo acknowledged the reboot command but did not reboot");
+            << utf8("the servo acknowledged the reboot command but did not reboot");
         QTest::addRow("too quick to see, %d ms", latency)
             << bytes::RestartBehavior::TooFastToDetect << latency << 0
-            << text("Servo 1 has rebooted.");
+            << utf8("Servo 1 has rebooted.");
     }
 }
 
@@ -120,7 +110,7 @@ void TestCliSlowAdapter::restartIsVerifiedOrNotReported()
     QCOMPARE(result.exit, exit);
     const QString all = result.out + result.err;
     QVERIFY2(all.contains(says), qPrintable(all));
-    QCOMPARE(all.contains(text("has rebooted")), exit == 0);
+    QCOMPARE(all.contains(utf8("has rebooted")), exit == 0);
     QCOMPARE(bus.byteAt(1, 48) + 256 * bus.byteAt(1, 49), 1000); // the mark is gone
 }
 

@@ -5,6 +5,7 @@
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -16,13 +17,9 @@
 
 using support::CliProgram;
 using support::ProgramResult;
+using support::utf8;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 QJsonObject loaded(const QString& path)
 {
     QFile file(path);
@@ -35,7 +32,7 @@ class TestCliSweep : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void goodAndBadServos();
     void reportsOfEveryKind_data();
@@ -51,29 +48,29 @@ private Q_SLOTS:
 void TestCliSweep::tooShortADelayIsReported()
 {
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1"));
+    cli.setPort(utf8("sim:sts3215@1"));
     const ProgramResult coarseUpdates =
         cli.run("sweep 1 --from 1000 --to 3000 --delay 150 --cycles 1 --speed 3000");
-    QVERIFY2(coarseUpdates.err.contains(text("reverses before it arrives")),
+    QVERIFY2(coarseUpdates.err.contains(utf8("reverses before it arrives")),
              qPrintable(coarseUpdates.err));
     const ProgramResult calm =
         cli.run("sweep 1 --from 2000 --to 2200 --delay 700 --cycles 1 --speed 3000");
-    QVERIFY2(!calm.err.contains(text("reverses")), qPrintable(calm.err));
+    QVERIFY2(!calm.err.contains(utf8("reverses")), qPrintable(calm.err));
 }
 
 void TestCliSweep::goodAndBadServos()
 {
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1,sts3215@2+overshoot=10"));
+    cli.setPort(utf8("sim:sts3215@1,sts3215@2+overshoot=10"));
     const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000";
     const ProgramResult passed = cli.run(good);
     QVERIFY2(passed.exit == 0, qPrintable(passed.out + passed.err));
-    QVERIFY(passed.out.contains(text("Verdict: Pass")));
+    QVERIFY(passed.out.contains(utf8("Verdict: Pass")));
     const ProgramResult failed =
         cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000");
     QCOMPARE(failed.exit, 1);
-    QCOMPARE(failed.json()[text("verdict")].toString(), text("fail"));
-    QCOMPARE(failed.json()[text("legs")].toArray().size(), 8);
+    QCOMPARE(failed.json()[utf8("verdict")].toString(), utf8("fail"));
+    QCOMPARE(failed.json()[utf8("legs")].toArray().size(), 8);
     const auto decoded = results::decodeSweepRun(failed.out.toUtf8());
     QVERIFY2(decoded, decoded ? "" : qPrintable(decoded.error().detail));
     QVERIFY(decoded->simulated);
@@ -92,18 +89,18 @@ void TestCliSweep::reportsOfEveryKind()
 {
     QFETCH(QByteArray, begins);
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1"));
+    cli.setPort(utf8("sim:sts3215@1"));
     const QString path =
-        cli.dataFolder() + text("/report.") + QLatin1String(QTest::currentDataTag());
+        cli.dataFolder() + utf8("/report.") + QLatin1String(QTest::currentDataTag());
     const ProgramResult result =
-        cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 3 --report ")
+        cli.run(utf8("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 3 --report ")
                     .split(QLatin1Char(' '), Qt::SkipEmptyParts)
                 << path);
     QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().startsWith(begins));
-    QVERIFY(QFile::exists(cli.dataFolder() + text("/report.readings.csv")));
+    QVERIFY(QFile::exists(cli.dataFolder() + utf8("/report.readings.csv")));
 }
 
 void TestCliSweep::usageErrorsAreReported_data()
@@ -112,7 +109,7 @@ void TestCliSweep::usageErrorsAreReported_data()
     QTest::addColumn<int>("exit");
     QTest::addColumn<QString>("word"); ///< a part of the message
     const auto row = [](const char* options, int exit, const char* word) {
-        QTest::newRow(options) << text(options) << exit << text(word);
+        QTest::newRow(options) << utf8(options) << exit << utf8(word);
     };
     row("--from 1000 --to 1000 --delay 500", 2, "same position");
     row("--from 1000 --to 2000", 2, "--delay");
@@ -148,56 +145,56 @@ void TestCliSweep::usageErrorsAreReported()
     QFETCH(int, exit);
     QFETCH(QString, word);
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1"));
+    cli.setPort(utf8("sim:sts3215@1"));
     const ProgramResult result =
-        cli.run(QStringList{text("sweep"), text("1")} + options.split(QLatin1Char(' ')));
+        cli.run(QStringList{utf8("sweep"), utf8("1")} + options.split(QLatin1Char(' ')));
     QVERIFY2(result.exit == exit, qPrintable(QString::number(result.exit) + result.err));
     QVERIFY2(result.err.contains(word), qPrintable(result.err));
 }
 
 void TestCliSweep::silenceInTheLastLegIsALostLink()
 {
-    support::SimProgram sim({text("--servos"), text("sts3215@1,sts3215@2")});
+    support::SimProgram sim({utf8("--servos"), utf8("sts3215@1,sts3215@2")});
     support::CutCable cable(sim.port(), false);
     CliProgram cli;
     cli.setPort(cable.port());
-    cli.start(text("sweep 1 2 --from 1500 --to 2500 --dwell 3000 --cycles 1 --json")
+    cli.start(utf8("sweep 1 2 --from 1500 --to 2500 --dwell 3000 --cycles 1 --json")
                   .split(QLatin1Char(' ')));
     QTRY_VERIFY(cable.writes() == 3); // to the start, there, and back
     QTest::qWait(200); // usually the goal has been read back by then; else it is lost a leg earlier
     cable.dropAll();
     const ProgramResult result = cli.finish();
     QVERIFY2(result.exit == 3, qPrintable(QString::number(result.exit) + result.out + result.err));
-    QCOMPARE(result.json()[text("end")].toString(), text("link-lost"));
-    QCOMPARE(result.json()[text("verdict")].toString(), text("not-measured"));
+    QCOMPARE(result.json()[utf8("end")].toString(), utf8("link-lost"));
+    QCOMPARE(result.json()[utf8("verdict")].toString(), utf8("not-measured"));
     for (const char* servo : {"After the test, [^\\n]*servo 1 ", "After the test, [^\\n]*servo 2 "})
-        QVERIFY2(result.err.contains(QRegularExpression(text(servo))), qPrintable(result.err));
+        QVERIFY2(result.err.contains(QRegularExpression(utf8(servo))), qPrintable(result.err));
 }
 
 /// Ctrl-Z and fg: what the servo did meanwhile is unknown and must not count against it.
 void TestCliSweep::aSuspendedRunIsReported()
 {
-    support::SimProgram sim({text("--servos"), text("sts3215@1")});
+    support::SimProgram sim({utf8("--servos"), utf8("sts3215@1")});
     CliProgram cli;
     cli.setPort(sim.port());
-    cli.start(text("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 5").split(QLatin1Char(' ')));
+    cli.start(utf8("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 5").split(QLatin1Char(' ')));
     QVERIFY(cli.waitForError("cycle 2"));
     cli.signal(SIGSTOP);
     QTest::qWait(2000); // suspended for this time
     cli.signal(SIGCONT);
     const ProgramResult result = cli.finish();
-    QVERIFY2(result.out.contains(text("Gaps in the readings: ")), qPrintable(result.out));
-    QVERIFY2(!result.out.contains(text("stalled before reaching its goal")),
+    QVERIFY2(result.out.contains(utf8("Gaps in the readings: ")), qPrintable(result.out));
+    QVERIFY2(!result.out.contains(utf8("stalled before reaching its goal")),
              qPrintable(result.out));
 }
 
 void TestCliSweep::ctrlCEndsItSafely()
 {
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1"));
-    const QString path = cli.dataFolder() + text("/report.json");
+    cli.setPort(utf8("sim:sts3215@1"));
+    const QString path = cli.dataFolder() + utf8("/report.json");
     cli.start(
-        text("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --torque-off --report ")
+        utf8("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --torque-off --report ")
             .split(QLatin1Char(' '), Qt::SkipEmptyParts)
         << path);
     QVERIFY(cli.waitForError("cycle 1"));
@@ -205,19 +202,19 @@ void TestCliSweep::ctrlCEndsItSafely()
     const ProgramResult result = cli.finish();
     QCOMPARE(result.exit, 1);
     const QJsonObject report = loaded(path);
-    QCOMPARE(report[text("end")].toString(), text("stopped"));
-    QVERIFY(!report[text("legs")].toArray().isEmpty());
-    QCOMPARE(report[text("verdict")].toString(), text("not-measured"));
-    QCOMPARE(report[text("servos")][0][text("verdict")].toString(), text("not-measured"));
-    QCOMPARE(report[text("servos")][0][text("no_verdict")].toString(), text("ended"));
-    QVERIFY2(result.out.contains(text(" 1: No verdict")), qPrintable(result.out));
-    QVERIFY2(result.out.contains(text("Verdict: No verdict")), qPrintable(result.out));
-    const QJsonValue kept = cli.json("sweep-runs").json()[text("runs")][0];
-    QCOMPARE(kept[text("servos")][0][text("verdict")].toString(), text("not-measured"));
+    QCOMPARE(report[utf8("end")].toString(), utf8("stopped"));
+    QVERIFY(!report[utf8("legs")].toArray().isEmpty());
+    QCOMPARE(report[utf8("verdict")].toString(), utf8("not-measured"));
+    QCOMPARE(report[utf8("servos")][0][utf8("verdict")].toString(), utf8("not-measured"));
+    QCOMPARE(report[utf8("servos")][0][utf8("no_verdict")].toString(), utf8("ended"));
+    QVERIFY2(result.out.contains(utf8(" 1: No verdict")), qPrintable(result.out));
+    QVERIFY2(result.out.contains(utf8("Verdict: No verdict")), qPrintable(result.out));
+    const QJsonValue kept = cli.json("sweep-runs").json()[utf8("runs")][0];
+    QCOMPARE(kept[utf8("servos")][0][utf8("verdict")].toString(), utf8("not-measured"));
     const ProgramResult reference = cli.run("sweep-reference 1");
     QCOMPARE(reference.exit, 1);
-    QVERIFY2(reference.err.contains(text("did not finish")), qPrintable(reference.err));
-    QFile readings(cli.dataFolder() + text("/report.readings.csv"));
+    QVERIFY2(reference.err.contains(utf8("did not finish")), qPrintable(reference.err));
+    QFile readings(cli.dataFolder() + utf8("/report.readings.csv"));
     QVERIFY(readings.open(QIODevice::ReadOnly));
     QVERIFY(readings.readAll().count('\n') > 50);
 }

@@ -4,6 +4,7 @@
 #include "results/sweep_json.h"
 #include "support/cli_program.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QDir>
 #include <QFile>
@@ -13,20 +14,16 @@
 
 using support::CliProgram;
 using support::ProgramResult;
+using support::utf8;
 
 namespace {
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 // Enough legs for a verdict even if a busy machine misses some arrivals.
 const char* const shortTest = "sweep 1 --from 1800 --to 2200 --dwell 100 --cycles 4 --speed 3000";
 
 QJsonObject rowOf(const QJsonArray& rows, const char* name, const char* value)
 {
     for (const QJsonValue& row : rows) {
-        if (row[QLatin1String(name)].toString() == text(value))
+        if (row[QLatin1String(name)].toString() == utf8(value))
             return row.toObject();
     }
     return {};
@@ -37,7 +34,7 @@ class TestCliSweepHistory : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void saveListCompareAndMark();
     void anUnusableHistoryBreaksNothingElse();
@@ -48,74 +45,74 @@ private Q_SLOTS:
 void TestCliSweepHistory::saveListCompareAndMark()
 {
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1,sts3215@2+static-error=6"));
+    cli.setPort(utf8("sim:sts3215@1,sts3215@2+static-error=6"));
     const ProgramResult none = cli.json("sweep-runs");
     QCOMPARE(none.exit, 0);
-    QVERIFY(none.json()[text("runs")].toArray().isEmpty());
-    QVERIFY(!QFile::exists(cli.dataFolder() + text("/history.sqlite")));
+    QVERIFY(none.json()[utf8("runs")].toArray().isEmpty());
+    QVERIFY(!QFile::exists(cli.dataFolder() + utf8("/history.sqlite")));
 
-    const QString report = cli.dataFolder() + text("/one.json");
+    const QString report = cli.dataFolder() + utf8("/one.json");
     const ProgramResult first =
-        cli.run(text(shortTest).split(QLatin1Char(' '))
-                << text("--report") << report << text("--note") << text("先行"));
+        cli.run(utf8(shortTest).split(QLatin1Char(' '))
+                << utf8("--report") << report << utf8("--note") << utf8("先行"));
     QVERIFY2(first.exit == 0, qPrintable(first.out + first.err));
-    QVERIFY2(first.out.contains(text("test run 1")), qPrintable(first.out));
+    QVERIFY2(first.out.contains(utf8("test run 1")), qPrintable(first.out));
     const ProgramResult both =
         cli.run("sweep 1 2 --from 1500 --to 2200 --dwell 100 --cycles 4 --speed 3000");
-    QVERIFY2(both.out.contains(text("test run 2")), qPrintable(both.out + both.err));
+    QVERIFY2(both.out.contains(utf8("test run 2")), qPrintable(both.out + both.err));
 
-    const QJsonArray runs = cli.json("sweep-runs --model sts3215").json()[text("runs")].toArray();
+    const QJsonArray runs = cli.json("sweep-runs --model sts3215").json()[utf8("runs")].toArray();
     QCOMPARE(runs.size(), 2);
-    QCOMPARE(runs[0][text("number")].toInt(), 2); // newest first
-    QCOMPARE(runs[0][text("servos")].toArray().size(), 2);
-    QCOMPARE(runs[1][text("note")].toString(), text("先行"));
-    QCOMPARE(runs[1][text("verdict")].toString(), text("pass"));
-    QCOMPARE(runs[1][text("files")][0].toString(), report);
-    QVERIFY(QFile::exists(runs[1][text("files")][1].toString()));
-    QCOMPARE(cli.json("sweep-runs --servo 2").json()[text("runs")].toArray().size(), 1);
-    QVERIFY(cli.run("sweep-runs --model HLS3606").out.contains(text("No matching test runs")));
+    QCOMPARE(runs[0][utf8("number")].toInt(), 2); // newest first
+    QCOMPARE(runs[0][utf8("servos")].toArray().size(), 2);
+    QCOMPARE(runs[1][utf8("note")].toString(), utf8("先行"));
+    QCOMPARE(runs[1][utf8("verdict")].toString(), utf8("pass"));
+    QCOMPARE(runs[1][utf8("files")][0].toString(), report);
+    QVERIFY(QFile::exists(runs[1][utf8("files")][1].toString()));
+    QCOMPARE(cli.json("sweep-runs --servo 2").json()[utf8("runs")].toArray().size(), 1);
+    QVERIFY(cli.run("sweep-runs --model HLS3606").out.contains(utf8("No matching test runs")));
 
     // The report file and the run in the history are the same test.
     const ProgramResult same = cli.json("sweep-compare 1 one.json");
     QCOMPARE(same.exit, 5); // not in this folder
     const ProgramResult equal =
-        cli.run({text("sweep-compare"), text("#1"), report, text("--json")});
+        cli.run({utf8("sweep-compare"), utf8("#1"), report, utf8("--json")});
     QVERIFY2(equal.exit == 0, qPrintable(equal.out + equal.err));
-    QVERIFY(equal.json()[text("comparable")].toBool());
-    QVERIFY(equal.json()[text("tests")].toArray().isEmpty());
-    QVERIFY(equal.json()[text("settings")].toArray().isEmpty());
-    for (const QJsonValue& row : equal.json()[text("figures")].toArray())
-        QVERIFY(row[text("difference")].toDouble() == 0.0);
+    QVERIFY(equal.json()[utf8("comparable")].toBool());
+    QVERIFY(equal.json()[utf8("tests")].toArray().isEmpty());
+    QVERIFY(equal.json()[utf8("settings")].toArray().isEmpty());
+    for (const QJsonValue& row : equal.json()[utf8("figures")].toArray())
+        QVERIFY(row[utf8("difference")].toDouble() == 0.0);
 
-    const QString page = cli.dataFolder() + text("/compare.html");
+    const QString page = cli.dataFolder() + utf8("/compare.html");
     const ProgramResult pair = cli.run(
-        {text("sweep-compare"), text("2:1"), text("2:2"), text("--report"), page, text("--json")});
+        {utf8("sweep-compare"), utf8("2:1"), utf8("2:2"), utf8("--report"), page, utf8("--json")});
     QVERIFY2(pair.exit == 0, qPrintable(pair.out + pair.err));
     const QJsonObject error =
-        rowOf(pair.json()[text("figures")].toArray(), "metric", "steady_error");
-    QVERIFY(error[text("b")].toDouble() > 4);
-    QCOMPARE(error[text("better")].toString(), text("a"));
+        rowOf(pair.json()[utf8("figures")].toArray(), "metric", "steady_error");
+    QVERIFY(error[utf8("b")].toDouble() > 4);
+    QCOMPARE(error[utf8("better")].toString(), utf8("a"));
     QFile file(page);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().startsWith("<!DOCTYPE html>"));
     const ProgramResult other = cli.run("sweep-compare 1 2:1");
-    QVERIFY2(other.out.contains(text("cannot be compared")), qPrintable(other.out));
-    QVERIFY(other.out.contains(text("1500 … 2200")));
+    QVERIFY2(other.out.contains(utf8("cannot be compared")), qPrintable(other.out));
+    QVERIFY(other.out.contains(utf8("1500 … 2200")));
 
     QCOMPARE(cli.run("sweep-reference 2:1").exit, 0);
     QCOMPARE(cli.run("sweep-reference 1").exit, 0);
     const auto marked = [&] {
         QStringList found;
-        const QJsonArray all = cli.json("sweep-runs").json()[text("runs")].toArray();
+        const QJsonArray all = cli.json("sweep-runs").json()[utf8("runs")].toArray();
         for (const QJsonValue& run : all) {
-            for (const QJsonValue& servo : run[text("servos")].toArray()) {
-                if (servo[text("reference")].toBool())
-                    found << QString::number(run[text("number")].toInt());
+            for (const QJsonValue& servo : run[utf8("servos")].toArray()) {
+                if (servo[utf8("reference")].toBool())
+                    found << QString::number(run[utf8("number")].toInt());
             }
         }
         return found;
     };
-    QCOMPARE(marked(), QStringList(text("1")));
+    QCOMPARE(marked(), QStringList(utf8("1")));
     QCOMPARE(cli.run("sweep-reference 1 --clear").exit, 0);
     QCOMPARE(marked(), QStringList());
 }
@@ -123,13 +120,13 @@ void TestCliSweepHistory::saveListCompareAndMark()
 void TestCliSweepHistory::anUnusableHistoryBreaksNothingElse()
 {
     CliProgram cli;
-    cli.setPort(text("sim:sts3215@1"));
-    QVERIFY(QDir().mkpath(cli.dataFolder() + text("/history.sqlite")));
+    cli.setPort(utf8("sim:sts3215@1"));
+    QVERIFY(QDir().mkpath(cli.dataFolder() + utf8("/history.sqlite")));
     const ProgramResult result = cli.run(shortTest);
     QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
-    QVERIFY(result.out.contains(text("Pass")));
-    QVERIFY2(result.err.contains(text("history")), qPrintable(result.err));
-    const QStringList left = QDir(cli.dataFolder()).entryList({text("sweep-*.json")});
+    QVERIFY(result.out.contains(utf8("Pass")));
+    QVERIFY2(result.err.contains(utf8("history")), qPrintable(result.err));
+    const QStringList left = QDir(cli.dataFolder()).entryList({utf8("sweep-*.json")});
     QCOMPARE(left.size(), 1);
     QVERIFY(result.err.contains(left[0]));
     QVERIFY(results::loadSweepRun(cli.dataFolder() + QLatin1Char('/') + left[0]));
@@ -142,7 +139,7 @@ void TestCliSweepHistory::usageErrorsAreReported_data()
     QTest::addColumn<int>("exit");
     QTest::addColumn<QString>("word");
     const auto row = [](const char* command, int exit, const char* word) {
-        QTest::newRow(command) << text(command) << exit << text(word);
+        QTest::newRow(command) << utf8(command) << exit << utf8(word);
     };
     row("sweep-compare 12 13", 2, "12");
     row("sweep-compare /nowhere.json 13", 5, "/nowhere.json");

@@ -3,6 +3,7 @@
 // that nothing is read before the command for the last servo has been sent.
 #include "integration/raw_servo_bus.h"
 #include "support/cli_program.h"
+#include "support/feetech_bytes.h"
 #include "support/test_main.h"
 
 #include <QRegularExpression>
@@ -11,7 +12,10 @@
 #include <csignal>
 
 using support::CliProgram;
+using support::goalAddress;
+using support::modeAddress;
 using support::ProgramResult;
+using support::torqueSwitch;
 using namespace std::chrono_literals;
 
 namespace {
@@ -19,9 +23,6 @@ constexpr int broadcastId = 254;
 constexpr int readInstruction = 0x02;
 constexpr int writeInstruction = 0x03;
 constexpr int syncWriteInstruction = 0x83;
-constexpr int modeAddress = 33;
-constexpr int torqueSwitch = 40;
-constexpr int goalAddress = 42;
 constexpr int speedAddress = 46;
 constexpr int placeAddress = 56;
 constexpr int speedMode = 1;

@@ -14,6 +14,7 @@
 #include "support/silent_server.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QJsonArray>
 #include <QtTest>
@@ -30,16 +31,9 @@ using history_example::everything;
 using session::HistorySender;
 using support::serverErrorKind;
 using support::shortSenderTimes;
+using support::utf8;
 using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
-
-namespace {
-
-QString utf8(const char* words)
-{
-    return QString::fromUtf8(words);
-}
-} // namespace
 
 class TestHistorySender : public QObject, private support::HistoryServerFixture {
     Q_OBJECT

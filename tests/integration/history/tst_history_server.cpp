@@ -8,6 +8,7 @@
 #include "support/history_example.h"
 #include "support/history_server_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "text/error_text.h"
 
 #include <QtTest>
@@ -20,13 +21,9 @@ using history::HistoryServer;
 using history_example::Bench;
 using history_example::everything;
 using session::HistoryUploader;
+using support::utf8;
 
 namespace {
-QString utf8(const char* words)
-{
-    return QString::fromUtf8(words);
-}
-
 /// Which kind of trouble a detail names.
 QString kindOf(const base::Error& error)
 {

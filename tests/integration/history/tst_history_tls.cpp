@@ -13,6 +13,7 @@
 #include "support/relay.h"
 #include "support/silent_server.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "support/tls_files.h"
 #include "text/error_text.h"
 
@@ -28,16 +29,12 @@ using session::HistorySender;
 using session::HistoryUploader;
 using support::serverErrorKind;
 using support::shortSenderTimes;
+using support::utf8;
 using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
 
 namespace {
 const QString host = QStringLiteral("bench.example");
-
-QString utf8(const char* words)
-{
-    return QString::fromUtf8(words);
-}
 } // namespace
 
 class TestHistoryTls : public QObject, private support::HistoryServerFixture {

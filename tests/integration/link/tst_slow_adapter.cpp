@@ -6,6 +6,7 @@
 #include "support/commission_fixture.h"
 #include "support/raw_servo_line.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -14,16 +15,10 @@ using base::ErrorCode;
 using device::LockState;
 using device::WriteOutcome;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
-Q_DECLARE_METATYPE(base::Duration)
-
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 support::SimFixtureOptions late(base::Duration latency)
 {
     support::SimFixtureOptions options;
@@ -33,7 +28,7 @@ support::SimFixtureOptions late(base::Duration latency)
 
 bool closed(SimFixture& fixture, int id)
 {
-    return fixture.raw(id, text("lock")) == 1;
+    return fixture.raw(id, utf8("lock")) == 1;
 }
 
 void links()
@@ -53,7 +48,7 @@ class TestSlowAdapter : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void freeIdIsAssigned_data() { links(); }
     void freeIdIsAssigned();
@@ -90,7 +85,7 @@ private:
 void TestSlowAdapter::freeIdIsAssigned()
 {
     QFETCH(base::Duration, latency);
-    SimFixture fixture(text("sts3215@1"), late(latency));
+    SimFixture fixture(utf8("sts3215@1"), late(latency));
     device::Servo servo = connect(fixture, 1);
     const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
@@ -103,7 +98,7 @@ void TestSlowAdapter::freeIdIsAssigned()
 /// The computer is busy while the other servo replies, and every reply waits.
 void TestSlowAdapter::aStallFreesNoId()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     device::Servo one = fixture.servo(1);
     fixture.clearFrames();
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
@@ -119,7 +114,7 @@ void TestSlowAdapter::aStallFreesNoId()
 void TestSlowAdapter::takenIdIsRefused()
 {
     QFETCH(base::Duration, latency);
-    SimFixture fixture(text("sts3215@1,sts3215@9"), late(latency));
+    SimFixture fixture(utf8("sts3215@1,sts3215@9"), late(latency));
     device::Servo servo = connect(fixture, 1);
     fixture.clearFrames();
     const auto report = jobs::changeId(fixture.context(), servo, 9);
@@ -131,7 +126,7 @@ void TestSlowAdapter::takenIdIsRefused()
 void TestSlowAdapter::takenIdIsNotSuggested()
 {
     QFETCH(base::Duration, latency);
-    SimFixture fixture(text("sts3215@1,sts3215@2,sts3215@4"), late(latency));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2,sts3215@4"), late(latency));
     const device::Servo servo = connect(fixture, 1);
     const auto proposed = jobs::findFreeIds(fixture.context(), servo.protocol, {2, 3, 4, 5, 6}, 2);
     QVERIFY(proposed);
@@ -141,7 +136,7 @@ void TestSlowAdapter::takenIdIsNotSuggested()
 void TestSlowAdapter::rateIsChanged()
 {
     QFETCH(base::Duration, latency);
-    SimFixture fixture(text("sts3215@1"), late(latency));
+    SimFixture fixture(utf8("sts3215@1"), late(latency));
     device::Servo servo = connect(fixture, 1);
     const auto report = jobs::changeBaud(fixture.context(), servo, 500'000);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
@@ -154,7 +149,7 @@ void TestSlowAdapter::rateIsChanged()
 void TestSlowAdapter::defaultsAreRestored()
 {
     QFETCH(base::Duration, latency);
-    SimFixture fixture(text("sts3215@7"), late(latency));
+    SimFixture fixture(utf8("sts3215@7"), late(latency));
     device::Servo servo = connect(fixture, 7);
     QVERIFY(jobs::changeBaud(fixture.context(), servo, 115'200)->isSuccessful());
     const auto report = jobs::restoreDefaults(fixture.context(), servo);
@@ -168,7 +163,7 @@ void TestSlowAdapter::defaultsAreRestored()
 void TestSlowAdapter::centerIsSet()
 {
     QFETCH(base::Duration, latency);
-    SimFixture fixture(text("sts3215@1"), late(latency));
+    SimFixture fixture(utf8("sts3215@1"), late(latency));
     device::Servo servo = connect(fixture, 1);
     const auto report = jobs::center(fixture.context(), servo);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
@@ -182,7 +177,7 @@ void TestSlowAdapter::batchIsCommissioned()
 {
     QFETCH(base::Duration, latency);
     QFETCH(base::Duration, timeout);
-    support::CommissionFixture line(text("sts3215@1,sts3215@1"));
+    support::CommissionFixture line(utf8("sts3215@1,sts3215@1"));
     line.fixture.wireConfig().adapterLatency = latency;
     if (timeout > 0ms)
         line.fixture.bus().setTimeout(timeout);
@@ -199,8 +194,8 @@ void TestSlowAdapter::batchIsCommissioned()
         const sim::VirtualServo& servo = line.servoAt(place);
         QCOMPARE(servo.id(), 11 + int(place));
         QCOMPARE(servo.baud(), 500'000);
-        QCOMPARE(servo.raw(text("position_p")), 24);
-        QCOMPARE(servo.raw(text("lock")), 1);
+        QCOMPARE(servo.raw(utf8("position_p")), 24);
+        QCOMPARE(servo.raw(utf8("lock")), 1);
         QVERIFY2(line.spans[place] < 60s, qPrintable(QString::number(line.spans[place] / 1ms)));
     }
     QVERIFY(!line.hasSeen(jobs::CommissionStep::Blocked)); // it was alone all the time
@@ -212,7 +207,7 @@ void TestSlowAdapter::twoConnectedServosAreDetected()
 {
     QFETCH(base::Duration, latency);
     QFETCH(base::Duration, timeout);
-    support::CommissionFixture line(text("sts3215@1,sts3215@253"));
+    support::CommissionFixture line(utf8("sts3215@1,sts3215@253"));
     line.fixture.wireConfig().adapterLatency = latency;
     if (timeout > 0ms)
         line.fixture.bus().setTimeout(timeout);
@@ -279,7 +274,7 @@ void TestSlowAdapter::lateEchoIsNoServo()
 
 void TestSlowAdapter::fastLinkStaysFast()
 {
-    SimFixture fixture(text("sts3215@1"), late(1ms));
+    SimFixture fixture(utf8("sts3215@1"), late(1ms));
     device::Servo servo = fixture.servo(1);
     const base::Duration start = fixture.clock().now();
     QVERIFY(jobs::changeId(fixture.context(), servo, 9));

@@ -8,6 +8,7 @@
 #include "support/feetech_bytes.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -19,20 +20,11 @@ using base::ErrorCode;
 using device::MoveMethod;
 using device::MovePlan;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
 constexpr int goalAddress = 42;
-
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
-double shaft(SimFixture& fixture, int id)
-{
-    return fixture.withBus([id](sim::VirtualBus& wire) { return wire.servo(id)->shaftDegrees(); });
-}
 
 enum class LostFrame { Request, Answer };
 
@@ -73,9 +65,9 @@ std::vector<MovePlan> plansFor(SimFixture& fixture, std::vector<device::Servo>& 
 std::int64_t flag(SimFixture& fixture, int id)
 {
     device::Servo servo = fixture.servo(id);
-    if (!device::readKeys(fixture.context(), servo, {text("async_write_flag")}))
+    if (!device::readKeys(fixture.context(), servo, {utf8("async_write_flag")}))
         return -1;
-    return servo.raw(text("async_write_flag")).value_or(-1);
+    return servo.raw(utf8("async_write_flag")).value_or(-1);
 }
 
 /// A program that knows only bytes sends one frame and does not wait for the reply.
@@ -105,10 +97,10 @@ void sendActionToAll(SimFixture& fixture)
 bool isNamed(const base::Error& error, int id)
 {
     QString ids = error.detail;
-    if (!ids.startsWith(text("forget-held")))
+    if (!ids.startsWith(utf8("forget-held")))
         return false;
-    ids.remove(text("forget-held"));
-    const QStringList several = ids.split(text(","), Qt::SkipEmptyParts);
+    ids.remove(utf8("forget-held"));
+    const QStringList several = ids.split(utf8(","), Qt::SkipEmptyParts);
     return error.id == id || std::any_of(several.begin(), several.end(), [id](const QString& one) {
                return one.trimmed() == QString::number(id);
            });
@@ -131,25 +123,25 @@ support::SimFixtureOptions identical()
 /// Two servos at 180° with torque on, and a move of both: to 1024 (90°), or by 512 steps (45°).
 struct Pair {
     explicit Pair(bool relative)
-        : fixture(text("sts3215@1,sts3215@2"), identical())
+        : fixture(utf8("sts3215@1,sts3215@2"), identical())
         , way(relative ? 45.0 : -90.0)
     {
         for (const int id : {1, 2}) {
             device::Servo servo = fixture.servo(id);
-            if (relative && !device::switchMode(fixture.context(), servo, text("step")))
+            if (relative && !device::switchMode(fixture.context(), servo, utf8("step")))
                 qFatal("mode");
             if (!device::setTorque(fixture.context(), servo, device::Torque::On))
                 qFatal("torque");
             servos.push_back(fixture.servo(id));
         }
         fixture.runFor(1s);
-        plans = plansFor(fixture, servos, relative ? text("512") : text("1024"));
+        plans = plansFor(fixture, servos, relative ? utf8("512") : utf8("1024"));
         for (const int id : {1, 2})
-            start[id] = shaft(fixture, id);
+            start[id] = fixture.shaft(id);
         fixture.notices().clear();
         fixture.clearFrames();
     }
-    double moved(int id) { return shaft(fixture, id) - start[id]; }
+    double moved(int id) { return fixture.shaft(id) - start[id]; }
     bool whole(int id) { return std::abs(moved(id) - way) < 4; }
     bool none(int id) { return std::abs(moved(id)) < 4; }
     /// Sends it, with time enough to arrive afterwards.
@@ -178,7 +170,7 @@ class TestAsyncMoves : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void everyFrameIsLostOnce_data();
     void everyFrameIsLostOnce();
@@ -286,7 +278,7 @@ void TestAsyncMoves::aForeignStoredGoalIsNotOurs()
     QCOMPARE(sent.error().id, 1);
     QVERIFY2(pair.none(1) && pair.none(2), pair.failureText(sent).constData());
     // Where ours arrives, it takes the other one's place.
-    pair.plans = plansFor(pair.fixture, pair.servos, text("1024"));
+    pair.plans = plansFor(pair.fixture, pair.servos, utf8("1024"));
     const auto again = pair.move();
     QVERIFY2(again.has_value(), pair.failureText(again).constData());
     QVERIFY2(pair.whole(1) && pair.whole(2), pair.failureText(again).constData());
@@ -303,7 +295,7 @@ void TestAsyncMoves::aCanceledMoveLeavesNoStoredGoal()
     QVERIFY(!sent);
     QCOMPARE(sent.error().id, 2);
     QCOMPARE(flag(pair.fixture, 1), 0);
-    QCOMPARE(pair.fixture.raw(1, text("torque_switch")), 1);
+    QCOMPARE(pair.fixture.raw(1, utf8("torque_switch")), 1);
     sendActionToAll(pair.fixture);
     QVERIFY2(pair.none(1) && pair.none(2), pair.failureText(sent).constData());
 }
@@ -392,14 +384,14 @@ void TestAsyncMoves::executedStoredMovesAreCleared()
 {
     support::SimFixtureOptions options;
     options.baud = 115'200;
-    SimFixture fixture(text("lx16a@1,lx16a@2"), options);
+    SimFixture fixture(utf8("lx16a@1,lx16a@2"), options);
     std::vector<device::Servo> servos;
     for (const int id : {1, 2}) {
         device::Servo servo = fixture.servo(id, base::Protocol::Lx);
         QVERIFY(device::setTorque(fixture.context(), servo, device::Torque::On));
         servos.push_back(fixture.servo(id, base::Protocol::Lx));
     }
-    auto plans = plansFor(fixture, servos, text("600"));
+    auto plans = plansFor(fixture, servos, utf8("600"));
     for (const MovePlan& plan : plans)
         QVERIFY(!plan.held);
     QVERIFY(device::sendAsyncMoves(fixture.context(), plans));

@@ -4,6 +4,7 @@
 #include "device/motion/motion.h"
 #include "support/lost_acknowledgments.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -17,28 +18,10 @@ using device::MoveMethod;
 using device::MovePlan;
 using device::Torque;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
-double shaft(SimFixture& fixture, int id)
-{
-    return fixture.withBus([id](sim::VirtualBus& wire) { return wire.servo(id)->shaftDegrees(); });
-}
-
-bool hasNotice(SimFixture& fixture, device::NoticeCode code)
-{
-    for (const device::Notice& notice : fixture.notices()) {
-        if (notice.code == code)
-            return true;
-    }
-    return false;
-}
-
 base::Result<void> move(SimFixture& fixture, device::Servo& servo, MoveCommand order,
                         MoveMethod how = MoveMethod::Write)
 {
@@ -53,7 +36,7 @@ base::Result<void> move(SimFixture& fixture, device::Servo& servo, MoveCommand o
 MoveCommand to(const char* goal)
 {
     MoveCommand order;
-    order.goal = text(goal);
+    order.goal = utf8(goal);
     return order;
 }
 
@@ -75,7 +58,7 @@ class TestMoves : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void torqueOnHolds_data();
     void torqueOnHolds();
@@ -117,9 +100,9 @@ void TestMoves::torqueOnHolds_data()
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mode");
     for (const char* mode : {"position", "speed", "pwm", "step"})
-        QTest::newRow(qPrintable(text("STS ") + text(mode))) << text("sts3215@1") << text(mode);
-    QTest::newRow("SCS position") << text("scs15@1") << text("position");
-    QTest::newRow("SCS motor") << text("scs15@1") << text("motor");
+        QTest::newRow(qPrintable(utf8("STS ") + utf8(mode))) << utf8("sts3215@1") << utf8(mode);
+    QTest::newRow("SCS position") << utf8("scs15@1") << utf8("position");
+    QTest::newRow("SCS motor") << utf8("scs15@1") << utf8("motor");
 }
 
 void TestMoves::torqueOnHolds()
@@ -128,25 +111,25 @@ void TestMoves::torqueOnHolds()
     QFETCH(QString, mode);
     SimFixture fixture(servo);
     // Commands of another life, all of which would move it.
-    fixture.poke(1, text("goal_speed"), 900);
+    fixture.poke(1, utf8("goal_speed"), 900);
     device::Servo one = fixture.servo(1);
     const auto switched = device::switchMode(fixture.context(), one, mode);
     QVERIFY(switched && switched->isSuccessful());
-    const double before = shaft(fixture, 1);
+    const double before = fixture.shaft(1);
     const auto on = device::setTorque(fixture.context(), one, Torque::On);
     QVERIFY2(on, on ? "" : qPrintable(base::errorName(on.error().code)));
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 1);
     fixture.runFor(1s);
-    QVERIFY2(std::abs(shaft(fixture, 1) - before) < 1.0,
-             qPrintable(QString::number(shaft(fixture, 1))));
+    QVERIFY2(std::abs(fixture.shaft(1) - before) < 1.0,
+             qPrintable(QString::number(fixture.shaft(1))));
 }
 
 void TestMoves::torqueOnWithUnknownTurnsIsRefused()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("phase"), fixture.raw(1, text("phase")) & ~16);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("phase"), fixture.raw(1, utf8("phase")) & ~16);
     device::Servo servo = fixture.servo(1);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("multiturn")));
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("multiturn")));
     fixture.clearFrames();
     const auto on = device::setTorque(fixture.context(), servo, Torque::On);
     QVERIFY(!on);
@@ -156,41 +139,41 @@ void TestMoves::torqueOnWithUnknownTurnsIsRefused()
 
 void TestMoves::torqueOnHoldsKnownTurns()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("phase"), fixture.raw(1, text("phase")) | 16);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("phase"), fixture.raw(1, utf8("phase")) | 16);
     device::Servo servo = fixture.servo(1);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("multiturn")));
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("multiturn")));
     QVERIFY(move(fixture, servo, to("9000")));
     fixture.runFor(6s);
     QVERIFY(device::setTorque(fixture.context(), servo, Torque::Off));
-    const double before = shaft(fixture, 1);
+    const double before = fixture.shaft(1);
     QVERIFY(before > 700);
     QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
     fixture.runFor(1s);
-    QVERIFY(std::abs(shaft(fixture, 1) - before) < 1.0);
+    QVERIFY(std::abs(fixture.shaft(1) - before) < 1.0);
 }
 
 void TestMoves::torqueOnWithResolutionFactor()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("angle_resolution"), 3);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("angle_resolution"), 3);
     device::Servo servo = fixture.servo(1);
-    const double before = shaft(fixture, 1);
+    const double before = fixture.shaft(1);
     QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
     fixture.runFor(1s);
     // A goal in steps of three can only hold to half of that.
-    QVERIFY(std::abs(shaft(fixture, 1) - before) < 1.0);
-    QVERIFY(std::abs(fixture.raw(1, text("goal_position")) * 3 -
-                     fixture.raw(1, text("present_position"))) <= 6);
+    QVERIFY(std::abs(fixture.shaft(1) - before) < 1.0);
+    QVERIFY(std::abs(fixture.raw(1, utf8("goal_position")) * 3 -
+                     fixture.raw(1, utf8("present_position"))) <= 6);
 }
 
 void TestMoves::dampingOnlyWhereItExists()
 {
-    SimFixture fixture(text("sts3215@1,scs15@2,sm40blhv@3:1000000"));
+    SimFixture fixture(utf8("sts3215@1,scs15@2,sm40blhv@3:1000000"));
     for (const int id : {1, 2}) {
         device::Servo servo = fixture.servo(id);
         QVERIFY(device::setTorque(fixture.context(), servo, Torque::Damp));
-        QCOMPARE(fixture.raw(id, text("torque_switch")), 2);
+        QCOMPARE(fixture.raw(id, utf8("torque_switch")), 2);
     }
     device::Servo sms = fixture.servo(3);
     const auto damped = device::setTorque(fixture.context(), sms, Torque::Damp);
@@ -204,14 +187,14 @@ void TestMoves::onlySetFieldsAreWritten_data()
     QTest::addColumn<bool>("speed");
     QTest::addColumn<bool>("acceleration");
     QTest::addColumn<QList<int>>("addresses");
-    QTest::newRow("goal alone") << text("sts3215@1") << false << false << QList<int>{42, 43};
+    QTest::newRow("goal alone") << utf8("sts3215@1") << false << false << QList<int>{42, 43};
     QTest::newRow("goal and speed, 44 untouched")
-        << text("sts3215@1") << true << false << QList<int>{42, 43, 46, 47};
+        << utf8("sts3215@1") << true << false << QList<int>{42, 43, 46, 47};
     QTest::newRow("goal and acceleration")
-        << text("sts3215@1") << false << true << QList<int>{41, 42, 43};
-    QTest::newRow("SCS: goal alone") << text("scs15@1") << false << false << QList<int>{42, 43};
+        << utf8("sts3215@1") << false << true << QList<int>{41, 42, 43};
+    QTest::newRow("SCS: goal alone") << utf8("scs15@1") << false << false << QList<int>{42, 43};
     QTest::newRow("SCS: goal and speed")
-        << text("scs15@1") << true << false << QList<int>{42, 43, 46, 47};
+        << utf8("scs15@1") << true << false << QList<int>{42, 43, 46, 47};
 }
 
 void TestMoves::onlySetFieldsAreWritten()
@@ -221,14 +204,14 @@ void TestMoves::onlySetFieldsAreWritten()
     QFETCH(bool, acceleration);
     QFETCH(QList<int>, addresses);
     SimFixture fixture(servo);
-    fixture.poke(1, text("torque_switch"), 1);
+    fixture.poke(1, utf8("torque_switch"), 1);
     device::Servo one = fixture.servo(1);
     fixture.clearFrames();
     MoveCommand order = to("600");
     if (speed)
-        order.speed = text("300");
+        order.speed = utf8("300");
     if (acceleration)
-        order.acceleration = text("20");
+        order.acceleration = utf8("20");
     QVERIFY(move(fixture, one, order));
     QCOMPARE(writtenAddresses(fixture, 1), std::set<int>(addresses.begin(), addresses.end()));
 }
@@ -238,10 +221,10 @@ void TestMoves::moveReachesItsGoal_data()
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("goal");
     QTest::addColumn<double>("degrees");
-    QTest::newRow("STS raw") << text("sts3215@1") << text("3072") << 270.0;
-    QTest::newRow("STS degrees") << text("sts3215@1") << text("90deg") << 90.0;
+    QTest::newRow("STS raw") << utf8("sts3215@1") << utf8("3072") << 270.0;
+    QTest::newRow("STS degrees") << utf8("sts3215@1") << utf8("90deg") << 90.0;
     // SCS15 turns 220° over 1024 steps.
-    QTest::newRow("SCS raw") << text("scs15@1") << text("512") << 110.0;
+    QTest::newRow("SCS raw") << utf8("scs15@1") << utf8("512") << 110.0;
 }
 
 void TestMoves::moveReachesItsGoal()
@@ -259,24 +242,24 @@ void TestMoves::moveReachesItsGoal()
     QVERIFY(plan->energizes);
     std::vector<MovePlan> plans{*plan};
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
-    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueSwitchedOn));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::TorqueSwitchedOn));
     int samples = 0;
     const auto arrived = device::waitForArrival(fixture.context(), plans, 10s,
                                                 [&](const device::MoveProgress&) { ++samples; });
     QVERIFY2(arrived, arrived ? "" : qPrintable(arrived.error().detail));
     QVERIFY(samples > 5);
-    QVERIFY2(std::abs(shaft(fixture, 1) - degrees) < 2.0,
-             qPrintable(QString::number(shaft(fixture, 1))));
+    QVERIFY2(std::abs(fixture.shaft(1) - degrees) < 2.0,
+             qPrintable(QString::number(fixture.shaft(1))));
 }
 
 /// The goal register holds 0 after power-on; writing 0 again moves, but raises no moving flag.
 void TestMoves::motionIsDetectedWithoutTheFlag()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     MoveCommand order = to("0");
     order.servo = &servo;
-    order.speed = text("10rpm");
+    order.speed = utf8("10rpm");
     std::vector<MovePlan> plans{*device::planMove(fixture.context(), order)};
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
     const auto arrived = device::waitForArrival(fixture.context(), plans, 30s, {});
@@ -285,11 +268,11 @@ void TestMoves::motionIsDetectedWithoutTheFlag()
 
 void TestMoves::cancelingTheWaitDoesNotStopTheServo()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     MoveCommand order = to("3072");
     order.servo = &servo;
-    order.speed = text("100");
+    order.speed = utf8("100");
     std::vector<MovePlan> plans{*device::planMove(fixture.context(), order)};
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
     fixture.runFor(500ms);
@@ -298,19 +281,19 @@ void TestMoves::cancelingTheWaitDoesNotStopTheServo()
                                [&](const device::MoveProgress&) { fixture.stop().request(); });
     QVERIFY(!waited);
     QCOMPARE(waited.error().code, ErrorCode::Stopped);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::StillMoving));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::StillMoving));
 }
 
 void TestMoves::losingTheLinkDoesNotStopTheServos()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::deque<device::Servo> servos;
     std::vector<MovePlan> plans;
     for (const int id : {1, 2}) {
         servos.push_back(fixture.servo(id));
         MoveCommand order = to("3072");
         order.servo = &servos.back();
-        order.speed = text("100");
+        order.speed = utf8("100");
         plans.push_back(*device::planMove(fixture.context(), order));
     }
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
@@ -339,8 +322,8 @@ void TestMoves::refusedMoves_data()
     QTest::addColumn<base::ErrorCode>("code");
     const auto row = [](const char* name, const char* servo, const char* goal, const char* speed,
                         const char* acceleration, const char* time, ErrorCode code) {
-        QTest::newRow(name) << text(servo) << text(goal) << text(speed) << text(acceleration)
-                            << text(time) << code;
+        QTest::newRow(name) << utf8(servo) << utf8(goal) << utf8(speed) << utf8(acceleration)
+                            << utf8(time) << code;
     };
     row("above the limit", "sts3215@1", "4096", "", "", "", ErrorCode::OutOfRange);
     row("below the limit", "scs15@1", "5", "", "", "", ErrorCode::OutOfRange);
@@ -378,17 +361,17 @@ void TestMoves::refusedMoves()
 
 void TestMoves::timeActsOnScs()
 {
-    SimFixture fixture(text("scs15@1"));
-    QVERIFY(fixture.raw(1, text("goal_speed")) != 0);
+    SimFixture fixture(utf8("scs15@1"));
+    QVERIFY(fixture.raw(1, utf8("goal_speed")) != 0);
     device::Servo servo = fixture.servo(1);
     MoveCommand order = to("512");
-    order.time = text("2000");
+    order.time = utf8("2000");
     QVERIFY(move(fixture, servo, order));
-    QVERIFY(hasNotice(fixture, device::NoticeCode::SpeedZeroedForTime));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::SpeedZeroedForTime));
     fixture.runFor(1s);
-    const double halfway = shaft(fixture, 1);
+    const double halfway = fixture.shaft(1);
     fixture.runFor(2s);
-    const double end = shaft(fixture, 1);
+    const double end = fixture.shaft(1);
     QVERIFY(std::abs(end - 110.0) < 2.0);
     QVERIFY(std::abs(halfway - end) > 10.0);
 }
@@ -410,29 +393,29 @@ void TestMoves::stepIsExecutedOnce()
     QFETCH(bool, acksLost);
     QFETCH(int, level);
     QFETCH(device::MoveMethod, how);
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("response_level"), level);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("response_level"), level);
     device::Servo servo = fixture.servo(1);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("step")));
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("step")));
     if (acksLost)
         support::dropAcknowledgments(fixture);
-    const double start = shaft(fixture, 1);
+    const double start = fixture.shaft(1);
     // The same quarter turn three times over: equal goals are the hard case.
     for (int i = 1; i <= 3; ++i) {
         const auto moved = move(fixture, servo, to("1024"), how);
         QVERIFY2(moved, moved ? "" : qPrintable(base::errorName(moved.error().code)));
         fixture.runFor(3s);
-        QVERIFY2(std::abs(shaft(fixture, 1) - start - 90.0 * i) < 4.0,
-                 qPrintable(QString::number(shaft(fixture, 1) - start)));
+        QVERIFY2(std::abs(fixture.shaft(1) - start - 90.0 * i) < 4.0,
+                 qPrintable(QString::number(fixture.shaft(1) - start)));
     }
 }
 
 void TestMoves::lostStepRequestIsResent()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("step")));
-    const double start = shaft(fixture, 1);
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("step")));
+    const double start = fixture.shaft(1);
     int goals = 0;
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool goal = frame[4] == support::Write && frame[5] == 42;
@@ -441,9 +424,9 @@ void TestMoves::lostStepRequestIsResent()
     };
     QVERIFY(move(fixture, servo, to("1024")));
     QCOMPARE(goals, 2);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::ReplyLostResent));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::ReplyLostResent));
     fixture.runFor(3s);
-    QVERIFY(std::abs(shaft(fixture, 1) - start - 90.0) < 4.0);
+    QVERIFY(std::abs(fixture.shaft(1) - start - 90.0) < 4.0);
 }
 
 void TestMoves::servosMoveTogether_data()
@@ -457,13 +440,13 @@ void TestMoves::servosMoveTogether_data()
 void TestMoves::servosMoveTogether()
 {
     QFETCH(device::MoveMethod, how);
-    SimFixture fixture(text("sts3215@1,sts3250@2,scs15@3"));
+    SimFixture fixture(utf8("sts3215@1,sts3250@2,scs15@3"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2), fixture.servo(3)};
     std::vector<MovePlan> plans;
     for (device::Servo& servo : servos) {
         MoveCommand order = to("700");
         order.servo = &servo;
-        order.speed = text("400");
+        order.speed = utf8("400");
         auto plan = device::planMove(fixture.context(), order);
         QVERIFY(plan);
         plans.push_back(*plan);
@@ -474,9 +457,9 @@ void TestMoves::servosMoveTogether()
     QCOMPARE(fixture.frames(support::SyncWrite), how == MoveMethod::Sync ? 4 : 0);
     QCOMPARE(fixture.frames(support::Action), how == MoveMethod::Async ? 1 : 0);
     QVERIFY(device::waitForArrival(fixture.context(), plans, 20s, {}));
-    QVERIFY(std::abs(shaft(fixture, 1) - 700 * 360.0 / 4096) < 2.0);
-    QVERIFY(std::abs(shaft(fixture, 2) - 700 * 360.0 / 4096) < 2.0);
-    QVERIFY(std::abs(shaft(fixture, 3) - 700 * 220.0 / 1024) < 2.0);
+    QVERIFY(std::abs(fixture.shaft(1) - 700 * 360.0 / 4096) < 2.0);
+    QVERIFY(std::abs(fixture.shaft(2) - 700 * 360.0 / 4096) < 2.0);
+    QVERIFY(std::abs(fixture.shaft(3) - 700 * 220.0 / 1024) < 2.0);
 }
 
 /// A third servo holds a goal of another program: the start of two others does not move it.
@@ -484,7 +467,7 @@ void TestMoves::otherLxServosKeepTheirStoredMove()
 {
     support::SimFixtureOptions options;
     options.baud = 115'200;
-    SimFixture fixture(text("lx16a@1,lx16a@2,lx16a@3"), options);
+    SimFixture fixture(utf8("lx16a@1,lx16a@2,lx16a@3"), options);
     std::vector<device::Servo> servos;
     for (const int id : {1, 2, 3})
         servos.push_back(fixture.servo(id, base::Protocol::Lx));
@@ -492,7 +475,7 @@ void TestMoves::otherLxServosKeepTheirStoredMove()
     std::vector<MovePlan> plans;
     for (device::Servo& servo : servos) {
         QVERIFY(device::setTorque(fixture.context(), servo, device::Torque::On));
-        start.push_back(shaft(fixture, servo.id));
+        start.push_back(fixture.shaft(servo.id));
         MoveCommand order = to("300");
         order.servo = &servo;
         auto plan = device::planMove(fixture.context(), order);
@@ -500,7 +483,7 @@ void TestMoves::otherLxServosKeepTheirStoredMove()
         plans.push_back(*plan);
     }
     const auto moved = [&](std::size_t place) {
-        return std::abs(shaft(fixture, servos[place].id) - start[place]);
+        return std::abs(fixture.shaft(servos[place].id) - start[place]);
     };
     std::vector<MovePlan> held{plans.back()};
     plans.pop_back();
@@ -519,9 +502,9 @@ void TestMoves::modeSwitchIsQuiet_data()
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mode");
     QTest::addColumn<QString>("command");
-    QTest::newRow("speed") << text("sts3215@1") << text("speed") << text("goal_speed");
-    QTest::newRow("PWM") << text("sts3215@1") << text("pwm") << text("goal_pwm");
-    QTest::newRow("SCS motor") << text("scs15@1") << text("motor") << text("goal_time");
+    QTest::newRow("speed") << utf8("sts3215@1") << utf8("speed") << utf8("goal_speed");
+    QTest::newRow("PWM") << utf8("sts3215@1") << utf8("pwm") << utf8("goal_pwm");
+    QTest::newRow("SCS motor") << utf8("scs15@1") << utf8("motor") << utf8("goal_time");
 }
 
 void TestMoves::modeSwitchIsQuiet()
@@ -530,47 +513,47 @@ void TestMoves::modeSwitchIsQuiet()
     QFETCH(QString, mode);
     QFETCH(QString, command);
     SimFixture fixture(servo);
-    fixture.poke(1, text("goal_position"), fixture.raw(1, text("present_position")));
-    fixture.poke(1, text("torque_switch"), 1); // it holds while it is looked at
+    fixture.poke(1, utf8("goal_position"), fixture.raw(1, utf8("present_position")));
+    fixture.poke(1, utf8("torque_switch"), 1); // it holds while it is looked at
     fixture.poke(1, command, 1000); // full speed, full PWM, or an innocent second of travel time
     device::Servo one = fixture.servo(1);
-    const double before = shaft(fixture, 1);
+    const double before = fixture.shaft(1);
     const auto switched = device::switchMode(fixture.context(), one, mode);
     QVERIFY(switched && switched->isSuccessful());
     QCOMPARE(fixture.raw(1, command), 0);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueStaysOff));
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QVERIFY(fixture.hasNotice(device::NoticeCode::TorqueStaysOff));
     // Somebody else's plain torque-on must be harmless too.
-    fixture.poke(1, text("torque_switch"), 1);
+    fixture.poke(1, utf8("torque_switch"), 1);
     fixture.runFor(1s);
-    QVERIFY(std::abs(shaft(fixture, 1) - before) < 1.0);
+    QVERIFY(std::abs(fixture.shaft(1) - before) < 1.0);
 }
 
 void TestMoves::aTemporaryModeCanBeSaved()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     device::WriteOptions options;
     options.temporary = true;
     options.consent = device::Consent::confirmed();
-    QVERIFY(device::write(fixture.context(), one, {{text("operating_mode"), 1}}, options)
+    QVERIFY(device::write(fixture.context(), one, {{utf8("operating_mode"), 1}}, options)
                 ->isSuccessful());
-    const auto switched = device::switchMode(fixture.context(), one, text("speed"));
+    const auto switched = device::switchMode(fixture.context(), one, utf8("speed"));
     QVERIFY(switched && switched->isSuccessful());
     QCOMPARE(switched->writes.size(), std::size_t(1));
     QCOMPARE(switched->writes[0].outcome, device::WriteOutcome::Kept);
-    QVERIFY(device::switchMode(fixture.context(), one, text("speed"))->writes.empty());
+    QVERIFY(device::switchMode(fixture.context(), one, utf8("speed"))->writes.empty());
     fixture.powerCycle();
-    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, utf8("operating_mode")), 1);
 }
 
 void TestMoves::limitsAreRestored_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mode");
-    QTest::newRow("multi-turn") << text("sts3215@1") << text("multiturn");
-    QTest::newRow("step") << text("sts3215@1") << text("step");
-    QTest::newRow("SCS motor") << text("scs15@1") << text("motor");
+    QTest::newRow("multi-turn") << utf8("sts3215@1") << utf8("multiturn");
+    QTest::newRow("step") << utf8("sts3215@1") << utf8("step");
+    QTest::newRow("SCS motor") << utf8("scs15@1") << utf8("motor");
 }
 
 void TestMoves::limitsAreRestored()
@@ -580,63 +563,63 @@ void TestMoves::limitsAreRestored()
     SimFixture fixture(servo);
     device::Servo one = fixture.servo(1);
     QVERIFY(device::write(fixture.context(), one,
-                          {{text("min_angle_limit"), 200}, {text("max_angle_limit"), 900}}, {}));
+                          {{utf8("min_angle_limit"), 200}, {utf8("max_angle_limit"), 900}}, {}));
     QVERIFY(device::switchMode(fixture.context(), one, mode));
-    QCOMPARE(fixture.raw(1, text("min_angle_limit")), 0);
-    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 0);
+    QCOMPARE(fixture.raw(1, utf8("min_angle_limit")), 0);
+    QCOMPARE(fixture.raw(1, utf8("max_angle_limit")), 0);
     // A new program on the same journal, the servo freshly powered.
     fixture.powerCycle();
     fixture.reconnect(1'000'000);
     device::Servo again = fixture.servo(1);
     QCOMPARE(again.mode()->key, mode);
-    QVERIFY(device::switchMode(fixture.context(), again, text("position")));
-    QCOMPARE(fixture.raw(1, text("min_angle_limit")), 200);
-    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 900);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LimitsRestored));
+    QVERIFY(device::switchMode(fixture.context(), again, utf8("position")));
+    QCOMPARE(fixture.raw(1, utf8("min_angle_limit")), 200);
+    QCOMPARE(fixture.raw(1, utf8("max_angle_limit")), 900);
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LimitsRestored));
 }
 
 void TestMoves::editingTheModeRegisterIsTheSameProcedure()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("goal_pwm"), 1000);
-    fixture.poke(1, text("torque_switch"), 1);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("goal_pwm"), 1000);
+    fixture.poke(1, utf8("torque_switch"), 1);
     device::Servo servo = fixture.servo(1);
     device::WriteOptions options;
     options.consent = device::Consent::confirmed();
     const auto report =
-        device::write(fixture.context(), servo, {{text("operating_mode"), 2}}, options);
+        device::write(fixture.context(), servo, {{utf8("operating_mode"), 2}}, options);
     QVERIFY(report && report->isSuccessful());
-    QCOMPARE(fixture.raw(1, text("goal_pwm")), 0);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("goal_pwm")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 void TestMoves::speedIsRestored()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("goal_speed"), 1234);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("goal_speed"), 1234);
     device::Servo servo = fixture.servo(1);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("speed")));
-    QCOMPARE(fixture.raw(1, text("goal_speed")), 0);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("position")));
-    QCOMPARE(fixture.raw(1, text("goal_speed")), 1234);
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("speed")));
+    QCOMPARE(fixture.raw(1, utf8("goal_speed")), 0);
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("position")));
+    QCOMPARE(fixture.raw(1, utf8("goal_speed")), 1234);
 }
 
 void TestMoves::pwmNeedsAUnit()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("pwm")));
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("pwm")));
     fixture.clearFrames();
     const auto bare = move(fixture, servo, to("500"));
     QVERIFY(!bare);
     QCOMPARE(bare.error().code, ErrorCode::BadArgument);
     QVERIFY(fixture.onlyReadsSent());
     QVERIFY(move(fixture, servo, to("20%")));
-    QCOMPARE(fixture.raw(1, text("goal_pwm")), 200);
+    QCOMPARE(fixture.raw(1, utf8("goal_pwm")), 200);
     fixture.runFor(1s);
     // Facts §6.1: +200 turns counter-clockwise, feedback speed negative, load positive.
-    QVERIFY(fixture.raw(1, text("present_speed")) < 0);
-    QVERIFY(fixture.raw(1, text("present_load")) > 0);
+    QVERIFY(fixture.raw(1, utf8("present_speed")) < 0);
+    QVERIFY(fixture.raw(1, utf8("present_load")) > 0);
 }
 
 void TestMoves::alarmsShowTheirRemedy_data()
@@ -654,7 +637,7 @@ void TestMoves::alarmsShowTheirRemedy()
 {
     QFETCH(int, bit);
     QFETCH(base::NoticeCode, notice);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     servo.status = std::uint8_t(bit);
     device::addAlarmNotices(fixture.context(), servo);
@@ -665,10 +648,10 @@ void TestMoves::alarmsShowTheirRemedy()
 /// Servos are stopped in turn; one that has lost its power is asked again after the others.
 void TestMoves::aSilentServoKeepsNoOtherMoving()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     device::Servo one = fixture.servo(1);
     device::Servo two = fixture.servo(2);
-    QVERIFY(device::switchMode(fixture.context(), two, text("speed")));
+    QVERIFY(device::switchMode(fixture.context(), two, utf8("speed")));
     QVERIFY(move(fixture, two, to("30rpm")));
     fixture.runFor(300ms);
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
@@ -683,7 +666,7 @@ void TestMoves::aSilentServoKeepsNoOtherMoving()
     QVERIFY(halted[1]);
     QVERIFY(stopped);
     QVERIFY2(*stopped < 250ms, qPrintable(QString::number(*stopped / 1ms)));
-    QCOMPARE(fixture.raw(2, text("goal_speed")), 0);
+    QCOMPARE(fixture.raw(2, utf8("goal_speed")), 0);
 }
 
 SERVODESK_GUILESS_TEST(TestMoves)

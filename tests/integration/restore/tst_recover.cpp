@@ -7,6 +7,7 @@
 #include "jobs/recover/recover.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -17,22 +18,18 @@ using device::WriteItem;
 using jobs::Finding;
 using jobs::RecoveryAction;
 using support::SimFixture;
+using support::utf8;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 enum class Task { SetId, SetBaud, Mode, FiveRegisters };
 
 const std::vector<WriteItem>& fiveRegisters()
 {
-    static const std::vector<WriteItem> items{{text("min_angle_limit"), 500},
-                                              {text("max_angle_limit"), 3500},
-                                              {text("max_temperature"), 61},
-                                              {text("position_p"), 20},
-                                              {text("overload_torque"), 70}};
+    static const std::vector<WriteItem> items{{utf8("min_angle_limit"), 500},
+                                              {utf8("max_angle_limit"), 3500},
+                                              {utf8("max_temperature"), 61},
+                                              {utf8("position_p"), 20},
+                                              {utf8("overload_torque"), 70}};
     return items;
 }
 
@@ -50,7 +47,7 @@ base::Result<void> run(SimFixture& fixture, Task task)
         report = jobs::changeBaud(fixture.context(), *servo, 115'200);
         break;
     case Task::Mode:
-        report = device::switchMode(fixture.context(), *servo, text("step"));
+        report = device::switchMode(fixture.context(), *servo, utf8("step"));
         break;
     case Task::FiveRegisters:
         report = device::write(fixture.context(), *servo, fiveRegisters(), {});
@@ -65,7 +62,7 @@ base::Result<void> run(SimFixture& fixture, Task task)
 
 std::size_t bytesOf(Task task)
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     fixture.clearFrames();
     if (!run(fixture, task))
         qFatal("the task does not work on a whole line");
@@ -93,12 +90,12 @@ Eprom eprom(SimFixture& fixture)
 bool isLockOpen(SimFixture& fixture)
 {
     return fixture.withBus(
-        [](sim::VirtualBus& wire) { return wire.servos().front()->raw(text("lock")) == 0; });
+        [](sim::VirtualBus& wire) { return wire.servos().front()->raw(utf8("lock")) == 0; });
 }
 
 Eprom wanted(Task task)
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     if (!run(fixture, task))
         qFatal("the task does not work on a whole line");
     return eprom(fixture);
@@ -109,7 +106,7 @@ class TestRecover : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void linkLostAtEveryByte_data();
     void linkLostAtEveryByte();
@@ -157,7 +154,7 @@ void TestRecover::linkLostAtEveryByte()
     const std::size_t length = bytesOf(doing);
     int interrupted = 0;
     for (std::size_t cut = 1; cut < length; ++cut) {
-        SimFixture fixture(text("sts3215@1"));
+        SimFixture fixture(utf8("sts3215@1"));
         const Eprom before = eprom(fixture);
         fixture.cutAfterHostBytes(cut);
         const auto done = run(fixture, doing);
@@ -179,7 +176,7 @@ void TestRecover::linkLostAtEveryByte()
         QVERIFY2(recovered, recovered ? "" : qPrintable(base::errorName(recovered.error().code)));
         QCOMPARE(recovered->size(), std::size_t(1));
         QVERIFY2(recovered->front().done,
-                 qPrintable(text("cut %1 finding %2 error %3")
+                 qPrintable(utf8("cut %1 finding %2 error %3")
                                 .arg(cut)
                                 .arg(int(recovered->front().before.finding))
                                 .arg(recovered->front().error
@@ -214,7 +211,7 @@ void interrupt(SimFixture& fixture)
 
 void TestRecover::viewingWritesNothing()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     interrupt(fixture);
     fixture.clearFrames();
     const auto seen = jobs::recover(fixture.context(), RecoveryAction::Preview);
@@ -228,12 +225,12 @@ void TestRecover::viewingWritesNothing()
 
 void TestRecover::otherServoIsNotChanged()
 {
-    SimFixture fixture(text("sts3215@1,sts3250@7"));
+    SimFixture fixture(utf8("sts3215@1,sts3250@7"));
     interrupt(fixture);
     // Overnight another model gets this ID.
     fixture.withBus([](sim::VirtualBus& wire) {
-        wire.servo(1)->poke(text("id"), 20);
-        wire.servo(7)->poke(text("id"), 1);
+        wire.servo(1)->poke(utf8("id"), 20);
+        wire.servo(7)->poke(utf8("id"), 1);
     });
     fixture.runFor(std::chrono::milliseconds(50));
     fixture.clearFrames();
@@ -248,9 +245,9 @@ void TestRecover::otherServoIsNotChanged()
 
 void TestRecover::otherValuesAreNotChanged()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     interrupt(fixture);
-    fixture.poke(1, text("max_temperature"), 44); // neither the old value nor the new
+    fixture.poke(1, utf8("max_temperature"), 44); // neither the old value nor the new
     fixture.runFor(std::chrono::milliseconds(50));
     fixture.clearFrames();
     const auto recovered = jobs::recover(fixture.context(), RecoveryAction::Finish);
@@ -270,30 +267,30 @@ void TestRecover::laterOwnWritesAreKept_data()
 void TestRecover::laterOwnWritesAreKept()
 {
     QFETCH(int, action);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     fixture.tap().onWrite = [&fixture](const base::Bytes& frame) {
         if (frame[4] == support::Write && frame[5] == 13)
             fixture.cutLink();
     };
-    QVERIFY(device::write(fixture.context(), servo, {{text("max_temperature"), 60}}, {}));
+    QVERIFY(device::write(fixture.context(), servo, {{utf8("max_temperature"), 60}}, {}));
     fixture.tap().onWrite = nullptr;
     fixture.reconnect(1'000'000);
     QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
     device::Servo again = fixture.servo(1);
-    const auto later = device::write(fixture.context(), again, {{text("max_temperature"), 65}}, {});
+    const auto later = device::write(fixture.context(), again, {{utf8("max_temperature"), 65}}, {});
     QVERIFY(later && later->isSuccessful());
     const auto recovered = jobs::recover(fixture.context(), RecoveryAction(action));
     QVERIFY(recovered);
     QCOMPARE(recovered->front().before.finding, Finding::Replaced);
     QVERIFY(recovered->front().done);
     QVERIFY(fixture.journal().open()->empty());
-    QCOMPARE(fixture.raw(1, text("max_temperature")), 65);
+    QCOMPARE(fixture.raw(1, utf8("max_temperature")), 65);
 }
 
 void TestRecover::noiseIsNotAnotherServo()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     interrupt(fixture);
     fixture.wireConfig().faults.corrupt = 1;
     const auto recovered = jobs::recover(fixture.context(), RecoveryAction::Finish);
@@ -317,16 +314,16 @@ void TestRecover::factoryResetThatChangedTheId()
 {
     QFETCH(int, action);
     QFETCH(int, id);
-    SimFixture fixture(text("sts3215@7"));
+    SimFixture fixture(utf8("sts3215@7"));
     device::Servo servo = fixture.servo(7);
     base::Intent intent;
     intent.kind = base::IntentKind::Restore;
     intent.lockOpened = true;
     intent.servo = servo.identity();
-    intent.items = {{text("id"), 5, 7, 7}, {text("max_temperature"), 13, 60, 60}};
+    intent.items = {{utf8("id"), 5, 7, 7}, {utf8("max_temperature"), 13, 60, 60}};
     QVERIFY(fixture.journal().begin(intent));
-    fixture.poke(7, text("lock"), 0);
-    fixture.poke(7, text("id"), 1);
+    fixture.poke(7, utf8("lock"), 0);
+    fixture.poke(7, utf8("id"), 1);
     fixture.runFor(std::chrono::milliseconds(50));
     const auto seen = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(seen);
@@ -338,16 +335,16 @@ void TestRecover::factoryResetThatChangedTheId()
              recovered->front().error ? qPrintable(base::errorName(recovered->front().error->code))
                                       : "");
     QVERIFY(fixture.journal().open()->empty());
-    QCOMPARE(fixture.raw(id, text("lock")), 1);
-    QCOMPARE(fixture.raw(id, text("max_temperature")),
+    QCOMPARE(fixture.raw(id, utf8("lock")), 1);
+    QCOMPARE(fixture.raw(id, utf8("max_temperature")),
              RecoveryAction(action) == RecoveryAction::Undo ? 60 : 70);
 }
 
 void TestRecover::otherPortIsNotAffected()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     base::Intent elsewhere;
-    elsewhere.servo.port = text("/dev/ttyUSB7");
+    elsewhere.servo.port = utf8("/dev/ttyUSB7");
     QVERIFY(fixture.journal().begin(elsewhere));
     QCOMPARE(jobs::recover(fixture.context(), RecoveryAction::Finish)->size(), std::size_t(0));
     QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
@@ -355,7 +352,7 @@ void TestRecover::otherPortIsNotAffected()
 
 void TestRecover::silentServoStaysOpen()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     interrupt(fixture);
     fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
     const auto recovered = jobs::recover(fixture.context(), RecoveryAction::Finish);

@@ -8,6 +8,7 @@
 #include "jobs/recover/recover.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -18,15 +19,11 @@ using jobs::Finding;
 using jobs::RecoveryAction;
 using jobs::RecoveryResult;
 using support::SimFixture;
+using support::utf8;
 
 namespace {
 constexpr int acceleration = 41;
 constexpr int torqueLimit = 48;
-
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
 
 bool writes(const Bytes& frame, int address)
 {
@@ -72,7 +69,7 @@ class TestRecoverRam : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void aWriteIsReadThenRecovered_data();
     void aWriteIsReadThenRecovered();
@@ -105,18 +102,18 @@ void TestRecoverRam::aWriteIsReadThenRecovered()
     QFETCH(bool, arrives);
     QFETCH(int, action);
     QFETCH(int, expected);
-    SimFixture fixture(text("sts3215@1"));
-    interrupt(fixture, {{text("torque_limit"), 500}}, torqueLimit, arrives);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), arrives ? 500 : 1000);
+    SimFixture fixture(utf8("sts3215@1"));
+    interrupt(fixture, {{utf8("torque_limit"), 500}}, torqueLimit, arrives);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), arrives ? 500 : 1000);
     const RecoveryResult look = recover(fixture, RecoveryAction::Preview);
     QCOMPARE(look.before.finding, arrives ? Finding::AllNew : Finding::AllOld);
     QVERIFY(fixture.onlyReadsSent());
     const RecoveryResult settled = recover(fixture, RecoveryAction(action));
     QVERIFY(settled.done && settled.skippedKeys.isEmpty());
-    QCOMPARE(fixture.raw(1, text("torque_limit")), expected);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), expected);
     QVERIFY(fixture.journal().open()->empty());
     QCOMPARE(lastEnd(fixture, 0).outcome,
-             action == int(RecoveryAction::Undo) ? text("undone") : text("done"));
+             action == int(RecoveryAction::Undo) ? utf8("undone") : utf8("done"));
 }
 
 void TestRecoverRam::aPartialWriteIsFoundAndRecovered_data()
@@ -131,66 +128,66 @@ void TestRecoverRam::aPartialWriteIsFoundAndRecovered()
 {
     QFETCH(int, action);
     QFETCH(int, limit);
-    SimFixture fixture(text("sts3215@1"));
-    const std::int64_t before = fixture.raw(1, text("acceleration"));
-    interrupt(fixture, {{text("acceleration"), 20}, {text("torque_limit"), 400}}, torqueLimit,
+    SimFixture fixture(utf8("sts3215@1"));
+    const std::int64_t before = fixture.raw(1, utf8("acceleration"));
+    interrupt(fixture, {{utf8("acceleration"), 20}, {utf8("torque_limit"), 400}}, torqueLimit,
               false);
-    QCOMPARE(fixture.raw(1, text("acceleration")), 20);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, utf8("acceleration")), 20);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
     QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::Mixed);
     QVERIFY(recover(fixture, RecoveryAction(action)).done);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), limit);
-    QCOMPARE(fixture.raw(1, text("acceleration")), limit == 400 ? 20 : before);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), limit);
+    QCOMPARE(fixture.raw(1, utf8("acceleration")), limit == 400 ? 20 : before);
 }
 
 /// Neither the old value nor the new one: nothing of the change is left in the servo.
 void TestRecoverRam::valuesReloadedByARestartAreKept()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("torque_limit"), 800);
-    interrupt(fixture, {{text("torque_limit"), 500}}, torqueLimit, true);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("torque_limit"), 800);
+    interrupt(fixture, {{utf8("torque_limit"), 500}}, torqueLimit, true);
     fixture.powerCycle();
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
     QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::Replaced);
     const RecoveryResult settled = recover(fixture, RecoveryAction::Undo);
     QVERIFY(settled.done && settled.isAllSkipped);
-    QCOMPARE(settled.skippedKeys, QStringList{text("torque_limit")});
+    QCOMPARE(settled.skippedKeys, QStringList{utf8("torque_limit")});
     QVERIFY(fixture.onlyReadsSent());
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
-    QCOMPARE(lastEnd(fixture, 0).outcome, text("abandoned"));
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
+    QCOMPARE(lastEnd(fixture, 0).outcome, utf8("abandoned"));
 }
 
 void TestRecoverRam::aGoalIsNeverWritten()
 {
     constexpr int goal = 42;
-    SimFixture fixture(text("sts3215@1"));
-    const std::int64_t before = fixture.raw(1, text("acceleration"));
-    interrupt(fixture, {{text("acceleration"), 20}, {text("goal_position"), 2100}}, acceleration,
+    SimFixture fixture(utf8("sts3215@1"));
+    const std::int64_t before = fixture.raw(1, utf8("acceleration"));
+    interrupt(fixture, {{utf8("acceleration"), 20}, {utf8("goal_position"), 2100}}, acceleration,
               true);
-    QCOMPARE(fixture.raw(1, text("goal_position")), 2100); // one frame carries both
+    QCOMPARE(fixture.raw(1, utf8("goal_position")), 2100); // one frame carries both
     const RecoveryResult settled = recover(fixture, RecoveryAction::Undo);
     QVERIFY(settled.done && !settled.isAllSkipped);
-    QCOMPARE(settled.skippedKeys, QStringList{text("goal_position")});
-    QCOMPARE(fixture.raw(1, text("acceleration")), before);
+    QCOMPARE(settled.skippedKeys, QStringList{utf8("goal_position")});
+    QCOMPARE(fixture.raw(1, utf8("acceleration")), before);
     QVERIFY(std::none_of(fixture.tap().written.begin(), fixture.tap().written.end(),
                          [](const Bytes& frame) { return writes(frame, goal); }));
     const auto end = lastEnd(fixture, 0);
-    QCOMPARE(end.outcome, text("undone"));
+    QCOMPARE(end.outcome, utf8("undone"));
     QCOMPARE(end.items.size(), std::size_t(1)); // that one is not undone
-    QCOMPARE(end.items.front().key, text("goal_position"));
-    QCOMPARE(end.items.front().outcome, text("unknown"));
+    QCOMPARE(end.items.front().key, utf8("goal_position"));
+    QCOMPARE(end.items.front().outcome, utf8("unknown"));
 }
 
 void TestRecoverRam::torqueIsNeverSwitchedOn()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("torque_switch"), 1);
-    interrupt(fixture, {{text("torque_switch"), 0}}, 40, true);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("torque_switch"), 1);
+    interrupt(fixture, {{utf8("torque_switch"), 0}}, 40, true);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     const RecoveryResult settled = recover(fixture, RecoveryAction::Undo);
     QVERIFY(settled.done && settled.isAllSkipped);
     QVERIFY(fixture.onlyReadsSent());
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 void TestRecoverRam::theRestartMarkerIsReverted_data()
@@ -200,9 +197,9 @@ void TestRecoverRam::theRestartMarkerIsReverted_data()
     QTest::addColumn<int>("action");
     for (const auto action : {RecoveryAction::Undo, RecoveryAction::Finish}) {
         const char* name = action == RecoveryAction::Undo ? "undo" : "finish";
-        QTest::addRow("STS, %s", name) << text("sts3215@1") << text("torque_limit") << int(action);
+        QTest::addRow("STS, %s", name) << utf8("sts3215@1") << utf8("torque_limit") << int(action);
         QTest::addRow("SCS, %s", name)
-            << text("scs15@1:1000000") << text("goal_time") << int(action);
+            << utf8("scs15@1:1000000") << utf8("goal_time") << int(action);
     }
 }
 
@@ -228,12 +225,12 @@ void TestRecoverRam::theRestartMarkerIsReverted()
     QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::AllNew);
     QVERIFY(recover(fixture, RecoveryAction(action)).done);
     QCOMPARE(fixture.raw(1, mark), before);
-    QCOMPARE(lastEnd(fixture, 0).outcome, text("undone"));
+    QCOMPARE(lastEnd(fixture, 0).outcome, utf8("undone"));
 }
 
 void TestRecoverRam::nothingIsPendingAfterTheRestart()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     bool asked = false;
     fixture.tap().onWrite = [&](const Bytes& frame) {
@@ -245,19 +242,19 @@ void TestRecoverRam::nothingIsPendingAfterTheRestart()
     fixture.tap().onWrite = nullptr;
     fixture.runFor(std::chrono::seconds(3));
     fixture.reconnect(1'000'000);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
     fixture.clearFrames();
     QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::AllOld);
     QVERIFY(recover(fixture, RecoveryAction::Undo).done);
     QVERIFY(fixture.onlyReadsSent());
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
 }
 
 /// The servo acknowledges what puts the old value back, and keeps the new one.
 void TestRecoverRam::aRefusedValueIsNotReportedDone()
 {
-    SimFixture fixture(text("sts3215@1"));
-    interrupt(fixture, {{text("torque_limit"), 500}}, torqueLimit, true);
+    SimFixture fixture(utf8("sts3215@1"));
+    interrupt(fixture, {{utf8("torque_limit"), 500}}, torqueLimit, true);
     const Bytes acknowledged{0xFF, 0xFF, 0x01, 0x02, 0x00, 0xFC};
     fixture.tap().replyOverride = [&](const Bytes& frame) {
         return writes(frame, torqueLimit) ? std::optional(acknowledged) : std::nullopt;
@@ -280,7 +277,7 @@ void TestRecoverRam::aModeLostAtPowerOffIsRecovered()
 {
     constexpr int modeWrite = 29;
     QFETCH(int, action);
-    SimFixture fixture(text("lx16a@1"), {.baud = 115'200});
+    SimFixture fixture(utf8("lx16a@1"), {.baud = 115'200});
     device::Servo servo = fixture.servo(1, base::Protocol::Lx);
     const QString before = servo.mode()->key;
     bool sent = false;
@@ -289,16 +286,16 @@ void TestRecoverRam::aModeLostAtPowerOffIsRecovered()
             fixture.cutLink();
         sent = sent || (frame.size() > 4 && frame[4] == modeWrite);
     };
-    const auto report = device::switchMode(fixture.context(), servo, text("motor"));
+    const auto report = device::switchMode(fixture.context(), servo, utf8("motor"));
     QVERIFY(report && !report->isSuccessful() && sent);
     fixture.tap().onWrite = nullptr;
     fixture.reconnect(115'200);
-    QCOMPARE(fixture.servo(1, base::Protocol::Lx).mode()->key, text("motor"));
+    QCOMPARE(fixture.servo(1, base::Protocol::Lx).mode()->key, utf8("motor"));
     QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::AllNew);
     QVERIFY(recover(fixture, RecoveryAction(action)).done);
     const device::Servo after = fixture.servo(1, base::Protocol::Lx);
-    QCOMPARE(after.mode()->key, action == int(RecoveryAction::Undo) ? before : text("motor"));
-    QCOMPARE(fixture.raw(1, text("load")), 0);
+    QCOMPARE(after.mode()->key, action == int(RecoveryAction::Undo) ? before : utf8("motor"));
+    QCOMPARE(fixture.raw(1, utf8("load")), 0);
     QVERIFY(fixture.journal().open()->empty());
 }
 

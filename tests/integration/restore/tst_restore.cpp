@@ -10,6 +10,7 @@
 #include "jobs/restore/take_snapshot.h"
 #include "snapshot/snapshot_template.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -22,13 +23,9 @@ using support::cutAtWrite;
 using support::overwriteAfterWrite;
 using support::SimFixture;
 using support::TableValues;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 const QString program = QStringLiteral("test 1");
 
 snapshot::Snapshot saved(SimFixture& fixture, int id = 1)
@@ -93,7 +90,7 @@ class TestRestore : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void savedValuesAreRestored_data();
     void savedValuesAreRestored();
@@ -139,7 +136,7 @@ void TestRestore::savedValuesAreRestored()
     QFETCH(int, family);
     QFETCH(int, seed);
     const support::Family& kind = support::restoreFamilies[std::size_t(family)];
-    SimFixture fixture(text(kind.servos), support::atBaud(kind.baud));
+    SimFixture fixture(utf8(kind.servos), support::atBaud(kind.baud));
     const TableValues factory = support::held(fixture);
     const TableValues wanted =
         support::RandomTable(unsigned(seed)).make(support::identifyWithTable(fixture));
@@ -173,36 +170,36 @@ void TestRestore::savedValuesAreRestored()
     // Whether LX keeps the one, and STS and SMS the other, is not documented; the simulator does
     // not.
     for (const char* key : {"led_error", "acceleration_limit"}) {
-        if (wanted.count(text(key)) && kept.count(text(key)))
-            kept[text(key)] = wanted.at(text(key));
+        if (wanted.count(utf8(key)) && kept.count(utf8(key)))
+            kept[utf8(key)] = wanted.at(utf8(key));
     }
     QCOMPARE(differences(wanted, kept), QString());
 }
 
 void TestRestore::withIdAndRate()
 {
-    SimFixture fixture(text("sts3215@7"));
-    fixture.poke(7, text("position_p"), 45);
+    SimFixture fixture(utf8("sts3215@7"));
+    fixture.poke(7, utf8("position_p"), 45);
     snapshot::Snapshot snapshot = saved(fixture, 7);
     for (snapshot::SnapshotRegister& reg : snapshot.registers) {
-        if (reg.key == text("id"))
+        if (reg.key == utf8("id"))
             reg.raw = 4;
-        if (reg.key == text("baud_rate"))
+        if (reg.key == utf8("baud_rate"))
             reg.raw = 4; // 115200
     }
-    fixture.poke(7, text("position_p"), 20);
+    fixture.poke(7, utf8("position_p"), 20);
     device::Servo servo = support::identifyWithTable(fixture, 7);
 
     const auto without = jobs::planRestore(servo, snapshot);
-    QCOMPARE(keysOf(jobs::plannedWrites(without)), QStringList{text("position_p")});
-    QVERIFY(without.find(text("id"))->isSelectable);
-    QVERIFY(without.find(text("id"))->reasons.testFlag(RestoreReason::Identity));
+    QCOMPARE(keysOf(jobs::plannedWrites(without)), QStringList{utf8("position_p")});
+    QVERIFY(without.find(utf8("id"))->isSelectable);
+    QVERIFY(without.find(utf8("id"))->reasons.testFlag(RestoreReason::Identity));
 
     jobs::RestoreChoice choice;
     choice.identity = true;
     const auto plan = jobs::planRestore(servo, snapshot, choice);
     QCOMPARE(keysOf(jobs::plannedWrites(plan)),
-             (QStringList{text("position_p"), text("id"), text("baud_rate")}));
+             (QStringList{utf8("position_p"), utf8("id"), utf8("baud_rate")}));
     QVERIFY(!plan.needsConsent());
     const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
     QVERIFY(outcome);
@@ -211,29 +208,29 @@ void TestRestore::withIdAndRate()
     QCOMPARE(outcome->newBaud, 115'200);
     QCOMPARE(servo.id, 4);
     QCOMPARE(fixture.bus().baud(), 115'200);
-    QCOMPARE(fixture.raw(4, text("position_p")), 45);
+    QCOMPARE(fixture.raw(4, utf8("position_p")), 45);
     QVERIFY(!support::isLockOpen(fixture, 4));
     QVERIFY(fixture.journal().open()->empty());
-    QCOMPARE(outcome->rows.back().write.key, text("baud_rate"));
+    QCOMPARE(outcome->rows.back().write.key, utf8("baud_rate"));
 }
 
 void TestRestore::torqueIsSwitchedOffFirstAndStaysOff()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(1, text("position_p"), 50);
-    fixture.poke(1, text("torque_switch"), 1);
+    fixture.poke(1, utf8("position_p"), 50);
+    fixture.poke(1, utf8("torque_switch"), 1);
     bool torqueOnAtWrite = false;
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool gain = frame.size() > 5 && frame[4] == support::Write && frame[5] == 21;
-        torqueOnAtWrite |= gain && fixture.raw(1, text("torque_switch")) != 0;
+        torqueOnAtWrite |= gain && fixture.raw(1, utf8("torque_switch")) != 0;
     };
     const auto outcome = restored(fixture, snapshot, {}, {});
     fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Done);
     QVERIFY(outcome.torqueSwitchedOff);
     QVERIFY(!torqueOnAtWrite);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     const auto& notices = fixture.notices();
     const auto hasNotice = [&](device::NoticeCode code) {
         return std::any_of(notices.begin(), notices.end(),
@@ -245,59 +242,59 @@ void TestRestore::torqueIsSwitchedOffFirstAndStaysOff()
 
 void TestRestore::onlySelectedRowsAreWritten()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(1, text("position_p"), 50);
-    fixture.poke(1, text("position_d"), 51);
-    fixture.poke(1, text("max_temperature"), 60);
+    fixture.poke(1, utf8("position_p"), 50);
+    fixture.poke(1, utf8("position_d"), 51);
+    fixture.poke(1, utf8("max_temperature"), 60);
     device::Servo servo = support::identifyWithTable(fixture);
     auto plan = jobs::planRestore(servo, snapshot);
     QCOMPARE(jobs::plannedWrites(plan).size(), std::size_t(3));
-    QVERIFY(plan.setSelected(text("position_d"), false));
-    QVERIFY(!plan.setSelected(text("goal_position"), true));
-    QVERIFY(!plan.setSelected(text("speed_p"), true)); // the same already
+    QVERIFY(plan.setSelected(utf8("position_d"), false));
+    QVERIFY(!plan.setSelected(utf8("goal_position"), true));
+    QVERIFY(!plan.setSelected(utf8("speed_p"), true)); // the same already
     fixture.clearFrames();
     const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
     QVERIFY(outcome);
     QCOMPARE(outcome->rows.size(), std::size_t(2));
-    QCOMPARE(fixture.raw(1, text("position_d")), 51);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
-    QCOMPARE(fixture.raw(1, text("max_temperature")), 70);
+    QCOMPARE(fixture.raw(1, utf8("position_d")), 51);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("max_temperature")), 70);
     // Unlock, two rows, lock; torque was off.
     QCOMPARE(fixture.frames(support::Write), 4);
 }
 
 void TestRestore::dangerousRowsNeedConsent()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(1, text("position_offset"), 300);
+    fixture.poke(1, utf8("position_offset"), 300);
     device::Servo servo = support::identifyWithTable(fixture);
     auto plan = jobs::planRestore(servo, snapshot);
-    const jobs::RestoreRow* row = plan.find(text("position_offset"));
+    const jobs::RestoreRow* row = plan.find(utf8("position_offset"));
     QVERIFY(row->isSelectable && !row->selected);
     QVERIFY(row->reasons.testFlag(RestoreReason::NeedsConsent));
     QVERIFY(row->reasons.testFlag(RestoreReason::MovesShaft));
     QVERIFY(jobs::plannedWrites(plan).empty());
-    QVERIFY(plan.setSelected(text("position_offset"), true));
+    QVERIFY(plan.setSelected(utf8("position_offset"), true));
     fixture.clearFrames();
     const auto refused = jobs::restore(fixture.context(), servo, plan, {});
     QCOMPARE(refused.error().code, base::ErrorCode::NeedsConsent);
-    QCOMPARE(refused.error().registerKey, text("position_offset"));
+    QCOMPARE(refused.error().registerKey, utf8("position_offset"));
     QVERIFY(fixture.onlyReadsSent());
     QCOMPARE(jobs::restore(fixture.context(), servo, plan, withConsent())->verdict,
              RestoreVerdict::Done);
-    QCOMPARE(fixture.raw(1, text("position_offset")), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_offset")), 0);
 }
 
 void TestRestore::liveRowsAreNeverWritten()
 {
-    SimFixture fixture(text("lx16a@1"), support::atBaud(115'200));
+    SimFixture fixture(utf8("lx16a@1"), support::atBaud(115'200));
     snapshot::Snapshot snapshot = saved(fixture);
     for (snapshot::SnapshotRegister& reg : snapshot.registers) {
-        if (reg.key == text("mode") || reg.key == text("load"))
+        if (reg.key == utf8("mode") || reg.key == utf8("load"))
             reg.raw = 1;
-        if (reg.key == text("move_angle"))
+        if (reg.key == utf8("move_angle"))
             reg.raw = 900;
     }
     device::Servo servo = support::identifyWithTable(fixture);
@@ -307,9 +304,9 @@ void TestRestore::liveRowsAreNeverWritten()
     const auto plan = jobs::planRestore(servo, snapshot, choice);
     QVERIFY(jobs::plannedWrites(plan).empty());
     for (const char* key : {"mode", "load", "move_angle", "motor_speed"})
-        QVERIFY2(plan.find(text(key))->reasons.testFlag(RestoreReason::Live), key);
+        QVERIFY2(plan.find(utf8(key))->reasons.testFlag(RestoreReason::Live), key);
 
-    SimFixture sts(text("sts3215@1"));
+    SimFixture sts(utf8("sts3215@1"));
     snapshot::Snapshot other = saved(sts);
     for (snapshot::SnapshotRegister& reg : other.registers) {
         if (reg.raw && (reg.area == catalog::Area::Sram))
@@ -318,35 +315,35 @@ void TestRestore::liveRowsAreNeverWritten()
     device::Servo here = support::identifyWithTable(sts);
     QVERIFY(jobs::plannedWrites(jobs::planRestore(here, other, everything())).empty());
     QCOMPARE(keysOf(jobs::plannedWrites(jobs::planRestore(here, other, choice))),
-             (QStringList{text("acceleration"), text("torque_limit")}));
+             (QStringList{utf8("acceleration"), utf8("torque_limit")}));
 }
 
 void TestRestore::limitsAreNeverInverted()
 {
     // From a range above the wanted one to it, and back: whichever limit went first alone would
     // cross the other.
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("min_angle_limit"), 100);
-    fixture.poke(1, text("max_angle_limit"), 200);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("min_angle_limit"), 100);
+    fixture.poke(1, utf8("max_angle_limit"), 200);
     const snapshot::Snapshot low = saved(fixture);
-    fixture.poke(1, text("min_angle_limit"), 3000);
-    fixture.poke(1, text("max_angle_limit"), 4000);
+    fixture.poke(1, utf8("min_angle_limit"), 3000);
+    fixture.poke(1, utf8("max_angle_limit"), 4000);
     const snapshot::Snapshot high = saved(fixture);
     bool crossed = false;
     fixture.tap().onWrite = [&](const base::Bytes&) {
         crossed |=
-            fixture.raw(1, text("min_angle_limit")) >= fixture.raw(1, text("max_angle_limit"));
+            fixture.raw(1, utf8("min_angle_limit")) >= fixture.raw(1, utf8("max_angle_limit"));
     };
     for (const snapshot::Snapshot* snapshot : {&low, &high, &low})
         QCOMPARE(restored(fixture, *snapshot, {}, {}).verdict, RestoreVerdict::Done);
     fixture.tap().onWrite = nullptr;
     QVERIFY(!crossed);
-    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 200);
+    QCOMPARE(fixture.raw(1, utf8("max_angle_limit")), 200);
 
     // Half of a pair that would end the wrong way round is refused as a whole.
     device::Servo servo = support::identifyWithTable(fixture);
     jobs::RestoreChoice half;
-    half.only = QStringList{text("min_angle_limit")};
+    half.only = QStringList{utf8("min_angle_limit")};
     fixture.clearFrames();
     const auto refused =
         jobs::restore(fixture.context(), servo, jobs::planRestore(servo, high, half), {});
@@ -356,10 +353,10 @@ void TestRestore::limitsAreNeverInverted()
 
 void TestRestore::aRefusedRowStopsTheRest()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     changeSevenRegisters(fixture);
-    overwriteAfterWrite(fixture, 21, text("position_p"), 99, 1);
+    overwriteAfterWrite(fixture, 21, utf8("position_p"), 99, 1);
     const auto outcome = restored(fixture, snapshot, {}, {});
     fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
@@ -367,7 +364,7 @@ void TestRestore::aRefusedRowStopsTheRest()
     QCOMPARE(outcome.rows.size(), std::size_t(7));
     bool failed = false;
     for (const jobs::RestoreRowResult& row : outcome.rows) {
-        const bool isBad = row.write.key == text("position_p");
+        const bool isBad = row.write.key == utf8("position_p");
         if (isBad)
             QCOMPARE(row.write.outcome, device::WriteOutcome::Mismatch);
         else
@@ -377,22 +374,22 @@ void TestRestore::aRefusedRowStopsTheRest()
         failed |= isBad;
     }
     QVERIFY(failed);
-    QCOMPARE(fixture.raw(1, text("max_temperature")), 70); // before it
-    QCOMPARE(fixture.raw(1, text("speed_p")), 77);         // behind it
+    QCOMPARE(fixture.raw(1, utf8("max_temperature")), 70); // before it
+    QCOMPARE(fixture.raw(1, utf8("speed_p")), 77);         // behind it
     QVERIFY(!support::isLockOpen(fixture));
     QVERIFY(fixture.journal().open()->empty());
     // Restoring again does the rest.
     QCOMPARE(restored(fixture, snapshot, {}, {}).verdict, RestoreVerdict::Done);
-    QVERIFY(fixture.raw(1, text("speed_p")) != 77);
+    QVERIFY(fixture.raw(1, utf8("speed_p")) != 77);
 }
 
 void TestRestore::aRefusedRowRollsBack()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     changeSevenRegisters(fixture);
     const TableValues before = support::held(fixture);
-    overwriteAfterWrite(fixture, 21, text("position_p"), 99, 1);
+    overwriteAfterWrite(fixture, 21, utf8("position_p"), 99, 1);
     jobs::RestoreOptions options;
     options.onFailure = jobs::OnFailure::RollBack;
     const auto outcome = restored(fixture, snapshot, {}, options);
@@ -415,11 +412,11 @@ void TestRestore::aRefusedRowRollsBack()
 void TestRestore::thePlannedStepsAreExecuted()
 {
     // Into another mode, with everything that belongs to it.
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("operating_mode"), 1);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("operating_mode"), 1);
     const snapshot::Snapshot wheel = saved(fixture);
-    fixture.poke(1, text("operating_mode"), 0);
-    fixture.poke(1, text("goal_speed"), 500);
+    fixture.poke(1, utf8("operating_mode"), 0);
+    fixture.poke(1, utf8("goal_speed"), 500);
     changeSevenRegisters(fixture);
     device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, wheel, everything());
@@ -430,7 +427,7 @@ void TestRestore::thePlannedStepsAreExecuted()
     QCOMPARE(steps.front().kind, jobs::RestoreStepKind::TorqueOff);
     QCOMPARE(steps[1].kind, jobs::RestoreStepKind::Unlock);
     QCOMPARE(steps[steps.size() - 3].kind, jobs::RestoreStepKind::Neutralize);
-    QCOMPARE(steps[steps.size() - 3].key, text("goal_speed"));
+    QCOMPARE(steps[steps.size() - 3].key, utf8("goal_speed"));
     QCOMPARE(steps[steps.size() - 2].kind, jobs::RestoreStepKind::TorqueOff); // it switches it on
     QCOMPARE(steps.back().kind, jobs::RestoreStepKind::Lock);
 
@@ -460,10 +457,10 @@ void TestRestore::thePlannedStepsAreExecuted()
 
 void TestRestore::aPlanForAnotherServoIsRefused()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2,scs15@3"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2,scs15@3"));
     const snapshot::Snapshot snapshot = saved(fixture);
     const device::Servo one = support::identifyWithTable(fixture, 1);
-    fixture.poke(1, text("position_p"), 50);
+    fixture.poke(1, utf8("position_p"), 50);
     const auto plan = jobs::planRestore(support::identifyWithTable(fixture, 1), snapshot);
     for (const int id : {2, 3}) {
         device::Servo other = support::identifyWithTable(fixture, id);
@@ -476,15 +473,15 @@ void TestRestore::aPlanForAnotherServoIsRefused()
 
 void TestRestore::aChangeSinceThePlanIsKept()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(1, text("position_p"), 50);
-    fixture.poke(1, text("position_d"), 51);
+    fixture.poke(1, utf8("position_p"), 50);
+    fixture.poke(1, utf8("position_d"), 51);
     device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, snapshot);
     // While the user looks at the list.
-    fixture.poke(1, text("position_p"), 60);
-    fixture.poke(1, text("position_d"), 32);
+    fixture.poke(1, utf8("position_p"), 60);
+    fixture.poke(1, utf8("position_d"), 32);
     QCOMPARE(jobs::restore(fixture.context(), servo, plan, {})->verdict, RestoreVerdict::Done);
     const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.size(), std::size_t(1));
@@ -495,7 +492,7 @@ void TestRestore::aChangeSinceThePlanIsKept()
 
 void TestRestore::aStopBeforeTheFirstWriteWritesNothing()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     changeSevenRegisters(fixture);
     device::Servo servo = support::identifyWithTable(fixture);
@@ -509,7 +506,7 @@ void TestRestore::aStopBeforeTheFirstWriteWritesNothing()
 
 void TestRestore::theSnapshotIsSavedOnlyBeforeAWrite()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     int calls = 0;
     jobs::RestoreOptions options;
@@ -544,12 +541,12 @@ void TestRestore::aTemporaryValueCanBeSaved_data()
 void TestRestore::aTemporaryValueCanBeSaved()
 {
     QFETCH(const bool, knownToThePlan);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = support::identifyWithTable(fixture);
     const auto write = [&](std::int64_t raw, bool temporary) {
         device::WriteOptions options;
         options.temporary = temporary;
-        QVERIFY(device::write(fixture.context(), servo, {{text("position_p"), raw}}, options)
+        QVERIFY(device::write(fixture.context(), servo, {{utf8("position_p"), raw}}, options)
                     ->isSuccessful());
     };
     write(40, false);
@@ -561,7 +558,7 @@ void TestRestore::aTemporaryValueCanBeSaved()
     const auto plan = knownToThePlan ? jobs::planRestore(fixture.context(), servo, snapshot)
                                      : jobs::planRestore(servo, snapshot);
     QCOMPARE(keysOf(jobs::plannedWrites(plan)),
-             knownToThePlan ? QStringList{text("position_p")} : QStringList());
+             knownToThePlan ? QStringList{utf8("position_p")} : QStringList());
     const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
     QVERIFY(outcome);
     QCOMPARE(outcome->verdict, RestoreVerdict::Done);
@@ -573,16 +570,16 @@ void TestRestore::aTemporaryValueCanBeSaved()
     const auto again = jobs::restore(fixture.context(), servo, plan, {});
     QCOMPARE(again->verdict, knownToThePlan ? RestoreVerdict::Done : RestoreVerdict::AlreadySet);
     fixture.powerCycle();
-    QCOMPARE(fixture.raw(1, text("position_p")), 40);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 40);
     servo = support::identifyWithTable(fixture);
     QVERIFY(jobs::plannedWrites(jobs::planRestore(fixture.context(), servo, snapshot)).empty());
 }
 
 void TestRestore::aLockLeftOpenIsClosed()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(1, text("lock"), 0);
+    fixture.poke(1, utf8("lock"), 0);
     device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, snapshot);
     QCOMPARE(jobs::plannedSteps(plan).size(), std::size_t(1));
@@ -595,11 +592,11 @@ void TestRestore::aLockLeftOpenIsClosed()
 
 void TestRestore::aLockThatStaysOpenIsAFailure()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(1, text("lock"), 0);
+    fixture.poke(1, utf8("lock"), 0);
     constexpr std::uint8_t lockAddress = 55;
-    overwriteAfterWrite(fixture, lockAddress, text("lock"), 0, 100);
+    overwriteAfterWrite(fixture, lockAddress, utf8("lock"), 0, 100);
     const auto outcome = restored(fixture, snapshot, {}, {});
     fixture.tap().onWrite = nullptr;
     QVERIFY(support::isLockOpen(fixture));
@@ -643,11 +640,11 @@ void TestRestore::anInterruptedRestoreIsFinishedAsOne_data()
 void TestRestore::anInterruptedRestoreIsFinishedAsOne()
 {
     QFETCH(const bool, recovers);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     interruptRestore(fixture, snapshot);
     const base::Intent intent = fixture.journal().open()->front();
-    fixture.poke(1, text("torque_switch"), 1);
+    fixture.poke(1, utf8("torque_switch"), 1);
 
     bool torqueOn = false;
     std::vector<int> written;
@@ -655,7 +652,7 @@ void TestRestore::anInterruptedRestoreIsFinishedAsOne()
         if (frame.size() < 6 || frame[4] != support::Write)
             return;
         const bool isRow = frame[5] != 40 && frame[5] != 55;
-        torqueOn |= isRow && fixture.raw(1, text("torque_switch")) != 0;
+        torqueOn |= isRow && fixture.raw(1, utf8("torque_switch")) != 0;
         if (isRow)
             written.push_back(frame[5]);
     };
@@ -673,7 +670,7 @@ void TestRestore::anInterruptedRestoreIsFinishedAsOne()
     }
     fixture.tap().onWrite = nullptr;
     QVERIFY(!torqueOn);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     QVERIFY(reportsTorqueStaysOff(fixture));
     QVERIFY(!support::isLockOpen(fixture));
 
@@ -689,14 +686,14 @@ void TestRestore::anInterruptedRestoreIsFinishedAsOne()
         QCOMPARE(fixture.raw(1, item.key), item.newRaw);
     }
     const auto entries = fixture.journal().entries().value();
-    QCOMPARE(entries.front().end->outcome, text("done"));
+    QCOMPARE(entries.front().end->outcome, utf8("done"));
     QCOMPARE(entries.front().end->items.size(), std::size_t(7));
     // What was written only now is no part of what happened then.
     for (const base::ItemResult& end : entries.front().end->items) {
         const auto& late = entries.back().intent.items;
         const auto now = std::find_if(late.begin(), late.end(),
                                       [&](const auto& item) { return item.key == end.key; });
-        QCOMPARE(end.outcome, now == late.end() ? text("kept") : text("unknown"));
+        QCOMPARE(end.outcome, now == late.end() ? utf8("kept") : utf8("unknown"));
         if (now != late.end())
             QCOMPARE(end.readBack, std::optional(now->oldRaw));
     }
@@ -714,7 +711,7 @@ void TestRestore::anInterruptedRestoreIsFinishedAsOne()
 
 void TestRestore::finishingStopsAtTheFirstFailure()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     interruptRestore(fixture, snapshot);
     const auto open = fixture.journal().open()->front();
@@ -742,7 +739,7 @@ void TestRestore::finishingStopsAtTheFirstFailure()
 
 void TestRestore::rolledBackRowsAreUndoneInTheJournal()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const snapshot::Snapshot snapshot = saved(fixture);
     changeSevenRegisters(fixture);
     const TableValues before = support::held(fixture);
@@ -758,15 +755,15 @@ void TestRestore::rolledBackRowsAreUndoneInTheJournal()
     const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.size(), std::size_t(2));
     const base::JournalEntry& first = entries.front();
-    QCOMPARE(first.end->outcome, text("undone"));
+    QCOMPARE(first.end->outcome, utf8("undone"));
     QCOMPARE(first.end->items.size(), std::size_t(7));
     int undone = 0;
     for (const base::ItemResult& end : first.end->items) {
         const auto item =
             std::find_if(first.intent.items.begin(), first.intent.items.end(),
                          [&](const base::JournalItem& one) { return one.key == end.key; });
-        const bool touched = end.outcome != text("not-sent");
-        QCOMPARE(end.outcome, touched ? text("undone") : text("not-sent"));
+        const bool touched = end.outcome != utf8("not-sent");
+        QCOMPARE(end.outcome, touched ? utf8("undone") : utf8("not-sent"));
         if (touched)
             QCOMPARE(end.readBack, std::optional(item->oldRaw));
         undone += touched ? 1 : 0;
@@ -776,17 +773,17 @@ void TestRestore::rolledBackRowsAreUndoneInTheJournal()
 
 void TestRestore::skippedRowsAreListed()
 {
-    SimFixture fixture(text("sts3215@1,scs15@3"));
-    fixture.poke(1, text("id"), 1);
+    SimFixture fixture(utf8("sts3215@1,scs15@3"));
+    fixture.poke(1, utf8("id"), 1);
     snapshot::Snapshot snapshot = saved(fixture);
     for (snapshot::SnapshotRegister& reg : snapshot.registers) {
-        if (reg.key == text("id"))
+        if (reg.key == utf8("id"))
             reg.raw = 9;
-        if (reg.key == text("goal_position"))
+        if (reg.key == utf8("goal_position"))
             reg.raw = 1;
-        if (reg.key == text("position_offset"))
+        if (reg.key == utf8("position_offset"))
             reg.raw = 40;
-        if (reg.key == text("position_p"))
+        if (reg.key == utf8("position_p"))
             reg.raw = 50;
     }
     const auto keys = [](const jobs::RestorePlan& plan) {
@@ -797,35 +794,35 @@ void TestRestore::skippedRowsAreListed()
     };
     const device::Servo servo = support::identifyWithTable(fixture);
     auto plan = jobs::planRestore(servo, snapshot);
-    QCOMPARE(keys(plan), QStringList{text("position_offset")});
-    QVERIFY(!plan.find(text("position_offset"))->isRequested);
-    QVERIFY(plan.setSelected(text("position_p"), false));
-    QCOMPARE(keys(plan), (QStringList{text("position_p"), text("position_offset")}));
+    QCOMPARE(keys(plan), QStringList{utf8("position_offset")});
+    QVERIFY(!plan.find(utf8("position_offset"))->isRequested);
+    QVERIFY(plan.setSelected(utf8("position_p"), false));
+    QCOMPARE(keys(plan), (QStringList{utf8("position_p"), utf8("position_offset")}));
     QVERIFY(keys(jobs::planRestore(servo, snapshot, everything())).isEmpty());
 
     // Named rows count as omitted for any reason; other rows are not requested.
     jobs::RestoreChoice choice;
-    choice.only = QStringList{text("goal_position"), text("id"), text("position_p")};
+    choice.only = QStringList{utf8("goal_position"), utf8("id"), utf8("position_p")};
     plan = jobs::planRestore(servo, snapshot, choice);
     QStringList named = keys(plan);
     named.sort();
-    QCOMPARE(named, (QStringList{text("goal_position"), text("id")}));
+    QCOMPARE(named, (QStringList{utf8("goal_position"), utf8("id")}));
     QVERIFY(jobs::omittedRows(plan).front()->isRequested);
 
     // A template's rows are requested, so those that another family lacks count as omitted.
     snapshot::Snapshot chosen =
-        snapshot::makeTemplate(snapshot, {text("speed_p"), text("overload_torque")}, false).value();
+        snapshot::makeTemplate(snapshot, {utf8("speed_p"), utf8("overload_torque")}, false).value();
     plan = jobs::planRestore(support::identifyWithTable(fixture, 3), chosen);
-    QVERIFY(keys(plan).contains(text("speed_p")));
-    QVERIFY(plan.find(text("speed_p"))->isRequested);
+    QVERIFY(keys(plan).contains(utf8("speed_p")));
+    QVERIFY(plan.find(utf8("speed_p"))->isRequested);
 }
 
 void TestRestore::severalServosIndependently()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2,scs15@3,sts3215@4"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2,scs15@3,sts3215@4"));
     const snapshot::Snapshot snapshot = saved(fixture);
-    fixture.poke(2, text("position_p"), 50);
-    fixture.poke(4, text("position_p"), 51);
+    fixture.poke(2, utf8("position_p"), 50);
+    fixture.poke(4, utf8("position_p"), 51);
     jobs::ApplyOptions options;
     options.dryRun = true;
     fixture.clearFrames();
@@ -847,38 +844,38 @@ void TestRestore::severalServosIndependently()
     QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Done);
     QCOMPARE(all[2].verdict, jobs::ApplyVerdict::NoReply);
     QCOMPARE(all[3].verdict, jobs::ApplyVerdict::Done);
-    QCOMPARE(fixture.raw(4, text("position_p")), 32);
-    QCOMPARE(fixture.raw(4, text("id")), 4);
+    QCOMPARE(fixture.raw(4, utf8("position_p")), 32);
+    QCOMPARE(fixture.raw(4, utf8("id")), 4);
 }
 
 void TestRestore::aBundleIsRestoredById()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2,scs15@3"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2,scs15@3"));
     std::vector<device::Servo> servos;
     for (const int id : {3, 1, 2})
         servos.push_back(support::identifyWithTable(fixture, id));
-    fixture.poke(2, text("position_p"), 44);
+    fixture.poke(2, utf8("position_p"), 44);
     const auto taken = jobs::takeBundle(fixture.context(), servos, program);
     QVERIFY(taken);
     const auto bundle = snapshot::decodeBundle(snapshot::encodeBundle(*taken));
     QVERIFY(bundle);
     QCOMPARE(bundle->servos.size(), std::size_t(3));
     QCOMPARE(bundle->servos[0].servo.id, 1);
-    fixture.poke(2, text("position_p"), 11);
-    fixture.poke(1, text("max_temperature"), 11);
+    fixture.poke(2, utf8("position_p"), 11);
+    fixture.poke(1, utf8("max_temperature"), 11);
     // Somebody has swapped two of them: hands off.
     fixture.withBus([](sim::VirtualBus& wire) {
-        wire.servo(3)->poke(text("id"), 30);
-        wire.servo(1)->poke(text("id"), 3);
-        wire.servo(30)->poke(text("id"), 1);
+        wire.servo(3)->poke(utf8("id"), 30);
+        wire.servo(1)->poke(utf8("id"), 3);
+        wire.servo(30)->poke(utf8("id"), 1);
     });
     fixture.runFor(std::chrono::milliseconds(50));
     const auto all = jobs::restoreBundle(fixture.context(), *bundle, {});
     QCOMPARE(all[0].verdict, jobs::ApplyVerdict::OtherServo);
     QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Done);
     QCOMPARE(all[2].verdict, jobs::ApplyVerdict::OtherServo);
-    QCOMPARE(fixture.raw(2, text("position_p")), 44);
-    QCOMPARE(fixture.raw(3, text("max_temperature")), 11);
+    QCOMPARE(fixture.raw(2, utf8("position_p")), 44);
+    QCOMPARE(fixture.raw(3, utf8("max_temperature")), 11);
 }
 
 SERVODESK_GUILESS_TEST(TestRestore)

@@ -7,6 +7,7 @@
 #include "jobs/recover/recover.h"
 #include "jobs/restore/restore.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -16,13 +17,9 @@ using jobs::RecoveryAction;
 using jobs::RestoreVerdict;
 using support::SimFixture;
 using support::TableValues;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 enum class Failure { LinkCut, PowerLost };
 enum class FollowUp { Finish, Undo, Again };
 
@@ -65,7 +62,7 @@ struct RestoreFrames {
 
 RestoreFrames fullRestoreFrames(const snapshot::Snapshot& snapshot)
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     fixture.clearFrames();
     const auto outcome = restoreOn(fixture, snapshot);
     if (!outcome || outcome->verdict != RestoreVerdict::Done || outcome->rows.size() != 20)
@@ -98,7 +95,7 @@ class TestRestoreInterrupted : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
     void interruptedAtEveryFrame_data();
     void interruptedAtEveryFrame();
 };
@@ -124,7 +121,7 @@ void TestRestoreInterrupted::interruptedAtEveryFrame()
     int interrupted = 0;
     for (std::size_t frame = 1; frame <= frames.all; ++frame) {
         const QByteArray where = QByteArray::number(qulonglong(frame));
-        SimFixture fixture(text("sts3215@1"));
+        SimFixture fixture(utf8("sts3215@1"));
         const TableValues before = support::held(fixture);
         TableValues after = before;
         for (const auto& [key, raw] : support::twentyRegisters())

@@ -8,6 +8,7 @@
 #include "jobs/restore/take_snapshot.h"
 #include "protocol/codec.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -16,13 +17,9 @@ using catalog::Role;
 using jobs::RestoreStepKind;
 using support::SimFixture;
 using support::TableValues;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 /// Bytes of the servo's table that a request writes.
 struct ByteRange {
     int offset = 0;
@@ -63,7 +60,7 @@ std::optional<ByteRange> written(const base::Bytes& frame, base::Protocol protoc
 /// One change of a register: "operating_mode = 0". The lock's values are its own business.
 QString change(const QString& key, std::int64_t raw)
 {
-    return key.startsWith(text("lock")) ? key : QStringLiteral("%1 = %2").arg(key).arg(raw);
+    return key.startsWith(utf8("lock")) ? key : QStringLiteral("%1 = %2").arg(key).arg(raw);
 }
 
 /// What every frame changes, looked at when the next one goes out.
@@ -171,7 +168,7 @@ void randomizeState(SimFixture& fixture, const device::Servo& servo, unsigned se
         fixture.poke(1, torque->key, 1);
 }
 
-jobs::RestoreChoice everything()
+jobs::RestoreChoice everythingLive()
 {
     jobs::RestoreChoice choice;
     choice.consent = device::Consent::confirmed();
@@ -184,7 +181,7 @@ class TestRestoreSteps : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void theListMatchesTheWire_data();
     void theListMatchesTheWire();
@@ -208,12 +205,12 @@ void TestRestoreSteps::theListMatchesTheWire()
     QFETCH(const int, family);
     QFETCH(const int, seed);
     const support::Family& kind = support::restoreFamilies[std::size_t(family)];
-    SimFixture fixture(text(kind.servos), support::atBaud(kind.baud));
+    SimFixture fixture(utf8(kind.servos), support::atBaud(kind.baud));
     const TableValues factory = support::held(fixture);
     support::RandomTable random{unsigned(seed)};
     support::pokeAllPersistent(fixture, random.make(support::identifyWithTable(fixture)));
     const snapshot::Snapshot snapshot =
-        jobs::snapshotOf(support::identifyWithTable(fixture), text("test 1"));
+        jobs::snapshotOf(support::identifyWithTable(fixture), utf8("test 1"));
     // Now and then from one random table to another, else from the factory's.
     support::pokeAllPersistent(
         fixture, seed % 4 == 0 ? random.make(support::identifyWithTable(fixture)) : factory);
@@ -221,7 +218,7 @@ void TestRestoreSteps::theListMatchesTheWire()
     fixture.runFor(std::chrono::seconds(1));
 
     device::Servo servo = support::identifyWithTable(fixture);
-    const auto plan = jobs::planRestore(fixture.context(), servo, snapshot, everything());
+    const auto plan = jobs::planRestore(fixture.context(), servo, snapshot, everythingLive());
     WriteObserver observer(fixture, servo);
     const auto outcome =
         jobs::restore(fixture.context(), servo, plan, {device::Consent::confirmed(), {}, {}});
@@ -241,9 +238,9 @@ void TestRestoreSteps::aRememberedSpeedIsInTheList_data()
 {
     QTest::addColumn<QString>("servos");
     QTest::addColumn<int>("baud");
-    QTest::newRow("STS") << text("sts3215@1") << 1'000'000;
-    QTest::newRow("SMS") << text("sm40blhv@1") << 115'200;
-    QTest::newRow("HLS") << text("hls3606@1") << 1'000'000;
+    QTest::newRow("STS") << utf8("sts3215@1") << 1'000'000;
+    QTest::newRow("SMS") << utf8("sm40blhv@1") << 115'200;
+    QTest::newRow("HLS") << utf8("hls3606@1") << 1'000'000;
 }
 
 void TestRestoreSteps::aRememberedSpeedIsInTheList()
@@ -252,15 +249,15 @@ void TestRestoreSteps::aRememberedSpeedIsInTheList()
     QFETCH(const int, baud);
     SimFixture fixture(servos, support::atBaud(baud));
     device::Servo servo = support::identifyWithTable(fixture);
-    const snapshot::Snapshot snapshot = jobs::snapshotOf(servo, text("test 1"));
+    const snapshot::Snapshot snapshot = jobs::snapshotOf(servo, utf8("test 1"));
     const QString speed = servo.profile->byRole(Role::GoalSpeed)->key;
     fixture.poke(1, speed, 120);
     servo = support::identifyWithTable(fixture);
-    QVERIFY(device::switchMode(fixture.context(), servo, text("speed"))->isSuccessful());
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("speed"))->isSuccessful());
     QCOMPARE(fixture.raw(1, speed), 0);
 
     servo = support::identifyWithTable(fixture);
-    const auto plan = jobs::planRestore(fixture.context(), servo, snapshot, everything());
+    const auto plan = jobs::planRestore(fixture.context(), servo, snapshot, everythingLive());
     WriteObserver observer(fixture, servo);
     QCOMPARE(jobs::restore(fixture.context(), servo, plan, {device::Consent::confirmed(), {}, {}})
                  ->verdict,

@@ -11,6 +11,7 @@
 #include "jobs/restore/restore.h"
 #include "jobs/restore/take_snapshot.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -21,17 +22,13 @@ using jobs::RecoveryAction;
 using jobs::RestoreVerdict;
 using support::SimFixture;
 using support::TableValues;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 constexpr int rowCount = 7;
 constexpr int framesUntilFourthRow = 4;
 
-enum class Failure { OtherValue, Silence };
+enum class UndoFailure { OtherValue, Silence };
 enum class InitialTable { Default, OutsideDocumentedRange };
 
 /// A servo with seven rows to restore, and a history on disk that knows its table before.
@@ -39,17 +36,17 @@ class RestoreUndoFixture {
 public:
     explicit RestoreUndoFixture(InitialTable before = InitialTable::Default)
     {
-        wanted = jobs::snapshotOf(support::identifyWithTable(sim), text("test 1"));
+        wanted = jobs::snapshotOf(support::identifyWithTable(sim), utf8("test 1"));
         wanted.at = QDateTime::currentDateTimeUtc();
         support::changeSevenRegisters(sim);
         if (before == InitialTable::OutsideDocumentedRange) {
-            support::pokePersistent(sim, text("max_temperature"), 140);
-            support::pokePersistent(sim, text("max_torque"), 1023);
-            support::pokePersistent(sim, text("min_angle_limit"), 3000);
-            support::pokePersistent(sim, text("max_angle_limit"), 200);
+            support::pokePersistent(sim, utf8("max_temperature"), 140);
+            support::pokePersistent(sim, utf8("max_torque"), 1023);
+            support::pokePersistent(sim, utf8("min_angle_limit"), 3000);
+            support::pokePersistent(sim, utf8("max_angle_limit"), 200);
         }
         first = support::held(sim);
-        snapshot::Snapshot now = jobs::snapshotOf(support::identifyWithTable(sim), text("test 1"));
+        snapshot::Snapshot now = jobs::snapshotOf(support::identifyWithTable(sim), utf8("test 1"));
         now.at = QDateTime::currentDateTimeUtc();
         if (!open()->log().addSnapshot(now, history::SnapshotReason::Automatic))
             qFatal("no history");
@@ -96,10 +93,10 @@ public:
         qFatal("nothing is missing");
     }
 
-    void trouble(Failure kind)
+    void trouble(UndoFailure kind)
     {
         const base::JournalItem missing = nextPendingItem();
-        if (kind == Failure::OtherValue)
+        if (kind == UndoFailure::OtherValue)
             support::overwriteAfterWrite(sim, std::uint8_t(missing.address), missing.key,
                                          missing.newRaw + 1, 1);
         else
@@ -131,17 +128,17 @@ public:
     QString findLeftovers()
     {
         if (!journal.open()->empty())
-            return text("an intent is open");
+            return utf8("an intent is open");
         for (const char* when : {"", " after a power-off"}) {
             if (support::isLockOpen(sim))
-                return text("the lock is open") + text(when);
+                return utf8("the lock is open") + utf8(when);
             for (const auto& [key, raw] : support::held(sim)) {
                 if (first.at(key) != raw)
                     return QStringLiteral("%1: %2, it was %3%4")
                         .arg(key)
                         .arg(raw)
                         .arg(first.at(key))
-                        .arg(text(when));
+                        .arg(utf8(when));
             }
             sim.powerCycle();
             sim.runFor(std::chrono::seconds(3));
@@ -155,12 +152,12 @@ public:
         const auto history = open();
         const auto servos = history->log().servos();
         if (!servos || servos->size() != 1)
-            return text("not one servo in the history");
+            return utf8("not one servo in the history");
         const auto point =
             history::tableAt(history->file(), support::builtInCatalog(), servos->front().number,
                              QDateTime::currentDateTimeUtc());
         if (!point)
-            return text("no table");
+            return utf8("no table");
         for (const auto& [key, raw] : support::held(sim)) {
             const snapshot::SnapshotRegister* row = point->table.find(key);
             if (row == nullptr || row->raw != raw)
@@ -177,28 +174,28 @@ public:
     {
         const auto entries = journal.entries();
         const base::JournalEntry& restore = entries->front();
-        if (!restore.end || restore.end->outcome != text("undone"))
-            return text("the restore ended as ") +
-                   (restore.end ? restore.end->outcome : text("nothing"));
+        if (!restore.end || restore.end->outcome != utf8("undone"))
+            return utf8("the restore ended as ") +
+                   (restore.end ? restore.end->outcome : utf8("nothing"));
         int undone = 0;
         for (const base::JournalItem& item : restore.intent.items) {
             const auto& ends = restore.end->items;
             const auto end = std::find_if(ends.begin(), ends.end(),
                                           [&](const auto& one) { return one.key == item.key; });
             if (end == ends.end())
-                return text("nothing is said of ") + item.key;
-            if (end->outcome == text("refused") || end->outcome == text("not-sent"))
+                return utf8("nothing is said of ") + item.key;
+            if (end->outcome == utf8("refused") || end->outcome == utf8("not-sent"))
                 continue;
-            if (end->outcome != text("undone") || end->readBack != item.oldRaw)
-                return item.key + text(" ended as ") + end->outcome;
+            if (end->outcome != utf8("undone") || end->readBack != item.oldRaw)
+                return item.key + utf8(" ended as ") + end->outcome;
             ++undone;
         }
         return undone == touched ? QString() : QStringLiteral("%1 rows are undone").arg(undone);
     }
 
-    SimFixture sim{text("sts3215@1")};
+    SimFixture sim{utf8("sts3215@1")};
     const QTemporaryDir folder;
-    history::HistoryJournal journal{folder.filePath(text("history.sqlite")), text("test 1")};
+    history::HistoryJournal journal{folder.filePath(utf8("history.sqlite")), utf8("test 1")};
     snapshot::Snapshot wanted;
     TableValues first;
 };
@@ -208,7 +205,7 @@ class TestRestoreUndo : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void anInterruptedRestoreIsUndone_data();
     void anInterruptedRestoreIsUndone();
@@ -258,8 +255,8 @@ void TestRestoreUndo::aFailedCompletionIsRolledBack_data()
          {std::pair{"", InitialTable::Default},
           std::pair{", outside the sheet", InitialTable::OutsideDocumentedRange}}) {
         QTest::addRow("a row shows another value%s", name)
-            << int(Failure::OtherValue) << int(before);
-        QTest::addRow("the servo falls silent%s", name) << int(Failure::Silence) << int(before);
+            << int(UndoFailure::OtherValue) << int(before);
+        QTest::addRow("the servo falls silent%s", name) << int(UndoFailure::Silence) << int(before);
     }
 }
 
@@ -269,7 +266,7 @@ void TestRestoreUndo::aFailedCompletionIsRolledBack()
     QFETCH(const int, before);
     RestoreUndoFixture fixture{InitialTable(before)};
     fixture.interruptRestore();
-    fixture.trouble(Failure(trouble));
+    fixture.trouble(UndoFailure(trouble));
     const auto outcome = fixture.restore(OnFailure::RollBack);
     fixture.restoreLink();
     QVERIFY(outcome);
@@ -301,7 +298,7 @@ void TestRestoreUndo::aFailedCompletionIsUndone()
     RestoreUndoFixture fixture{InitialTable(before)};
     fixture.interruptRestore();
     const auto items = fixture.journal.open()->front().items.size();
-    fixture.trouble(Failure(trouble));
+    fixture.trouble(UndoFailure(trouble));
     const auto finished = fixture.recover(RecoveryAction::Finish);
     fixture.restoreLink();
     QVERIFY(finished && finished->size() == 1);
@@ -415,7 +412,7 @@ void TestRestoreUndo::onlyTheRollbackIsOpen()
     int writes = 0;
     fixture.sim.tap().onWrite = [&, pending = false](const base::Bytes& frame) mutable {
         if (std::exchange(pending, support::isWrite(frame) && frame[5] == address) && writes == 0) {
-            fixture.sim.poke(1, text("position_p"), 99);
+            fixture.sim.poke(1, utf8("position_p"), 99);
             writes = 1;
         }
         // Locked, unlocked, the first row, and in the middle of the second it is cut.
@@ -428,7 +425,7 @@ void TestRestoreUndo::onlyTheRollbackIsOpen()
     QVERIFY(outcome && outcome->verdict == RestoreVerdict::Failed);
     const auto open = *fixture.journal.open();
     QCOMPARE(open.size(), std::size_t(1));
-    QCOMPARE(fixture.journal.entries()->front().end->outcome, text("failed"));
+    QCOMPARE(fixture.journal.entries()->front().end->outcome, utf8("failed"));
 
     const auto ended = fixture.recover(RecoveryAction(action));
     QVERIFY(ended && ended->size() == 1);
@@ -481,7 +478,7 @@ void TestRestoreUndo::theLatestIsUndoneFirst()
 {
     RestoreUndoFixture fixture;
     const device::Servo servo = support::identifyWithTable(fixture.sim);
-    const catalog::Register& reg = *servo.profile->find(text("position_p"));
+    const catalog::Register& reg = *servo.profile->find(utf8("position_p"));
     const std::int64_t before = fixture.first.at(reg.key);
     base::Intent intent;
     intent.servo = servo.identity();
@@ -503,8 +500,8 @@ void TestRestoreUndo::anAlreadyMatchingRowIsIncluded()
     device::Servo servo = support::identifyWithTable(fixture.sim);
     device::WriteOptions options;
     options.kind = base::IntentKind::Restore;
-    const device::WriteItem so{text("position_p"), fixture.first.at(text("position_p"))};
-    QVERIFY(device::write(fixture.context(), servo, {so, {text("max_torque"), 800}}, options));
+    const device::WriteItem so{utf8("position_p"), fixture.first.at(utf8("position_p"))};
+    QVERIFY(device::write(fixture.context(), servo, {so, {utf8("max_torque"), 800}}, options));
     QCOMPARE(fixture.historyMismatch(), QString());
     QVERIFY(device::write(fixture.context(), servo, {so}, options));
     QCOMPARE(fixture.historyMismatch(), QString());
@@ -518,7 +515,7 @@ void TestRestoreUndo::unknownValuesAreRefused()
     base::Intent intent;
     intent.kind = base::IntentKind::Restore;
     intent.servo = servo.identity();
-    const catalog::Register& reg = *servo.profile->find(text("max_torque"));
+    const catalog::Register& reg = *servo.profile->find(utf8("max_torque"));
     intent.items = {{reg.key, reg.address, 900, 1023}};
     QVERIFY(fixture.journal.begin(intent));
     fixture.sim.clearFrames();
@@ -531,10 +528,10 @@ void TestRestoreUndo::unknownValuesAreRefused()
     base::Intent earlier = intent;
     earlier.items = {{reg.key, reg.address, 1023, 900}};
     const auto uuid = fixture.journal.begin(earlier);
-    QVERIFY(uuid && fixture.journal.end(*uuid, {text("done"), {}, {}}));
+    QVERIFY(uuid && fixture.journal.end(*uuid, {utf8("done"), {}, {}}));
     const auto finished = fixture.recover(RecoveryAction::Finish);
     QVERIFY(finished && finished->size() == 1 && finished->front().done);
-    QCOMPARE(fixture.sim.raw(1, text("max_torque")), 1023);
+    QCOMPARE(fixture.sim.raw(1, utf8("max_torque")), 1023);
 }
 
 SERVODESK_GUILESS_TEST(TestRestoreUndo)

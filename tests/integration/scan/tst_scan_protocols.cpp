@@ -84,8 +84,6 @@ QString listOf(const jobs::ScanReport& report)
 }
 } // namespace
 
-Q_DECLARE_METATYPE(base::Protocol)
-
 class TestScanProtocols : public QObject {
     Q_OBJECT
 

@@ -11,6 +11,7 @@
 #include "support/servo_plant.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -20,18 +21,14 @@
 using base::ErrorCode;
 using results::SweepEnd;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 jobs::StepRequest order(const char* size = "400", std::vector<results::StepGain> trial = {})
 {
     jobs::StepRequest order;
-    order.spec.size = text(size);
+    order.spec.size = utf8(size);
     order.spec.repeats = 2;
     order.spec.trial = std::move(trial);
     return order;
@@ -60,12 +57,12 @@ struct Truth {
 
 Truth groundTruth(const std::vector<results::StepGain>& gains, std::int64_t from, std::int64_t to)
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     for (const results::StepGain& gain : gains)
         fixture.poke(1, gain.key, gain.raw);
     return fixture.withBus([&](sim::VirtualBus& wire) {
         probe::ServoPlant plant(*wire.servo(1));
-        wire.servo(1)->poke(text("acceleration"), 0);
+        wire.servo(1)->poke(utf8("acceleration"), 0);
         (void)plant.move(from, 2000ms);
         const probe::Move move = plant.move(to, 1500ms);
         Truth truth;
@@ -108,7 +105,7 @@ Truth groundTruth(const std::vector<results::StepGain>& gains, std::int64_t from
 }
 
 /// Where one servo has been between two goals, by what its register showed, past the wire.
-struct Leg {
+struct StepLeg {
     std::int64_t goal = 0;
     std::int64_t low = 0;
     std::int64_t high = 0;
@@ -117,10 +114,10 @@ struct Leg {
 };
 
 /// With every frame, so as often as anybody on the wire could.
-void lookAt(std::vector<Leg>& legs, SimFixture& fixture)
+void lookAt(std::vector<StepLeg>& legs, SimFixture& fixture)
 {
-    const std::int64_t goal = fixture.raw(1, text("goal_position"));
-    const std::int64_t position = fixture.raw(1, text("present_position"));
+    const std::int64_t goal = fixture.raw(1, utf8("goal_position"));
+    const std::int64_t position = fixture.raw(1, utf8("present_position"));
     if (legs.empty() || legs.back().goal != goal)
         legs.push_back({goal, position, position});
     legs.back().low = std::min(legs.back().low, position);
@@ -138,7 +135,7 @@ class TestStepResponse : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void metricsMatchTheReferenceServo_data();
     void metricsMatchTheReferenceServo();
@@ -191,16 +188,16 @@ void TestStepResponse::metricsMatchTheReferenceServo()
     QFETCH(int, d);
     QFETCH(int, i);
     const std::vector<results::StepGain> gains{
-        {text("position_p"), p}, {text("position_d"), d}, {text("position_i"), i}};
+        {utf8("position_p"), p}, {utf8("position_d"), d}, {utf8("position_i"), i}};
     support::SimFixtureOptions options;
     options.wire.identicalServos = true; // as in groundTruth()
-    SimFixture fixture(text("sts3215@1"), options);
+    SimFixture fixture(utf8("sts3215@1"), options);
     jobs::StepRequest asked = order("400", gains);
-    asked.spec.from = text("1800");
+    asked.spec.from = utf8("1800");
     asked.spec.hold = 1500ms;
     fixture.runFor(1ms); // the rise is found to one reading, by where the readings fall
     const auto before = eprom(fixture);
-    std::vector<Leg> legs;
+    std::vector<StepLeg> legs;
     fixture.tap().onWrite = [&](const base::Bytes&) { lookAt(legs, fixture); };
     const auto done = run(fixture, asked);
     fixture.tap().onWrite = nullptr;
@@ -209,10 +206,10 @@ void TestStepResponse::metricsMatchTheReferenceServo()
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->responses.size(), std::size_t(4));
     const auto first =
-        std::find_if(legs.begin(), legs.end(), [](const Leg& leg) { return leg.goal == 2200; });
+        std::find_if(legs.begin(), legs.end(), [](const StepLeg& leg) { return leg.goal == 2200; });
     QVERIFY(legs.end() - first >= 4);
     QVERIFY(before == eprom(fixture));
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
     for (const results::StepResponse& response : done->responses) {
         const bool there = response.number % 2 == 1;
         const Truth truth = there ? groundTruth(gains, 1800, 2200) : groundTruth(gains, 2200, 1800);
@@ -236,7 +233,7 @@ void TestStepResponse::metricsMatchTheReferenceServo()
         if (found.overshootSteps && truth.peakBeyondGoal > 6) {
             // By its own way; and by that of any of its kind, unless it swings already when it is
             // sent off and goes as far as that happens to take it.
-            const Leg& leg = first[response.number - 1];
+            const StepLeg& leg = first[response.number - 1];
             QCOMPARE(double(leg.goal), response.target);
             const double own =
                 leg.peakBeyondGoal(there) - (there ? 1 : -1) * found.steadyError.value_or(0);
@@ -253,7 +250,7 @@ void TestStepResponse::metricsMatchTheReferenceServo()
 
 void TestStepResponse::unsupportedMeasurementsAreOmitted()
 {
-    SimFixture fixture(text("lx16a@1"), {.baud = 115'200});
+    SimFixture fixture(utf8("lx16a@1"), {.baud = 115'200});
     device::Servo servo = fixture.servo(1, base::Protocol::Lx);
     const auto done = jobs::stepResponse(fixture.context(), servo, order("100"), {});
     QVERIFY(done);
@@ -268,11 +265,11 @@ void TestStepResponse::startsWhereThereIsRoom_data()
     QTest::addColumn<int>("stands");
     QTest::addColumn<QString>("size");
     QTest::addColumn<int>("from");
-    QTest::newRow("present position") << 2048 << text("300") << 2048;
-    QTest::newRow("downwards") << 2048 << text("-300") << 2048;
-    QTest::newRow("degrees") << 2048 << text("45deg") << 2048;
-    QTest::newRow("no room above") << 2800 << text("500") << 2500;
-    QTest::newRow("no room below") << 1100 << text("-500") << 1500;
+    QTest::newRow("present position") << 2048 << utf8("300") << 2048;
+    QTest::newRow("downwards") << 2048 << utf8("-300") << 2048;
+    QTest::newRow("degrees") << 2048 << utf8("45deg") << 2048;
+    QTest::newRow("no room above") << 2800 << utf8("500") << 2500;
+    QTest::newRow("no room below") << 1100 << utf8("-500") << 1500;
 }
 
 void TestStepResponse::startsWhereThereIsRoom()
@@ -280,10 +277,10 @@ void TestStepResponse::startsWhereThereIsRoom()
     QFETCH(int, stands);
     QFETCH(QString, size);
     QFETCH(int, from);
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("min_angle_limit"), 1000);
-    fixture.poke(1, text("max_angle_limit"), 3000);
-    fixture.poke(1, text("goal_position"), stands);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("min_angle_limit"), 1000);
+    fixture.poke(1, utf8("max_angle_limit"), 3000);
+    fixture.poke(1, utf8("goal_position"), stands);
     fixture.runFor(2s);
     device::Servo servo = fixture.servo(1);
     fixture.clearFrames();
@@ -296,7 +293,7 @@ void TestStepResponse::startsWhereThereIsRoom()
     QVERIFY(plan->to >= 1000 && plan->to <= 3000);
     QVERIFY(plan->hold >= 500ms);
     asked.spec.hold = 60ms;
-    asked.spec.speed = text("100");
+    asked.spec.speed = utf8("100");
     const auto hurried = jobs::planStep(fixture.context(), servo, asked.spec);
     QVERIFY(hurried && hurried->isHoldTooShort);
 }
@@ -304,29 +301,29 @@ void TestStepResponse::startsWhereThereIsRoom()
 /// They are its own, though they are lost at power-off: the next move must not be a surprise.
 void TestStepResponse::speedAndAccelerationAreRestored()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("goal_speed"), 321);
-    fixture.poke(1, text("acceleration"), 7);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("goal_speed"), 321);
+    fixture.poke(1, utf8("acceleration"), 7);
     QVERIFY(run(fixture, order()));
-    QCOMPARE(fixture.raw(1, text("goal_speed")), 321);
-    QCOMPARE(fixture.raw(1, text("acceleration")), 7);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    QCOMPARE(fixture.raw(1, utf8("goal_speed")), 321);
+    QCOMPARE(fixture.raw(1, utf8("acceleration")), 7);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 1);
 }
 
 void TestStepResponse::gainsAreAlwaysRestored_data()
 {
     QTest::addColumn<QString>("how");
     QTest::addColumn<int>("end");
-    QTest::newRow("stop") << text("stop") << int(SweepEnd::Stopped);
-    QTest::newRow("emergency") << text("emergency") << int(SweepEnd::Emergency);
-    QTest::newRow("alarm") << text("alarm") << int(SweepEnd::Alarm);
+    QTest::newRow("stop") << utf8("stop") << int(SweepEnd::Stopped);
+    QTest::newRow("emergency") << utf8("emergency") << int(SweepEnd::Emergency);
+    QTest::newRow("alarm") << utf8("alarm") << int(SweepEnd::Alarm);
 }
 
 void TestStepResponse::gainsAreAlwaysRestored()
 {
     QFETCH(QString, how);
     QFETCH(int, end);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
     const auto before = eprom(fixture);
@@ -334,7 +331,7 @@ void TestStepResponse::gainsAreAlwaysRestored()
     watch.onResponse = [&](const results::StepResponse& response) {
         if (response.number != 1)
             return;
-        QCOMPARE(fixture.raw(1, text("position_p")), 20);
+        QCOMPARE(fixture.raw(1, utf8("position_p")), 20);
         if (how == QLatin1StringView("stop"))
             fixture.stop().request();
         else if (how == QLatin1StringView("emergency"))
@@ -342,26 +339,26 @@ void TestStepResponse::gainsAreAlwaysRestored()
         else
             fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(4); });
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}), watch);
     QVERIFY(done);
     QCOMPARE(int(done->end), end);
     QVERIFY(done->isReverted);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
     QVERIFY(fixture.journal().open()->empty());
     QVERIFY(before == eprom(fixture));
     if (how != QLatin1StringView("stop"))
-        QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+        QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 void TestStepResponse::aLostLinkIsFoundByRecovery()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     jobs::StepCallbacks watch;
     watch.onResponse = [&](const results::StepResponse& response) {
         if (response.number == 2)
             fixture.cutLink();
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QVERIFY(!done->isReverted);
@@ -370,7 +367,7 @@ void TestStepResponse::aLostLinkIsFoundByRecovery()
     fixture.reconnect(1'000'000);
     const auto settled = jobs::recover(fixture.context(), jobs::RecoveryAction::Undo);
     QVERIFY(settled && settled->front().done);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
 }
 
 void TestStepResponse::aSilenceInTheLastResponseEndsIt_data()
@@ -383,7 +380,7 @@ void TestStepResponse::aSilenceInTheLastResponseEndsIt_data()
 void TestStepResponse::aSilenceInTheLastResponseEndsIt()
 {
     QFETCH(bool, unplugged);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<int> left;
     bool silent = false;
     jobs::StepCallbacks watch;
@@ -399,7 +396,7 @@ void TestStepResponse::aSilenceInTheLastResponseEndsIt()
     watch.onUnreleasedTorque = [&left](const jobs::UnreleasedTorque& one) {
         left.push_back(one.id);
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QVERIFY(!done->isReverted);
@@ -410,8 +407,8 @@ void TestStepResponse::aSilenceInTheLastResponseEndsIt()
 
 namespace {
 /// Pulls the plug a moment after response 1, for so long; `meanwhile` is what happens then.
-jobs::StepCallbacks unplugDuringRun(SimFixture& fixture, base::Duration away,
-                                    std::function<void()> meanwhile = {})
+jobs::StepCallbacks unplugDuringStep(SimFixture& fixture, base::Duration away,
+                                     std::function<void()> meanwhile = {})
 {
     jobs::StepCallbacks watch;
     const auto at = std::make_shared<std::optional<base::Duration>>();
@@ -431,12 +428,6 @@ jobs::StepCallbacks unplugDuringRun(SimFixture& fixture, base::Duration away,
     };
     return watch;
 }
-
-bool hasNotice(SimFixture& fixture, device::NoticeCode code)
-{
-    return std::any_of(fixture.notices().begin(), fixture.notices().end(),
-                       [code](const device::Notice& notice) { return notice.code == code; });
-}
 } // namespace
 
 void TestStepResponse::unobservedValuesAreNotMeasured_data()
@@ -455,7 +446,7 @@ void TestStepResponse::unobservedValuesAreNotMeasured()
 {
     QFETCH(int, afterMs);
     QFETCH(int, spanMs);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     const auto untouched = run(fixture, order());
     QVERIFY(untouched);
@@ -492,10 +483,10 @@ void TestStepResponse::unobservedValuesAreNotMeasured()
 /// Nobody saw what it did meanwhile; the others are as good as ever.
 void TestStepResponse::replugCostsOneResponse()
 {
-    SimFixture fixture(text("sts3215@1"));
-    jobs::StepRequest asked = order("400", {{text("position_p"), 20}});
+    SimFixture fixture(utf8("sts3215@1"));
+    jobs::StepRequest asked = order("400", {{utf8("position_p"), 20}});
     asked.spec.hold = 1s;
-    const auto done = run(fixture, asked, unplugDuringRun(fixture, 2s));
+    const auto done = run(fixture, asked, unplugDuringStep(fixture, 2s));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->responses.size(), std::size_t(4));
@@ -514,8 +505,8 @@ void TestStepResponse::replugCostsOneResponse()
     }
     QVERIFY(seen == 3 || seen == 2);
     QVERIFY(done->isReverted);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 1);
     QVERIFY(fixture.journal().open()->empty());
     // The patience was the run's.
     fixture.cutLink();
@@ -533,14 +524,14 @@ void TestStepResponse::servoRestartedByReplugStaysOffWithItsOwnGains_data()
 void TestStepResponse::servoRestartedByReplugStaysOffWithItsOwnGains()
 {
     QFETCH(int, mode);
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("operating_mode"), mode);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("operating_mode"), mode);
     const auto before = eprom(fixture);
-    jobs::StepRequest asked = order("400", {{text("position_p"), 20}});
+    jobs::StepRequest asked = order("400", {{utf8("position_p"), 20}});
     asked.switchMode = mode != 0;
     bool afterwards = false;
-    const auto done = run(fixture, asked, unplugDuringRun(fixture, 2s, [&] {
-                              QCOMPARE(fixture.raw(1, text("position_p")), 20);
+    const auto done = run(fixture, asked, unplugDuringStep(fixture, 2s, [&] {
+                              QCOMPARE(fixture.raw(1, utf8("position_p")), 20);
                               fixture.powerCycle();
                               afterwards = true;
                           }));
@@ -552,21 +543,21 @@ void TestStepResponse::servoRestartedByReplugStaysOffWithItsOwnGains()
     for (const results::StepResponse& one : done->responses)
         QVERIFY(std::abs(one.samples.back().position - one.target) < 20);
     QVERIFY(done->isReverted);
-    QVERIFY(!hasNotice(fixture, device::NoticeCode::SettingNotRestored));
+    QVERIFY(!fixture.hasNotice(device::NoticeCode::SettingNotRestored));
     QVERIFY(fixture.journal().open()->empty());
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
-    QCOMPARE(fixture.raw(1, text("operating_mode")), mode);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("operating_mode")), mode);
     QVERIFY(before == eprom(fixture));
-    const auto stands = fixture.raw(1, text("present_position"));
+    const auto stands = fixture.raw(1, utf8("present_position"));
     fixture.runFor(2s);
-    QVERIFY(std::abs(fixture.raw(1, text("present_position")) - stands) < 3);
+    QVERIFY(std::abs(fixture.raw(1, utf8("present_position")) - stands) < 3);
 }
 
 /// Gains, speed and acceleration are noted for the servo that was there before.
 void TestStepResponse::nothingIsRestoredToAReplacedServo()
 {
-    SimFixture fixture(text("sts3215@1,sts3250@1"));
+    SimFixture fixture(utf8("sts3215@1,sts3250@1"));
     fixture.withBus([](sim::VirtualBus& wire) { wire.unplug(1); });
     std::optional<base::Duration> swapAt;
     fixture.tap().onWait = [&] {
@@ -576,11 +567,11 @@ void TestStepResponse::nothingIsRestoredToAReplacedServo()
         fixture.withBus([](sim::VirtualBus& wire) {
             wire.unplug(0);
             wire.plug(1);
-            wire.servos()[1]->poke(text("acceleration"), 17);
+            wire.servos()[1]->poke(utf8("acceleration"), 17);
         });
     };
     const auto newcomer = [&fixture](const char* key) {
-        return fixture.withBus([&](sim::VirtualBus& w) { return w.servos()[1]->raw(text(key)); });
+        return fixture.withBus([&](sim::VirtualBus& w) { return w.servos()[1]->raw(utf8(key)); });
     };
     const std::int64_t gain = newcomer("position_p");
     jobs::StepCallbacks watch;
@@ -588,9 +579,9 @@ void TestStepResponse::nothingIsRestoredToAReplacedServo()
         if (one.number == 2)
             swapAt = fixture.clock().now() + 300ms;
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
-    QCOMPARE(results::sweepEndName(done->end), text("exchanged"));
+    QCOMPARE(results::sweepEndName(done->end), utf8("exchanged"));
     QVERIFY(!done->isReverted);
     QCOMPARE(newcomer("torque_switch"), 0);
     QCOMPARE(newcomer("acceleration"), 17);
@@ -612,7 +603,7 @@ void unplugFor(SimFixture& fixture, base::Duration span)
 
 void TestStepResponse::stopWhileUnpluggedRestoresGainsLater()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     jobs::StepCallbacks watch;
     watch.onResponse = [&](const results::StepResponse& response) {
         if (response.number != 1)
@@ -620,18 +611,18 @@ void TestStepResponse::stopWhileUnpluggedRestoresGainsLater()
         unplugFor(fixture, 1s);
         fixture.stop().request();
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Stopped);
     QVERIFY(done->isReverted);
-    QVERIFY(!hasNotice(fixture, device::NoticeCode::SettingNotRestored));
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QVERIFY(!fixture.hasNotice(device::NoticeCode::SettingNotRestored));
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
     QVERIFY(fixture.journal().open()->empty());
 }
 
 void TestStepResponse::unplugWhileSettingGainsLeavesNothingBehind()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     int gains = 0;
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
         constexpr int addressOfP = 21;
@@ -640,72 +631,72 @@ void TestStepResponse::unplugWhileSettingGainsLeavesNothingBehind()
         if (gains > 0 || (frame.size() > 5 && frame[4] == support::Write && frame[5] == addressOfP))
             ++gains;
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}));
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}));
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NoReply);
     QVERIFY(gains > 1);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     QVERIFY(fixture.journal().open()->empty());
 }
 
 /// It restarts before it is driven: what is measured then is not what was asked for.
 void TestStepResponse::interruptedTrialGainsAreNotTheBaseline()
 {
-    SimFixture fixture(text("sts3215@1"));
-    const auto own = fixture.raw(1, text("position_p"));
+    SimFixture fixture(utf8("sts3215@1"));
+    const auto own = fixture.raw(1, utf8("position_p"));
     base::Intent trial;
     trial.kind = base::IntentKind::Trial;
     trial.temporary = true;
     trial.servo = fixture.servo(1).identity();
-    trial.items = {{text("position_p"), 21, own, own + 28}};
+    trial.items = {{utf8("position_p"), 21, own, own + 28}};
     QVERIFY(fixture.journal().begin(trial));
-    fixture.poke(1, text("position_p"), own + 28);
+    fixture.poke(1, utf8("position_p"), own + 28);
     const auto done = run(fixture, order());
     QVERIFY2(done, done ? "" : qPrintable(base::errorName(done.error().code)));
     const auto gain = std::find_if(done->gains.begin(), done->gains.end(),
-                                   [](const auto& one) { return one.key == text("position_p"); });
+                                   [](const auto& one) { return one.key == utf8("position_p"); });
     QCOMPARE(gain->raw, own);
-    QCOMPARE(fixture.raw(1, text("position_p")), own);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), own);
     QVERIFY(fixture.journal().open()->empty());
-    QCOMPARE(fixture.journal().entries()->front().end->outcome, text("undone"));
+    QCOMPARE(fixture.journal().entries()->front().end->outcome, utf8("undone"));
 }
 
 void TestStepResponse::gainsLostBeforeTheFirstStepAreNoTrial()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     jobs::StepCallbacks watch;
     bool restarted = false;
     watch.onProgress = [&](const jobs::SweepProgress&) {
         if (!std::exchange(restarted, true))
             fixture.powerCycle();
     };
-    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{utf8("position_p"), 20}}), watch);
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::Refused);
-    QCOMPARE(done.error().detail, text("trial-lost"));
-    QCOMPARE(done.error().registerKey, text("position_p"));
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(done.error().detail, utf8("trial-lost"));
+    QCOMPARE(done.error().registerKey, utf8("position_p"));
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
     QVERIFY(fixture.journal().open()->empty());
 }
 
 void TestStepResponse::modeIsSwitchedOnRequest()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("operating_mode"), 1);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("operating_mode"), 1);
     const auto before = eprom(fixture);
     const auto refused = run(fixture, order());
     QVERIFY(!refused);
-    QCOMPARE(refused.error().detail, text("not-position"));
-    jobs::StepRequest asked = order("400", {{text("position_p"), 20}});
+    QCOMPARE(refused.error().detail, utf8("not-position"));
+    jobs::StepRequest asked = order("400", {{utf8("position_p"), 20}});
     asked.switchMode = true;
     const auto done = run(fixture, asked);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
-    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
-    QCOMPARE(fixture.raw(1, text("goal_speed")), 0);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, utf8("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, utf8("goal_speed")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 32);
     QVERIFY(fixture.journal().open()->empty());
     QVERIFY(before == eprom(fixture));
 }
@@ -714,10 +705,10 @@ void TestStepResponse::preconditions_data()
 {
     QTest::addColumn<QString>("detail");
     QTest::addColumn<int>("code");
-    QTest::newRow("size 0") << text("no-size") << int(ErrorCode::BadArgument);
-    QTest::newRow("hold") << text("no-hold") << int(ErrorCode::BadArgument);
-    QTest::newRow("repeats") << text("no-repeats") << int(ErrorCode::BadArgument);
-    QTest::newRow("gain") << text("no-gain") << int(ErrorCode::BadArgument);
+    QTest::newRow("size 0") << utf8("no-size") << int(ErrorCode::BadArgument);
+    QTest::newRow("hold") << utf8("no-hold") << int(ErrorCode::BadArgument);
+    QTest::newRow("repeats") << utf8("no-repeats") << int(ErrorCode::BadArgument);
+    QTest::newRow("gain") << utf8("no-gain") << int(ErrorCode::BadArgument);
     QTest::newRow("gain out of range") << QString() << int(ErrorCode::OutOfRange);
     QTest::newRow("no room") << QString() << int(ErrorCode::OutOfRange);
     QTest::newRow("multi-turn") << QString() << int(ErrorCode::TurnsUnknown);
@@ -727,24 +718,24 @@ void TestStepResponse::preconditions()
 {
     QFETCH(QString, detail);
     QFETCH(int, code);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     jobs::StepRequest asked = order();
     const QByteArray row = QTest::currentDataTag();
     if (row == "size 0")
-        asked.spec.size = text("0");
+        asked.spec.size = utf8("0");
     else if (row == "hold")
         asked.spec.hold = 60s;
     else if (row == "repeats")
         asked.spec.repeats = 0;
     else if (row == "gain")
-        asked.spec.trial = {{text("baud_rate"), 1}};
+        asked.spec.trial = {{utf8("baud_rate"), 1}};
     else if (row == "gain out of range")
-        asked.spec.trial = {{text("position_p"), 255}};
+        asked.spec.trial = {{utf8("position_p"), 255}};
     else if (row == "no room")
-        asked.spec.size = text("4096");
+        asked.spec.size = utf8("4096");
     else {
-        fixture.poke(1, text("min_angle_limit"), 0);
-        fixture.poke(1, text("max_angle_limit"), 0);
+        fixture.poke(1, utf8("min_angle_limit"), 0);
+        fixture.poke(1, utf8("max_angle_limit"), 0);
     }
     fixture.clearFrames();
     const auto done = run(fixture, asked);
@@ -772,10 +763,10 @@ void TestStepResponse::adviceFollowsTheDataSheet()
     QFETCH(int, p);
     QFETCH(int, d);
     QFETCH(int, remedy);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     const auto done =
-        run(fixture, order("400", {{text("position_p"), p}, {text("position_d"), d}}));
+        run(fixture, order("400", {{utf8("position_p"), p}, {utf8("position_d"), d}}));
     QVERIFY(done);
     const auto advice = jobs::adviseStep(*done, *servo.profile);
     QVERIFY(advises(advice, results::StepRemedy(remedy)));
@@ -795,7 +786,7 @@ void TestStepResponse::adviceFollowsTheDataSheet()
 
 void TestStepResponse::aKnownOvershootIsMeasured()
 {
-    SimFixture fixture(text("sts3215@1+overshoot=8"));
+    SimFixture fixture(utf8("sts3215@1+overshoot=8"));
     device::Servo servo = fixture.servo(1);
     const auto done = run(fixture, order());
     QVERIFY(done);
@@ -809,11 +800,11 @@ void TestStepResponse::aKnownOvershootIsMeasured()
 /// Half of its responses begin where they should end.
 void TestStepResponse::aStationaryServoGetsNoGains()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     results::StepRun run;
     run.axis.tolerance = 3;
-    run.gains = {{text("position_p"), 32}, {text("position_i"), 0}};
+    run.gains = {{utf8("position_p"), 32}, {utf8("position_i"), 0}};
     for (int number = 1; number <= 4; ++number) {
         results::StepResponse one;
         one.number = number;
@@ -837,10 +828,10 @@ void TestStepResponse::aStationaryServoGetsNoGains()
 /// More P would only press harder.
 void TestStepResponse::aServoAtAHardStopGetsNoGains()
 {
-    SimFixture fixture(text("sts3215@1+stop=200"));
+    SimFixture fixture(utf8("sts3215@1+stop=200"));
     device::Servo servo = fixture.servo(1);
     jobs::StepRequest asked = order("400");
-    asked.spec.from = text("2200");
+    asked.spec.from = utf8("2200");
     const auto done = run(fixture, asked);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     const auto advice = jobs::adviseStep(*done, *servo.profile);
@@ -851,9 +842,9 @@ void TestStepResponse::aServoAtAHardStopGetsNoGains()
 
 void TestStepResponse::aRunRoundTripsThroughItsFile()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const auto first = run(fixture, order());
-    const auto second = run(fixture, order("400", {{text("position_p"), 40}}));
+    const auto second = run(fixture, order("400", {{utf8("position_p"), 40}}));
     QVERIFY(first && second);
     const std::vector<results::StepRun> runs{*first, *second};
     const QByteArray file = results::encodeStepRuns(runs, {});
@@ -870,11 +861,11 @@ void TestStepResponse::aRunRoundTripsThroughItsFile()
 
 void TestStepResponse::scatterIsNoDifference()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const auto first = run(fixture, order());
     const auto second = run(fixture, order());
     const auto weak =
-        run(fixture, order("400", {{text("position_p"), 10}, {text("position_d"), 0}}));
+        run(fixture, order("400", {{utf8("position_p"), 10}, {utf8("position_d"), 0}}));
     QVERIFY(first && second && weak);
     const auto changeOf = [&](const results::StepRun& after, const char* key) {
         for (const results::StepDifference& row : results::compareSteps(*first, after)) {

@@ -5,6 +5,7 @@
 #include "integration/sweep_support.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -17,24 +18,20 @@ using results::Grade;
 using results::SweepEnd;
 using results::SweepShape;
 using support::SimFixture;
+using support::utf8;
 using sweep_support::metric;
 using sweep_support::run;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 results::SweepSpec sweepSpec(const char* from = "1000", const char* to = "3000")
 {
     results::SweepSpec spec;
-    spec.range = {text(from), text(to)};
+    spec.range = {utf8(from), utf8(to)};
     spec.pause = 2s;
     spec.cycles = 3;
-    spec.speed = text("2000");
-    spec.acceleration = text("50");
+    spec.speed = utf8("2000");
+    spec.acceleration = utf8("50");
     return spec;
 }
 
@@ -56,7 +53,7 @@ class TestSweep : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void aGoodServoPasses_data();
     void aGoodServoPasses();
@@ -113,15 +110,15 @@ void TestSweep::aGoodServoPasses_data()
     QTest::addColumn<QString>("speed");
     QTest::addColumn<QString>("acceleration");
     QTest::addColumn<QString>("time");
-    QTest::newRow("STS") << text("sts3215@1") << text("1000") << text("3000") << text("2000")
-                         << text("50") << QString();
-    QTest::newRow("STS by degrees") << text("sts3215@1") << text("90deg") << text("180deg")
-                                    << text("20rpm") << text("50") << QString();
-    QTest::newRow("SCS") << text("scs15@1:1000000") << text("300") << text("700") << text("500")
+    QTest::newRow("STS") << utf8("sts3215@1") << utf8("1000") << utf8("3000") << utf8("2000")
+                         << utf8("50") << QString();
+    QTest::newRow("STS by degrees") << utf8("sts3215@1") << utf8("90deg") << utf8("180deg")
+                                    << utf8("20rpm") << utf8("50") << QString();
+    QTest::newRow("SCS") << utf8("scs15@1:1000000") << utf8("300") << utf8("700") << utf8("500")
                          << QString() << QString();
-    QTest::newRow("HLS") << text("hls3606@1") << text("1000") << text("3000") << text("40")
-                         << text("50") << QString();
-    QTest::newRow("SMCL") << text("sm60-360m@1:1000000") << text("1000") << text("2000")
+    QTest::newRow("HLS") << utf8("hls3606@1") << utf8("1000") << utf8("3000") << utf8("40")
+                         << utf8("50") << QString();
+    QTest::newRow("SMCL") << utf8("sm60-360m@1:1000000") << utf8("1000") << utf8("2000")
                           << QString() << QString() << QString();
 }
 
@@ -161,7 +158,7 @@ void TestSweep::aGoodServoPasses()
     QVERIFY(done->sampleRate > 50);
     QCOMPARE(epromWrites(fixture), 0);
     QVERIFY(!one.parameters.registers.empty());
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 1); // it holds at the end
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 1); // it holds at the end
 }
 
 void TestSweep::shapes_data()
@@ -180,13 +177,13 @@ void TestSweep::shapes()
 {
     QFETCH(int, shape);
     QFETCH(int, legs);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.shape = SweepShape(shape);
-    spec.step = text("500");
+    spec.step = utf8("500");
     spec.period = 4s;
-    spec.points = {{text("1000")}, {text("2000")}, {text("1500")}};
+    spec.points = {{utf8("1000")}, {utf8("2000")}, {utf8("1500")}};
     spec.cycles = 2;
     const auto done = run(fixture.context(), servos, spec);
     QVERIFY2(done,
@@ -210,10 +207,10 @@ void TestSweep::shapes()
 
 void TestSweep::severalServosTogether()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2,sts3215@3"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2,sts3215@3"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2), fixture.servo(3)};
     results::SweepSpec spec = sweepSpec();
-    spec.ranges[2] = {text("2000"), text("2500")};
+    spec.ranges[2] = {utf8("2000"), utf8("2500")};
     fixture.clearFrames();
     const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
@@ -230,7 +227,7 @@ void TestSweep::severalServosTogether()
 /// The classic mistake: it turns round before it has arrived.
 void TestSweep::aDelayShorterThanTheMoveMissesTheTarget()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.pause = 600ms; // 2000 steps at 2000 steps/s
@@ -245,13 +242,13 @@ void TestSweep::testPreconditions_data()
 {
     QTest::addColumn<QString>("what");
     QTest::addColumn<int>("code");
-    QTest::newRow("same ends") << text("same-ends") << int(ErrorCode::BadArgument);
-    QTest::newRow("no delay") << text("no-pause") << int(ErrorCode::BadArgument);
-    QTest::newRow("no end") << text("no-end") << int(ErrorCode::BadArgument);
-    QTest::newRow("step 0") << text("no-step") << int(ErrorCode::BadArgument);
-    QTest::newRow("step beyond") << text("step-too-long") << int(ErrorCode::BadArgument);
-    QTest::newRow("one point") << text("no-points") << int(ErrorCode::BadArgument);
-    QTest::newRow("no period") << text("no-period") << int(ErrorCode::BadArgument);
+    QTest::newRow("same ends") << utf8("same-ends") << int(ErrorCode::BadArgument);
+    QTest::newRow("no delay") << utf8("no-pause") << int(ErrorCode::BadArgument);
+    QTest::newRow("no end") << utf8("no-end") << int(ErrorCode::BadArgument);
+    QTest::newRow("step 0") << utf8("no-step") << int(ErrorCode::BadArgument);
+    QTest::newRow("step beyond") << utf8("step-too-long") << int(ErrorCode::BadArgument);
+    QTest::newRow("one point") << utf8("no-points") << int(ErrorCode::BadArgument);
+    QTest::newRow("no period") << utf8("no-period") << int(ErrorCode::BadArgument);
     QTest::newRow("limits") << QString() << int(ErrorCode::OutOfRange);
     QTest::newRow("no number") << QString() << int(ErrorCode::BadArgument);
 }
@@ -260,9 +257,9 @@ void TestSweep::testPreconditions()
 {
     QFETCH(QString, what);
     QFETCH(int, code);
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("min_angle_limit"), 500);
-    fixture.poke(1, text("max_angle_limit"), 3500);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("min_angle_limit"), 500);
+    fixture.poke(1, utf8("max_angle_limit"), 3500);
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     const QByteArray row = QTest::currentDataTag();
@@ -273,15 +270,15 @@ void TestSweep::testPreconditions()
     else if (row == "no end")
         spec.cycles = 0;
     else if (row.startsWith("step"))
-        spec.shape = SweepShape::Stairs, spec.step = row == "step 0" ? text("0") : text("5000");
+        spec.shape = SweepShape::Stairs, spec.step = row == "step 0" ? utf8("0") : utf8("5000");
     else if (row == "one point")
-        spec.shape = SweepShape::Points, spec.points = {{text("1000")}};
+        spec.shape = SweepShape::Points, spec.points = {{utf8("1000")}};
     else if (row == "no period")
         spec.shape = SweepShape::Sine;
     else if (row == "limits")
-        spec.range.to = text("3600");
+        spec.range.to = utf8("3600");
     else
-        spec.range.to = text("three");
+        spec.range.to = utf8("three");
     fixture.clearFrames();
     const auto done = run(fixture.context(), servos, spec);
     QVERIFY(!done);
@@ -294,22 +291,22 @@ void TestSweep::testPreconditions()
 
 void TestSweep::otherModesAreRefused()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("operating_mode"), 1);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("operating_mode"), 1);
     std::vector<device::Servo> servos{fixture.servo(1)};
     fixture.clearFrames();
     const auto done = run(fixture.context(), servos, sweepSpec());
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NotSupported);
-    QCOMPARE(done.error().detail, text("not-position"));
+    QCOMPARE(done.error().detail, utf8("not-position"));
     QCOMPARE(done.error().reason, base::Reason::NotInPositionMode);
-    QCOMPARE(done.error().registerKey, text("speed"));
+    QCOMPARE(done.error().registerKey, utf8("speed"));
     QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestSweep::aJammedServoEndsTheTestWithoutTorque()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.stopOnAlarm = false; // what is asked here is whether it sees the stall itself
@@ -326,13 +323,13 @@ void TestSweep::aJammedServoEndsTheTestWithoutTorque()
     QCOMPARE(done->end, SweepEnd::Stall);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::Fail);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 /// Nobody may go on pushing after the test has been called off.
 void TestSweep::servoNotReachingTheStartIsReleased()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     fixture.withBus(
         [](sim::VirtualBus& wire) { wire.servo(1)->load().stopHigh = 2300.0 / 4096 * 2 * M_PI; });
@@ -341,14 +338,14 @@ void TestSweep::servoNotReachingTheStartIsReleased()
     spec.stopOnStall = false;
     const auto done = run(fixture.context(), servos, spec);
     QVERIFY(!done);
-    QCOMPARE(done.error().detail, text("no-start"));
+    QCOMPARE(done.error().detail, utf8("no-start"));
     QCOMPARE(done.error().id, 1);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 void TestSweep::anAlarmEndsTheTest()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const results::SweepLeg& leg) {
@@ -360,14 +357,14 @@ void TestSweep::anAlarmEndsTheTest()
     QCOMPARE(done->end, SweepEnd::Alarm);
     QCOMPARE(done->endedBy, 2);
     QCOMPARE(done->verdict(), Grade::Fail);
-    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 1); // stopped where it was, and holds
+    QCOMPARE(fixture.raw(2, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 1); // stopped where it was, and holds
     QVERIFY(done->servos.at(1).legs.back().alarms != 0);
 }
 
 void TestSweep::aSilentSecondIsAGap()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     base::Duration silentUntil{};
     fixture.tap().onWrite = [&](const base::Bytes&) {
@@ -400,7 +397,7 @@ void TestSweep::aSuspendedProgramFailsNoServo_data()
 void TestSweep::aSuspendedProgramFailsNoServo()
 {
     QFETCH(int, afterMs);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     std::optional<base::Duration> suspendAt;
     fixture.tap().onWait = [&] {
@@ -425,7 +422,7 @@ void TestSweep::aSuspendedProgramFailsNoServo()
 
 void TestSweep::aLongSilenceEndsTheTest()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const results::SweepLeg& leg) {
@@ -455,7 +452,7 @@ void TestSweep::aSilenceAfterTheLastLegEndsTheTest()
 {
     QFETCH(int, silentId);
     QFETCH(int, afterMs);
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     base::Duration silentFrom = base::Duration::max();
     jobs::SweepCallbacks watch;
@@ -483,7 +480,7 @@ void TestSweep::aSilenceAfterTheLastLegEndsTheTest()
 
 void TestSweep::torqueLostInTheLastLegIsDetected()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     base::Duration replugAt = base::Duration::max();
     jobs::SweepCallbacks watch;
@@ -521,7 +518,7 @@ void TestSweep::unsafeServosAreReported()
 {
     QFETCH(bool, release);
     QFETCH(bool, unplugged);
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     results::SweepSpec spec = sweepSpec();
     spec.releaseAtEnd = release;
@@ -572,7 +569,7 @@ jobs::SweepCallbacks unplugDuringRun(SimFixture& fixture, base::Duration after,
 
 void TestSweep::replugIsAGap()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     const auto done = run(fixture.context(), servos, sweepSpec(), unplugDuringRun(fixture, 3s));
     QVERIFY(done);
@@ -603,7 +600,7 @@ void TestSweep::replugIsAGap()
 /// What the user stops is to be left safe, also when that can be said only later.
 void TestSweep::stopWhileUnpluggedReleasesLater()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.releaseAtEnd = true;
@@ -622,12 +619,12 @@ void TestSweep::stopWhileUnpluggedReleasesLater()
     const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Stopped);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 void TestSweep::aPermanentUnplugEndsTheTest()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     const auto done = run(fixture.context(), servos, sweepSpec(), unplugDuringRun(fixture, 60s));
     QVERIFY(done);
@@ -638,7 +635,7 @@ void TestSweep::aPermanentUnplugEndsTheTest()
 
 void TestSweep::torqueLostByUnplugStaysOff()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     const auto done = run(fixture.context(), servos, sweepSpec(),
                           unplugDuringRun(fixture, 2s, [&] { fixture.powerCycle(); }));
@@ -646,8 +643,8 @@ void TestSweep::torqueLostByUnplugStaysOff()
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, utf8("torque_switch")), 0);
     QCOMPARE(fixture.frames(support::SyncWrite), 0); // no goal went out
 }
 
@@ -684,10 +681,10 @@ void addEarlyPhases()
 {
     QTest::addColumn<int>("after");
     QTest::addColumn<QString>("from");
-    QTest::newRow("on the way to the start") << 100 << text("1000");
-    QTest::newRow("at the start already") << 100 << text("2048");
-    QTest::newRow("while warming up") << 5000 << text("1000");
-    QTest::newRow("on the way back from it") << 11'900 << text("1000");
+    QTest::newRow("on the way to the start") << 100 << utf8("1000");
+    QTest::newRow("at the start already") << 100 << utf8("2048");
+    QTest::newRow("while warming up") << 5000 << utf8("1000");
+    QTest::newRow("on the way back from it") << 11'900 << utf8("1000");
 }
 
 results::SweepSpec specWithWarmUp(const QString& from)
@@ -708,7 +705,7 @@ void TestSweep::torqueLostBeforeMeasuringStaysOff()
 {
     QFETCH(int, after);
     QFETCH(QString, from);
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     fixture.clearFrames();
     const auto done =
@@ -719,8 +716,8 @@ void TestSweep::torqueLostBeforeMeasuringStaysOff()
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QVERIFY(done->servos.at(0).legs.empty());
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, utf8("torque_switch")), 0);
     QCOMPARE(fixture.frames(support::SyncWrite), 0); // no goal went out
 }
 
@@ -733,7 +730,7 @@ void TestSweep::replugBeforeMeasuringCostsNothing()
 {
     QFETCH(int, after);
     QFETCH(QString, from);
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     fixture.clearFrames();
     const auto done = run(fixture.context(), servos, specWithWarmUp(from),
@@ -779,7 +776,7 @@ void TestSweep::torqueLostInMotionIsNoStall()
     QFETCH(int, inLeg);
     QFETCH(int, afterMs);
     QFETCH(bool, dwells);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     std::optional<base::Duration> offAt;
     fixture.tap().onWait = [&] {
@@ -789,7 +786,7 @@ void TestSweep::torqueLostInMotionIsNoStall()
         if (restarts)
             fixture.powerCycle();
         else
-            fixture.poke(1, text("torque_switch"), 0);
+            fixture.poke(1, utf8("torque_switch"), 0);
     };
     jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
@@ -807,13 +804,13 @@ void TestSweep::torqueLostInMotionIsNoStall()
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);     // no goal has switched it on again
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);     // no goal has switched it on again
     QVERIFY(int(done->servos.front().legs.size()) < inLeg); // torque may have been off in that leg
 }
 
 void TestSweep::torqueLostAtTheStartOfASineStaysOff()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.shape = SweepShape::Sine;
@@ -821,25 +818,25 @@ void TestSweep::torqueLostAtTheStartOfASineStaysOff()
     bool off = false;
     jobs::SweepCallbacks watch;
     watch.onProgress = [&](const jobs::SweepProgress& progress) {
-        const auto away = std::abs(fixture.raw(1, text("present_position")) - 1000);
+        const auto away = std::abs(fixture.raw(1, utf8("present_position")) - 1000);
         if (off || !progress.warmingUp || away > 10)
             return;
         off = true;
-        fixture.poke(1, text("torque_switch"), 0);
+        fixture.poke(1, utf8("torque_switch"), 0);
     };
     const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(off);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QVERIFY(done->servos.front().legs.empty());
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 namespace {
 /// An STS3215 that is exchanged for an STS3250 with its ID.
 struct ReplacementFixture : SimFixture {
     ReplacementFixture()
-        : SimFixture(text("sts3215@1,sts3250@1"))
+        : SimFixture(utf8("sts3215@1,sts3250@1"))
     {
         withBus([](sim::VirtualBus& wire) { wire.unplug(1); });
         servos = {servo(1)};
@@ -870,7 +867,7 @@ struct ReplacementFixture : SimFixture {
     std::int64_t replacementTorque()
     {
         return withBus(
-            [](sim::VirtualBus& wire) { return wire.servos()[1]->raw(text("torque_switch")); });
+            [](sim::VirtualBus& wire) { return wire.servos()[1]->raw(utf8("torque_switch")); });
     }
 
     std::vector<device::Servo> servos;
@@ -927,7 +924,7 @@ void TestSweep::aReplacedServoEndsTheTest()
     const auto done = run(fixture.context(), fixture.servos, spec, watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(fixture.inAt, base::Duration::max()); // it has happened
-    QCOMPARE(results::sweepEndName(done->end), text("exchanged"));
+    QCOMPARE(results::sweepEndName(done->end), utf8("exchanged"));
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QCOMPARE(fixture.replacementTorque(), 0);
@@ -939,7 +936,7 @@ void TestSweep::aReplacedServoEndsTheTest()
 /// One that names another model, and has a check sum that fits.
 void TestSweep::aGarbledReplyIsNoReplacement()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     int disturbed = 0;
     bool due = false;
@@ -966,7 +963,7 @@ void TestSweep::alarmsOfAReplacementServoAreIgnored()
 {
     ReplacementFixture fixture;
     fixture.onPlug = [](sim::VirtualServo& servo) {
-        servo.poke(text("max_voltage"), 50); // less than its supply
+        servo.poke(utf8("max_voltage"), 50); // less than its supply
     };
     jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
@@ -1000,9 +997,9 @@ void TestSweep::missedTargetsOfAReplacementServoAreNoFailure()
 
 void TestSweep::torqueIsSwitchedOnAtTheStart()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     jobs::SweepCallbacks watch;
     base::Duration replugAt{};
     watch.onBegin = [&](const results::SweepRun&) -> std::optional<base::Error> {
@@ -1022,7 +1019,7 @@ void TestSweep::torqueIsSwitchedOnAtTheStart()
 
 void TestSweep::stopWhileUnpluggedIsSentFirst()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
     const auto done = run(fixture.context(), servos, sweepSpec(),
@@ -1030,8 +1027,8 @@ void TestSweep::stopWhileUnpluggedIsSentFirst()
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Emergency);
     fixture.bus().pauseUntil(fixture.clock().now() + 1s, nullptr);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, utf8("torque_switch")), 0);
     const auto frames = device::stopFrames({base::Protocol::Feetech}, servos);
     QVERIFY(!fixture.tap().written.empty());
     QCOMPARE(fixture.tap().written.front(), frames.front().bytes);
@@ -1040,7 +1037,7 @@ void TestSweep::stopWhileUnpluggedIsSentFirst()
 void TestSweep::theUserCanStop()
 {
     for (const bool release : {false, true}) {
-        SimFixture fixture(text("sts3215@1"));
+        SimFixture fixture(utf8("sts3215@1"));
         std::vector<device::Servo> servos{fixture.servo(1)};
         results::SweepSpec spec = sweepSpec();
         spec.releaseAtEnd = release;
@@ -1054,16 +1051,16 @@ void TestSweep::theUserCanStop()
         QVERIFY(done);
         QCOMPARE(done->end, SweepEnd::Stopped);
         QCOMPARE(done->verdict(), Grade::NotMeasured);
-        QCOMPARE(fixture.raw(1, text("torque_switch")), release ? 0 : 1);
-        const auto before = fixture.raw(1, text("present_position"));
+        QCOMPARE(fixture.raw(1, utf8("torque_switch")), release ? 0 : 1);
+        const auto before = fixture.raw(1, utf8("present_position"));
         fixture.runFor(2s);
-        QVERIFY(std::abs(fixture.raw(1, text("present_position")) - before) < 60); // it has stopped
+        QVERIFY(std::abs(fixture.raw(1, utf8("present_position")) - before) < 60); // it has stopped
     }
 }
 
 void TestSweep::theEmergencyStopEndsTheTest()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
     jobs::SweepCallbacks watch;
@@ -1075,15 +1072,15 @@ void TestSweep::theEmergencyStopEndsTheTest()
     const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Emergency);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, utf8("torque_switch")), 0);
 }
 
 /// As the window does it: the job is asked to stop as well, here while it waits for the answer to a
 /// read of the torque switch, which comes before every goal.
 void TestSweep::anEmergencyStopIsNoOrdinaryStop()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
     jobs::SweepCallbacks watch;
@@ -1109,7 +1106,7 @@ void TestSweep::anEmergencyStopIsNoOrdinaryStop()
 void TestSweep::anHourWritesNoEprom()
 {
     // A slow line has fewer readings to work out.
-    SimFixture fixture(text("sts3215@1"), {.baud = 57'600, .servoBaud = 57'600});
+    SimFixture fixture(utf8("sts3215@1"), {.baud = 57'600, .servoBaud = 57'600});
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.cycles = 0;
@@ -1132,7 +1129,7 @@ void TestSweep::anHourWritesNoEprom()
 
 void TestSweep::warmUpIsNotMeasured()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepSpec();
     spec.warmUp = 10s;
@@ -1147,12 +1144,12 @@ void TestSweep::warmUpIsNotMeasured()
 /// Another program narrows the limits: goals are refused, and the test says so.
 void TestSweep::limitsMoveDuringTheRun()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const results::SweepLeg& leg) {
         if (leg.number == 2)
-            fixture.poke(1, text("max_angle_limit"), 2000);
+            fixture.poke(1, utf8("max_angle_limit"), 2000);
     };
     results::SweepSpec spec = sweepSpec();
     spec.stopOnStall = false;

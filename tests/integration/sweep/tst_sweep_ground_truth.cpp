@@ -184,8 +184,6 @@ void addCase(const char* name, Case test, double noise = 0)
 }
 } // namespace
 
-Q_DECLARE_METATYPE(Case)
-
 class TestSweepGroundTruth : public QObject {
     Q_OBJECT
 

@@ -5,6 +5,7 @@
 // one run.
 #include "support/cli_program.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QFile>
@@ -20,15 +21,11 @@
 
 using support::CliProgram;
 using support::ProgramResult;
+using support::utf8;
 
 namespace {
 constexpr double clockMs = 0.002; ///< to which times are written
 constexpr double never = 1e9;
-
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
 
 struct Reading {
     double ms = 0;
@@ -78,11 +75,11 @@ Readings readingsOf(const QString& path, int servo)
     const QString own = QString::number(servo);
     double before = 0;
     for (auto& row : csvRows(path)) {
-        if (row[text("servo")] != own || !row[text("marks")].isEmpty())
+        if (row[utf8("servo")] != own || !row[utf8("marks")].isEmpty())
             continue;
-        const auto cell = [&](const char* key) { return number(row[own + text(".") + text(key)]); };
+        const auto cell = [&](const char* key) { return number(row[own + utf8(".") + utf8(key)]); };
         Reading one;
-        one.ms = number(row[text("time_us")]) / 1000;
+        one.ms = number(row[utf8("time_us")]) / 1000;
         one.leg = int(cell("leg"));
         one.position = cell("position");
         one.load = cell("load");
@@ -125,12 +122,12 @@ public:
     Leg(const QJsonObject& json, const QJsonObject& axis, Readings readings, double goalMs)
         : m_readings(std::move(readings))
         , m_at(goalMs)
-        , m_start(json[text("start")].toDouble())
-        , m_target(json[text("target")].toDouble())
+        , m_start(json[utf8("start")].toDouble())
+        , m_target(json[utf8("target")].toDouble())
         , m_way(std::abs(m_target - m_start))
-        , m_tolerance(axis[text("tolerance")].toDouble())
-        , m_speed(axis[text("speed")].toDouble())
-        , m_acceleration(axis[text("acceleration")].toDouble())
+        , m_tolerance(axis[utf8("tolerance")].toDouble())
+        , m_speed(axis[utf8("speed")].toDouble())
+        , m_acceleration(axis[utf8("acceleration")].toDouble())
     {}
 
     double samples() const { return double(m_readings.size()); }
@@ -375,18 +372,18 @@ Readings ofLeg(const Readings& all, int leg)
 std::map<int, double> goalsOf(const QString& path, int servo)
 {
     std::map<int, double> goals;
-    const QString begins = text("move %1 leg ").arg(servo);
+    const QString begins = utf8("move %1 leg ").arg(servo);
     for (auto& row : csvRows(path)) {
-        const QString mark = row[text("marks")];
+        const QString mark = row[utf8("marks")];
         if (mark.startsWith(begins))
-            goals[mark.mid(begins.size()).toInt()] = number(row[text("time_us")]) / 1000;
+            goals[mark.mid(begins.size()).toInt()] = number(row[utf8("time_us")]) / 1000;
     }
     return goals;
 }
 
 QByteArray mismatchText(const QString& what, double found, double reported)
 {
-    return (what + text(": %1 from the readings, %2 in the report").arg(found).arg(reported))
+    return (what + utf8(": %1 from the readings, %2 in the report").arg(found).arg(reported))
         .toUtf8();
 }
 
@@ -415,12 +412,12 @@ void addTargets(Summary& summary, const std::vector<QJsonObject>& legs,
 {
     std::map<double, std::map<bool, std::vector<double>>> sides;
     for (std::size_t i = 0; i < legs.size(); ++i) {
-        const double target = legs[i][text("target")].toDouble();
-        sides[target][target > legs[i][text("start")].toDouble()].push_back(errors[i]);
+        const double target = legs[i][utf8("target")].toDouble();
+        sides[target][target > legs[i][utf8("start")].toDouble()].push_back(errors[i]);
     }
     for (auto& [target, both] : sides) {
         if (!both[false].empty() && !both[true].empty())
-            summary.values[text("hysteresis")].push_back(
+            summary.values[utf8("hysteresis")].push_back(
                 std::abs(mean(both[true]) - mean(both[false])));
         std::vector<double> sigmas;
         std::vector<double> ranges;
@@ -432,8 +429,8 @@ void addTargets(Summary& summary, const std::vector<QJsonObject>& legs,
         }
         if (sigmas.empty())
             continue;
-        summary.values[text("repeatability_sigma")].push_back(largest(sigmas));
-        summary.values[text("repeatability_range")].push_back(largest(ranges));
+        summary.values[utf8("repeatability_sigma")].push_back(largest(sigmas));
+        summary.values[utf8("repeatability_range")].push_back(largest(ranges));
     }
 }
 } // namespace
@@ -445,7 +442,7 @@ private:
     void checkLeg(const QJsonObject& json, const Leg& leg);
     void collect(const Leg& leg);
     void checkMetrics(const QJsonArray& metrics, int servo);
-    QString readingsPath() const { return m_legsPath.chopped(4) + text(".readings.csv"); }
+    QString readingsPath() const { return m_legsPath.chopped(4) + utf8(".readings.csv"); }
     void runSweep(const QStringList& options);
     bool hasGap() const;
     void checkServo(int servo);
@@ -459,7 +456,7 @@ private:
     int m_leg = 0; ///< looked at last
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void everyMetric_data();
     void everyMetric();
@@ -467,39 +464,39 @@ private Q_SLOTS:
 
 void TestSweepMetrics::checkLeg(const QJsonObject& json, const Leg& leg)
 {
-    m_leg = json[text("leg")].toInt();
-    const QString name = text("leg %1 ").arg(m_leg);
-    const auto reported = [&](const char* key) { return json[text(key)].toDouble(NAN); };
-    NEAR(name + text("samples"), leg.samples(), reported("samples"), 0);
-    NEAR(name + text("time"), leg.timeToTarget(), reported("time_ms"), clockMs);
-    NEAR(name + text("settling"), leg.settling(), reported("settling_ms"), 0.01);
-    NEAR(name + text("reached"), leg.reached(), reported("reached"), 0.01);
-    NEAR(name + text("steady error"), leg.steadyError(), reported("steady_error"), 0.01);
-    NEAR(name + text("overshoot steps"), leg.overshootSteps(), reported("overshoot_steps"), 0.01);
-    NEAR(name + text("overshoot"), leg.overshoot(), reported("overshoot"), 0.01);
-    NEAR(name + text("mean speed"), leg.meanSpeed(), reported("mean_speed"), 0.1);
-    NEAR(name + text("top speed"), leg.topSpeed(), reported("top_speed"),
+    m_leg = json[utf8("leg")].toInt();
+    const QString name = utf8("leg %1 ").arg(m_leg);
+    const auto reported = [&](const char* key) { return json[utf8(key)].toDouble(NAN); };
+    NEAR(name + utf8("samples"), leg.samples(), reported("samples"), 0);
+    NEAR(name + utf8("time"), leg.timeToTarget(), reported("time_ms"), clockMs);
+    NEAR(name + utf8("settling"), leg.settling(), reported("settling_ms"), 0.01);
+    NEAR(name + utf8("reached"), leg.reached(), reported("reached"), 0.01);
+    NEAR(name + utf8("steady error"), leg.steadyError(), reported("steady_error"), 0.01);
+    NEAR(name + utf8("overshoot steps"), leg.overshootSteps(), reported("overshoot_steps"), 0.01);
+    NEAR(name + utf8("overshoot"), leg.overshoot(), reported("overshoot"), 0.01);
+    NEAR(name + utf8("mean speed"), leg.meanSpeed(), reported("mean_speed"), 0.1);
+    NEAR(name + utf8("top speed"), leg.topSpeed(), reported("top_speed"),
          reported("top_speed") / 1000);
-    NEAR(name + text("following"), leg.followingError(), reported("following_error"), 0.05);
+    NEAR(name + utf8("following"), leg.followingError(), reported("following_error"), 0.05);
     const auto current = leg.of(&Reading::current);
-    NEAR(name + text("peak current"), largest(current), reported("current_peak"), 1e-6);
-    NEAR(name + text("mean current"), mean(current), reported("current_mean"), 1e-6);
+    NEAR(name + utf8("peak current"), largest(current), reported("current_peak"), 1e-6);
+    NEAR(name + utf8("mean current"), mean(current), reported("current_mean"), 1e-6);
     const auto load = leg.of(&Reading::load);
-    NEAR(name + text("peak load"), largest(load), reported("load_peak"), 1e-6);
-    NEAR(name + text("mean load"), mean(load), reported("load_mean"), 1e-6);
-    NEAR(name + text("voltage"), smallest(leg.of(&Reading::voltage)), reported("voltage_min"),
+    NEAR(name + utf8("peak load"), largest(load), reported("load_peak"), 1e-6);
+    NEAR(name + utf8("mean load"), mean(load), reported("load_mean"), 1e-6);
+    NEAR(name + utf8("voltage"), smallest(leg.of(&Reading::voltage)), reported("voltage_min"),
          1e-6);
-    NEAR(name + text("temperature"), largest(leg.of(&Reading::temperature)),
+    NEAR(name + utf8("temperature"), largest(leg.of(&Reading::temperature)),
          reported("temperature_max"), 1e-6);
-    NEAR(name + text("alarms"), leg.alarms(), reported("alarms"), 0);
-    QVERIFY(!json[text("missed")].toBool() && leg.timeToTarget() < never);
-    QCOMPARE(leg.isFlagPlausible(), !json[text("flag_wrong")].toBool());
+    NEAR(name + utf8("alarms"), leg.alarms(), reported("alarms"), 0);
+    QVERIFY(!json[utf8("missed")].toBool() && leg.timeToTarget() < never);
+    QCOMPARE(leg.isFlagPlausible(), !json[utf8("flag_wrong")].toBool());
 }
 
 void TestSweepMetrics::collect(const Leg& leg)
 {
     const auto add = [&](const char* key, double value) {
-        m_summary.values[text(key)].push_back(value);
+        m_summary.values[utf8(key)].push_back(value);
     };
     add("time_to_target", leg.timeToTarget());
     add("settling", leg.settling());
@@ -518,41 +515,41 @@ void TestSweepMetrics::collect(const Leg& leg)
 
 void TestSweepMetrics::checkMetrics(const QJsonArray& metrics, int servo)
 {
-    const QStringList means{text("time_to_target"), text("mean_speed"), text("top_speed")};
-    const QStringList ofTargets{text("hysteresis"),          text("repeatability_sigma"),
-                                text("repeatability_range"), text("following_error_relative"),
-                                text("phase_lag"),           text("readings_per_period")};
+    const QStringList means{utf8("time_to_target"), utf8("mean_speed"), utf8("top_speed")};
+    const QStringList ofTargets{utf8("hysteresis"),          utf8("repeatability_sigma"),
+                                utf8("repeatability_range"), utf8("following_error_relative"),
+                                utf8("phase_lag"),           utf8("readings_per_period")};
     int checked = 0;
     for (const QJsonValue& metric : metrics) {
-        const QString key = metric[text("metric")].toString();
-        if (metric[text("servo")].toInt() != servo)
+        const QString key = metric[utf8("metric")].toString();
+        if (metric[utf8("servo")].toInt() != servo)
             continue;
         ++checked;
         const auto found = m_summary.values.find(key);
-        const double value = metric[text("value")].toDouble(NAN);
+        const double value = metric[utf8("value")].toDouble(NAN);
         if (found == m_summary.values.end()) {
-            QVERIFY2(metric[text("mean")].isNull(), qPrintable(key));
+            QVERIFY2(metric[utf8("mean")].isNull(), qPrintable(key));
             if (ofTargets.contains(key)) { // no target twice, or from both sides; no sine
-                QVERIFY2(metric[text("value")].isNull(), qPrintable(key));
-                QCOMPARE(metric[text("count")].toInt(), 0);
+                QVERIFY2(metric[utf8("value")].isNull(), qPrintable(key));
+                QCOMPARE(metric[utf8("count")].toInt(), 0);
                 continue;
             }
             NEAR(key, 0, value, 0); // a number of what did not happen
-            QVERIFY2(metric[text("count")].toInt() > 0, qPrintable(key));
+            QVERIFY2(metric[utf8("count")].toInt() > 0, qPrintable(key));
             continue;
         }
         const std::vector<double>& values = found->second;
         const double by = std::max(0.01, std::abs(value) / 1000);
-        QCOMPARE(metric[text("count")].toInt(), int(values.size()));
-        NEAR(key + text(" mean"), mean(values), metric[text("mean")].toDouble(), by);
-        NEAR(key + text(" min"), smallest(values), metric[text("min")].toDouble(), by);
-        NEAR(key + text(" max"), largest(values), metric[text("max")].toDouble(), by);
+        QCOMPARE(metric[utf8("count")].toInt(), int(values.size()));
+        NEAR(key + utf8(" mean"), mean(values), metric[utf8("mean")].toDouble(), by);
+        NEAR(key + utf8(" min"), smallest(values), metric[utf8("min")].toDouble(), by);
+        NEAR(key + utf8(" max"), largest(values), metric[utf8("max")].toDouble(), by);
         double judged = largest(values);
         if (means.contains(key))
             judged = mean(values);
-        else if (key == text("voltage_min"))
+        else if (key == utf8("voltage_min"))
             judged = smallest(values);
-        else if (key == text("steady_error"))
+        else if (key == utf8("steady_error"))
             judged = std::max(std::abs(smallest(values)), std::abs(largest(values)));
         NEAR(key, judged, value, by);
     }
@@ -564,18 +561,18 @@ void TestSweepMetrics::checkServo(int servo)
     const auto all = readingsOf(readingsPath(), servo);
     auto goals = goalsOf(readingsPath(), servo);
     std::vector<QJsonObject> legs;
-    for (const QJsonValue& leg : m_report[text("legs")].toArray()) {
-        if (leg[text("servo")].toInt() == servo)
+    for (const QJsonValue& leg : m_report[utf8("legs")].toArray()) {
+        if (leg[utf8("servo")].toInt() == servo)
             legs.push_back(leg.toObject());
     }
     QVERIFY(legs.size() >= 4);
     QJsonObject axis;
-    for (const QJsonValue& one : m_report[text("servos")].toArray()) {
-        if (one[text("id")].toInt() == servo)
-            axis = one[text("axis")].toObject();
+    for (const QJsonValue& one : m_report[utf8("servos")].toArray()) {
+        if (one[utf8("id")].toInt() == servo)
+            axis = one[utf8("axis")].toObject();
     }
     QCOMPARE(goals.size(), legs.size());
-    const double zero = goals[1] - legs[0][text("at_ms")].toDouble();
+    const double zero = goals[1] - legs[0][utf8("at_ms")].toDouble();
     m_summary = {};
     std::vector<double> errors;
     double startTemperature = NAN;
@@ -586,9 +583,9 @@ void TestSweepMetrics::checkServo(int servo)
             startTemperature = one.temperature;
     }
     for (const QJsonObject& json : legs) {
-        const int number = json[text("leg")].toInt();
-        NEAR(text("goal of leg %1").arg(number), goals[number] - zero,
-             json[text("at_ms")].toDouble(), clockMs);
+        const int number = json[utf8("leg")].toInt();
+        NEAR(utf8("goal of leg %1").arg(number), goals[number] - zero,
+             json[utf8("at_ms")].toDouble(), clockMs);
         const Leg leg(json, axis, ofLeg(all, number), goals[number]);
         checkLeg(json, leg);
         if (QTest::currentTestFailed())
@@ -597,27 +594,27 @@ void TestSweepMetrics::checkServo(int servo)
         errors.push_back(leg.steadyError());
     }
     addTargets(m_summary, legs, errors);
-    for (const double celsius : m_summary.values[text("temperature_max")])
-        m_summary.values[text("temperature_rise")].push_back(celsius - startTemperature);
-    checkMetrics(m_report[text("metrics")].toArray(), servo);
+    for (const double celsius : m_summary.values[utf8("temperature_max")])
+        m_summary.values[utf8("temperature_rise")].push_back(celsius - startTemperature);
+    checkMetrics(m_report[utf8("metrics")].toArray(), servo);
 }
 
 /// The table of the legs has the JSON's figures, digit by digit.
 void TestSweepMetrics::checkLegsFile()
 {
     auto rows = csvRows(m_legsPath);
-    const QJsonArray legs = m_report[text("legs")].toArray();
+    const QJsonArray legs = m_report[utf8("legs")].toArray();
     QCOMPARE(rows.size(), std::size_t(legs.size()));
-    const std::map<QString, QString> names{{text("at"), text("at_ms")},
-                                           {text("span"), text("span_ms")},
-                                           {text("time"), text("time_ms")},
-                                           {text("settling"), text("settling_ms")}};
+    const std::map<QString, QString> names{{utf8("at"), utf8("at_ms")},
+                                           {utf8("span"), utf8("span_ms")},
+                                           {utf8("time"), utf8("time_ms")},
+                                           {utf8("settling"), utf8("settling_ms")}};
     int compared = 0;
     for (auto& row : rows) {
         QJsonObject json;
         for (const QJsonValue& leg : legs) {
-            if (leg[text("servo")].toInt() == row[text("servo")].toInt() &&
-                leg[text("leg")].toInt() == row[text("leg")].toInt())
+            if (leg[utf8("servo")].toInt() == row[utf8("servo")].toInt() &&
+                leg[utf8("leg")].toInt() == row[utf8("leg")].toInt())
                 json = leg.toObject();
         }
         for (auto& [column, cell] : row) {
@@ -636,31 +633,31 @@ void TestSweepMetrics::checkLegsFile()
 /// As another program reads it.
 void TestSweepMetrics::checkPdf()
 {
-    const QString path = m_cli.dataFolder() + text("/paper.pdf");
-    const ProgramResult made = m_cli.run({text("sweep-report"), text("1"), path});
+    const QString path = m_cli.dataFolder() + utf8("/paper.pdf");
+    const ProgramResult made = m_cli.run({utf8("sweep-report"), utf8("1"), path});
     QVERIFY2(made.exit == 0, qPrintable(made.err));
     QProcess reader;
-    reader.start(text("pdftotext"), {text("-layout"), path, text("-")});
+    reader.start(utf8("pdftotext"), {utf8("-layout"), path, utf8("-")});
     QVERIFY(reader.waitForFinished());
     QStringList words = QString::fromUtf8(reader.readAllStandardOutput())
-                            .split(QRegularExpression(text("\\s+")), Qt::SkipEmptyParts);
+                            .split(QRegularExpression(utf8("\\s+")), Qt::SkipEmptyParts);
     const QSet<QString> paper(words.begin(), words.end());
     int compared = 0;
     const auto check = [&](const QJsonValue& row, std::initializer_list<const char*> keys) {
         for (const char* key : keys) {
-            const QJsonValue value = row[text(key)];
+            const QJsonValue value = row[utf8(key)];
             if (!value.isDouble())
                 continue;
             ++compared;
-            const QString number = key == text("reached") // a mean of whole steps
+            const QString number = key == utf8("reached") // a mean of whole steps
                                        ? QString::number(value.toDouble(), 'f', 1)
                                        : sweep_example::written(value.toDouble());
-            QVERIFY2(paper.contains(number), qPrintable(text(key) + QLatin1Char(' ') + number));
+            QVERIFY2(paper.contains(number), qPrintable(utf8(key) + QLatin1Char(' ') + number));
         }
     };
-    for (const QJsonValue& metric : m_report[text("metrics")].toArray())
+    for (const QJsonValue& metric : m_report[utf8("metrics")].toArray())
         check(metric, {"value", "mean", "min", "max"});
-    for (const QJsonValue& leg : m_report[text("legs")].toArray())
+    for (const QJsonValue& leg : m_report[utf8("legs")].toArray())
         check(leg, {"target", "reached", "time_ms", "settling_ms", "overshoot", "steady_error",
                     "following_error", "current_peak", "load_peak"});
     QVERIFY(compared > 100);
@@ -671,22 +668,22 @@ void TestSweepMetrics::everyMetric_data()
     QTest::addColumn<QString>("servos");
     QTest::addColumn<QString>("options");
     QTest::newRow("defects, both sides")
-        << text("sim:sts3215@1+overshoot=4+static-error=5+supply-ohms=0.4+rest-hysteresis=12")
-        << text("1 --from 1500 --to 2500 --both-sides --dwell 400 --cycles 2 --speed 3000");
+        << utf8("sim:sts3215@1+overshoot=4+static-error=5+supply-ohms=0.4+rest-hysteresis=12")
+        << utf8("1 --from 1500 --to 2500 --both-sides --dwell 400 --cycles 2 --speed 3000");
     QTest::newRow("two servos, acceleration, noise")
-        << text("sim:sts3215@1+noise=1,sts3215@2+overshoot=8")
-        << text("1 2 --from 1700 --to 2500 --delay 1300 --cycles 2 --speed 3000 "
+        << utf8("sim:sts3215@1+noise=1,sts3215@2+overshoot=8")
+        << utf8("1 2 --from 1700 --to 2500 --delay 1300 --cycles 2 --speed 3000 "
                 "--acceleration 100");
 }
 
 void TestSweepMetrics::runSweep(const QStringList& options)
 {
-    QFile::remove(m_cli.dataFolder() + text("/history.sqlite"));
-    const ProgramResult result = m_cli.run(QStringList{text("sweep")} + options
-                                           << text("--report") << m_legsPath << text("--json"));
+    QFile::remove(m_cli.dataFolder() + utf8("/history.sqlite"));
+    const ProgramResult result = m_cli.run(QStringList{utf8("sweep")} + options
+                                           << utf8("--report") << m_legsPath << utf8("--json"));
     m_report = result.json();
     QVERIFY2(!m_report.isEmpty(), qPrintable(result.err));
-    QCOMPARE(m_report[text("end")].toString(), text("finished"));
+    QCOMPARE(m_report[utf8("end")].toString(), utf8("finished"));
 }
 
 /// A busy machine may keep the program waiting while a leg goes on. What it then has too few
@@ -694,8 +691,8 @@ void TestSweepMetrics::runSweep(const QStringList& options)
 bool TestSweepMetrics::hasGap() const
 {
     constexpr double longGapMs = 50;
-    for (const QJsonValue& servo : m_report[text("servos")].toArray()) {
-        for (const Reading& one : readingsOf(readingsPath(), servo[text("id")].toInt())) {
+    for (const QJsonValue& servo : m_report[utf8("servos")].toArray()) {
+        for (const Reading& one : readingsOf(readingsPath(), servo[utf8("id")].toInt())) {
             if (one.leg > 0 && one.gap > longGapMs)
                 return true;
         }
@@ -707,7 +704,7 @@ void TestSweepMetrics::everyMetric()
 {
     QFETCH(QString, servos);
     QFETCH(QString, options);
-    m_legsPath = m_cli.dataFolder() + text("/legs.csv");
+    m_legsPath = m_cli.dataFolder() + utf8("/legs.csv");
     m_cli.setPort(servos);
     int attempts = 0;
     do {
@@ -715,8 +712,8 @@ void TestSweepMetrics::everyMetric()
         if (QTest::currentTestFailed())
             return;
     } while (hasGap() && ++attempts < 10);
-    for (const QJsonValue& servo : m_report[text("servos")].toArray()) {
-        const int id = servo[text("id")].toInt();
+    for (const QJsonValue& servo : m_report[utf8("servos")].toArray()) {
+        const int id = servo[utf8("id")].toInt();
         checkServo(id);
         if (QTest::currentTestFailed()) {
             for (const Reading& one : readingsOf(readingsPath(), id)) {

@@ -8,6 +8,7 @@
 #include "results/sweep_verdict.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -21,16 +22,12 @@ using results::NoVerdictReason;
 using results::SweepEnd;
 using results::SweepShape;
 using support::SimFixture;
+using support::utf8;
 using sweep_support::metric;
 using sweep_support::run;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// A servo of bytes: a memory, a wire with some time to the answer, and a position of the script's.
 class ScriptedServo final : public transport::Link {
 public:
@@ -89,7 +86,7 @@ public:
         return {};
     }
     int baud() const override { return m_baud; }
-    QString name() const override { return text("sim:scripted"); }
+    QString name() const override { return utf8("sim:scripted"); }
 
 private:
     void put(int address, int value)
@@ -141,11 +138,11 @@ results::SweepSpec sine(Duration period)
 {
     results::SweepSpec spec;
     spec.shape = SweepShape::Sine;
-    spec.range = {text("1000"), text("3000")};
+    spec.range = {utf8("1000"), utf8("3000")};
     spec.period = period;
     spec.cycles = 2;
-    spec.speed = text("3000");
-    spec.acceleration = text("200");
+    spec.speed = utf8("3000");
+    spec.acceleration = utf8("200");
     spec.stopOnStall = false; // what is asked is the figures' verdict
     return spec;
 }
@@ -153,11 +150,11 @@ results::SweepSpec sine(Duration period)
 results::SweepSpec sweepThereAndBack()
 {
     results::SweepSpec spec;
-    spec.range = {text("1000"), text("2000")};
+    spec.range = {utf8("1000"), utf8("2000")};
     spec.pause = 1500ms;
     spec.cycles = 3;
-    spec.speed = text("2000");
-    spec.acceleration = text("50");
+    spec.speed = utf8("2000");
+    spec.acceleration = utf8("50");
     return spec;
 }
 
@@ -179,7 +176,7 @@ private:
     ScriptedServo* m_wire = nullptr; ///< while a scripted run lasts
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void aStopAfterAGoodLegGivesNoVerdict();
     void onlyTheServoWithTheAlarmFails();
@@ -210,7 +207,7 @@ base::Result<results::SweepRun> TestSweepVerdict::scripted(const results::SweepS
                                                            Duration latency,
                                                            const jobs::SweepCallbacks& watch)
 {
-    SimFixture like(text("sts3215@1"));
+    SimFixture like(utf8("sts3215@1"));
     base::ManualClock clock;
     auto wire = std::make_unique<ScriptedServo>(clock, like, script, latency);
     if (m_isTorqueOn)
@@ -230,7 +227,7 @@ base::Result<results::SweepRun> TestSweepVerdict::scripted(const results::SweepS
 
 void TestSweepVerdict::aStopAfterAGoodLegGivesNoVerdict()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const results::SweepLeg& leg) {
@@ -253,7 +250,7 @@ void TestSweepVerdict::aStopAfterAGoodLegGivesNoVerdict()
 
 void TestSweepVerdict::onlyTheServoWithTheAlarmFails()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const results::SweepLeg& leg) {
@@ -277,9 +274,9 @@ void TestSweepVerdict::aSlowSinePasses_data()
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
     QTest::addColumn<QString>("speed");
-    QTest::newRow("STS") << text("sts3215@1") << text("1000") << text("3000") << text("3000");
-    QTest::newRow("HLS") << text("hls3606@1") << text("1000") << text("3000") << text("40");
-    QTest::newRow("SCS") << text("scs15@1:1000000") << text("300") << text("700") << text("1000");
+    QTest::newRow("STS") << utf8("sts3215@1") << utf8("1000") << utf8("3000") << utf8("3000");
+    QTest::newRow("HLS") << utf8("hls3606@1") << utf8("1000") << utf8("3000") << utf8("40");
+    QTest::newRow("SCS") << utf8("scs15@1:1000000") << utf8("300") << utf8("700") << utf8("1000");
 }
 
 void TestSweepVerdict::aSlowSinePasses()
@@ -297,7 +294,7 @@ void TestSweepVerdict::aSlowSinePasses()
     const auto done = run(fixture.context(), all, spec);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     const results::SweepServo& one = done->servos.front();
-    const QString figures = text("%1 %, %2 degrees, %3 readings")
+    const QString figures = utf8("%1 %, %2 degrees, %3 readings")
                                 .arg(metric(one, "following_error_relative").value_or(-1))
                                 .arg(metric(one, "phase_lag").value_or(-1))
                                 .arg(metric(one, "readings_per_period").value_or(-1));
@@ -359,10 +356,10 @@ void TestSweepVerdict::aFollowingServoPasses()
 
 void TestSweepVerdict::aSineFasterThanItTurnsNeverPasses()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sine(4s); // π · 2000 / 4 steps/s
-    spec.speed = text("500");
+    spec.speed = utf8("500");
     const auto look = jobs::estimateSweep(fixture.context(), servos[0], spec, {});
     QVERIFY(look && look->tooShort);
     const auto done = run(fixture.context(), servos, spec);
@@ -378,7 +375,7 @@ void TestSweepVerdict::aSineFasterThanItTurnsNeverPasses()
 void TestSweepVerdict::tooFewSamplesGiveNoVerdict()
 {
     results::SweepSpec spec = sine(500ms);
-    spec.range.to = text("1100");
+    spec.range.to = utf8("1100");
     spec.cycles = 6;
     const auto follow = [](Duration, double goal) { return goal; };
     const auto done = scripted(spec, follow, 35ms); // an adapter that takes its time
@@ -409,10 +406,10 @@ void TestSweepVerdict::aSlowAdapterFailsNoServo()
     QFETCH(int, periodMs);
     support::SimFixtureOptions options;
     options.wire.adapterLatency = std::chrono::milliseconds(latencyMs);
-    SimFixture fixture(text("sts3215@1"), options);
+    SimFixture fixture(utf8("sts3215@1"), options);
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sine(std::chrono::milliseconds(periodMs));
-    spec.range = {text("1500"), text("2500")};
+    spec.range = {utf8("1500"), utf8("2500")};
     spec.cycles = 1;
     spec.speed.clear();
     spec.acceleration.clear();
@@ -421,7 +418,7 @@ void TestSweepVerdict::aSlowAdapterFailsNoServo()
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY2(done->verdict() != Grade::Fail,
-             qPrintable(text("%1 %, %2°")
+             qPrintable(utf8("%1 %, %2°")
                             .arg(metric(done->servos[0], "following_error_relative").value_or(-1))
                             .arg(metric(done->servos[0], "phase_lag").value_or(-1))));
 }
@@ -498,13 +495,13 @@ void TestSweepVerdict::halfAPeriodGivesNoVerdict()
 /// A file of one's own from before there were such limits.
 void TestSweepVerdict::limitsWithoutSineMetricsGiveNoVerdict()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     jobs::SweepRequest order;
     order.spec = sine(8s);
     results::SweepLimits limits;
-    limits.name = text("own");
-    limits.lines = {{text("alarms"), QString(), {}, 0.0}, {text("overshoot"), text("%"), 3, 5}};
+    limits.name = utf8("own");
+    limits.lines = {{utf8("alarms"), QString(), {}, 0.0}, {utf8("overshoot"), utf8("%"), 3, 5}};
     order.limits = {limits};
     const auto done = jobs::sweep(fixture.context(), servos, order, {});
     QVERIFY(done);
@@ -514,7 +511,7 @@ void TestSweepVerdict::limitsWithoutSineMetricsGiveNoVerdict()
 
 void TestSweepVerdict::randomTargetsAreJudged()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepThereAndBack();
     spec.shape = SweepShape::Random;
@@ -527,7 +524,7 @@ void TestSweepVerdict::randomTargetsAreJudged()
              qPrintable(QString::number(metric(one, "following_error_relative").value_or(-1))));
     QVERIFY(metric(one, "following_error_relative"));
     QVERIFY(std::none_of(one.lines.begin(), one.lines.end(), [](const results::VerdictLine& line) {
-        return line.limit.metric == text("phase_lag");
+        return line.limit.metric == utf8("phase_lag");
     }));
     spec.pace = results::SweepPace::Delay;
     const auto ignored = scripted(spec, [](Duration, double) { return 1000.0; });
@@ -537,7 +534,7 @@ void TestSweepVerdict::randomTargetsAreJudged()
 
 void TestSweepVerdict::aSingleRandomTargetGivesNoVerdict()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     results::SweepSpec spec = sweepThereAndBack();
     spec.shape = SweepShape::Random;
@@ -569,8 +566,8 @@ void TestSweepVerdict::shortMovesGiveNoVerdict_data()
 {
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
-    QTest::newRow("within the tolerance") << text("2043") << text("2053");
-    QTest::newRow("both ends within it") << text("2037") << text("2059");
+    QTest::newRow("within the tolerance") << utf8("2043") << utf8("2053");
+    QTest::newRow("both ends within it") << utf8("2037") << utf8("2059");
 }
 
 /// The servo never moves, and the test says beforehand that it cannot tell.
@@ -590,14 +587,14 @@ void TestSweepVerdict::shortMovesGiveNoVerdict()
             QCOMPARE(reason(*done), NoVerdictReason::ShortMoves);
         QVERIFY(!metric(done->servos.front(), "missed_targets"));
     }
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     spec.shape = SweepShape::Sweep;
-    const auto limits = results::builtInSweepLimits(text("STS3215"), text("STS"));
+    const auto limits = results::builtInSweepLimits(utf8("STS3215"), utf8("STS"));
     const auto look = jobs::estimateSweep(fixture.context(), servo, spec, limits);
     QVERIFY(look);
     QCOMPARE(look->minMove, 3 * look->axis.tolerance);
-    spec.range = {text("2000"), text("2040")};
+    spec.range = {utf8("2000"), utf8("2040")};
     const auto enough = jobs::estimateSweep(fixture.context(), servo, spec, limits);
     QVERIFY(enough);
     QCOMPARE(enough->minMove, 0.0);
@@ -605,17 +602,17 @@ void TestSweepVerdict::shortMovesGiveNoVerdict()
 
 void TestSweepVerdict::aWideToleranceGivesNoVerdict()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     fixture.withBus(
         [](sim::VirtualBus& wire) { wire.servo(1)->load().stopHigh = 1500.0 / 4096 * 2 * M_PI; });
     std::vector<device::Servo> servos{fixture.servo(1)};
     jobs::SweepRequest order;
     order.spec = sweepThereAndBack();
     order.spec.stopOnAlarm = false;
-    results::SweepLimits limits = results::builtInSweepLimits(text("STS3215"), text("STS"));
+    results::SweepLimits limits = results::builtInSweepLimits(utf8("STS3215"), utf8("STS"));
     limits.tolerance = 5000;
     std::erase_if(limits.lines,
-                  [](const results::SweepLimit& line) { return line.metric == text("alarms"); });
+                  [](const results::SweepLimit& line) { return line.metric == utf8("alarms"); });
     order.limits = {limits};
     const auto done = jobs::sweep(fixture.context(), servos, order, {});
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));

@@ -21,12 +21,12 @@ const QStringList feedback{QStringLiteral("present_position"), QStringLiteral("p
                            QStringLiteral("present_load"), QStringLiteral("present_voltage"),
                            QStringLiteral("moving")};
 const QString position = feedback.front();
-constexpr int fast = 1'000'000;
+constexpr int fastBaud = 1'000'000;
 
 struct FeedFixture {
     explicit FeedFixture(const QString& list, const std::vector<int>& ids,
                          base::Protocol protocol = base::Protocol::Feetech)
-        : fixture(list, {protocol == base::Protocol::Feetech ? fast : 115'200})
+        : fixture(list, {protocol == base::Protocol::Feetech ? fastBaud : 115'200})
     {
         for (const int id : ids) {
             ServoEntry entry;

@@ -6,6 +6,7 @@
 #include "jobs/recover/recover.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -20,14 +21,10 @@ using device::MoveMethod;
 using device::WriteOutcome;
 using jobs::RecoveryAction;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 const std::vector<base::Protocol> all(base::allProtocols.begin(), base::allProtocols.end());
 
 device::Servo known(SimFixture& fixture, int id)
@@ -71,8 +68,8 @@ bool present(SimFixture& fixture, int id)
 QString slowSpeed(const device::Servo& servo)
 {
     const catalog::Register& speed = *servo.profile->byRole(Role::GoalSpeed);
-    if (servo.meaning(speed).unit == text("rpm"))
-        return text("6rpm");
+    if (servo.meaning(speed).unit == utf8("rpm"))
+        return utf8("6rpm");
     return QString::number(servo.profile->stepsPerTurn / 10);
 }
 
@@ -124,7 +121,7 @@ private Q_SLOTS:
 /// Every command begins with this, so it must not pay for what is not there.
 void TestAllFamilies::silentProtocolsCostOneRequest()
 {
-    SimFixture fixture(text("lx16a@1"), at(115200));
+    SimFixture fixture(utf8("lx16a@1"), at(115200));
     fixture.clearFrames();
     QVERIFY(device::identifyAmong(fixture.context(), 1, all).has_value());
     QCOMPARE(fixture.frameCount(), all.size());
@@ -132,7 +129,7 @@ void TestAllFamilies::silentProtocolsCostOneRequest()
 
 void TestAllFamilies::lostRepliesAreRequestedAgain()
 {
-    SimFixture fixture(text("smsmb@1"), at(115200));
+    SimFixture fixture(utf8("smsmb@1"), at(115200));
     fixture.wireConfig().faults.drop = 0.5;
     int known = 0;
     for (int i = 0; i < 20; ++i)
@@ -153,7 +150,7 @@ void TestAllFamilies::noisyLines()
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         auto options = at(baud);
         options.wire.seed = seed;
-        SimFixture fixture(model + text("@1"), options);
+        SimFixture fixture(model + utf8("@1"), options);
         device::Servo servo = known(fixture, 1);
         const auto before = fixture.raw(1, key);
         auto& faults = fixture.wireConfig().faults;
@@ -191,7 +188,7 @@ void TestAllFamilies::writeInterruptedAtEveryByte()
     int interrupted = 0;
     for (const auto wish : {RecoveryAction::Finish, RecoveryAction::Undo}) {
         for (std::size_t cut = 1;; ++cut) {
-            SimFixture fixture(model + text("@1"), at(baud));
+            SimFixture fixture(model + utf8("@1"), at(baud));
             device::Servo servo = known(fixture, 1);
             const auto before = fixture.raw(1, key);
             fixture.cutAfterHostBytes(cut);
@@ -234,7 +231,7 @@ void TestAllFamilies::newIdInterruptedAtEveryByte()
     QFETCH(QString, model);
     QFETCH(int, baud);
     for (std::size_t cut = 1;; ++cut) {
-        SimFixture fixture(model + text("@1"), at(baud));
+        SimFixture fixture(model + utf8("@1"), at(baud));
         device::Servo servo = known(fixture, 1);
         fixture.cutAfterHostBytes(cut);
         const auto report = jobs::changeId(fixture.context(), servo, 9);
@@ -303,7 +300,7 @@ void TestAllFamilies::movesReachTheirGoal()
     QFETCH(int, baud);
     QFETCH(int, away);
     QFETCH(QString, time);
-    SimFixture fixture(model + text("@1"), at(baud));
+    SimFixture fixture(model + utf8("@1"), at(baud));
     device::Servo servo = known(fixture, 1);
     const auto goal = rawOf(fixture, 1, Role::PresentPosition) + away;
     MoveCommand order{&servo, QString::number(goal)};
@@ -327,13 +324,13 @@ void TestAllFamilies::haltStopsAtThePresentPosition()
     QFETCH(QString, model);
     QFETCH(int, baud);
     QFETCH(int, away);
-    SimFixture fixture(model + text("@1"), at(baud));
+    SimFixture fixture(model + utf8("@1"), at(baud));
     device::Servo servo = known(fixture, 1);
     const auto from = rawOf(fixture, 1, Role::PresentPosition);
     MoveCommand order{&servo, QString::number(from + away)};
     // Slow enough to be caught on the way.
     if (servo.profile->byRole(Role::StoredGoal) != nullptr)
-        order.time = text("3000");
+        order.time = utf8("3000");
     else
         order.speed = slowSpeed(servo);
     auto plan = device::planMove(fixture.context(), order);
@@ -354,36 +351,36 @@ void TestAllFamilies::haltStopsAtThePresentPosition()
 /// MOVE_STOP does not end motor mode; speed 0 does.
 void TestAllFamilies::motorRunsAndStops()
 {
-    SimFixture fixture(text("lx16a@1"), at(115'200));
+    SimFixture fixture(utf8("lx16a@1"), at(115'200));
     device::Servo servo = known(fixture, 1);
-    const auto switched = device::switchMode(fixture.context(), servo, text("motor"));
+    const auto switched = device::switchMode(fixture.context(), servo, utf8("motor"));
     QVERIFY(switched && switched->isSuccessful());
-    QCOMPARE(fixture.raw(1, text("load")), std::int64_t(0));
-    auto plan = device::planMove(fixture.context(), {&servo, text("-400")});
+    QCOMPARE(fixture.raw(1, utf8("load")), std::int64_t(0));
+    auto plan = device::planMove(fixture.context(), {&servo, utf8("-400")});
     QVERIFY(plan);
     std::vector<device::MovePlan> plans{*plan};
-    const auto from = fixture.raw(1, text("position"));
+    const auto from = fixture.raw(1, utf8("position"));
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
-    QCOMPARE(fixture.raw(1, text("motor_speed")), std::int64_t(-400));
+    QCOMPARE(fixture.raw(1, utf8("motor_speed")), std::int64_t(-400));
     fixture.runFor(300ms);
-    QVERIFY(fixture.raw(1, text("position")) != from);
+    QVERIFY(fixture.raw(1, utf8("position")) != from);
     QVERIFY(device::halt(fixture.context(), servo));
     fixture.runFor(500ms);
-    const auto here = fixture.raw(1, text("position"));
+    const auto here = fixture.raw(1, utf8("position"));
     fixture.runFor(1s);
-    QVERIFY(std::abs(fixture.raw(1, text("position")) - here) <= 2);
+    QVERIFY(std::abs(fixture.raw(1, utf8("position")) - here) <= 2);
 }
 
 void TestAllFamilies::storedMovesStartTogether()
 {
     auto options = at(115'200);
     options.wire.identicalServos = true; // room for the move
-    SimFixture fixture(text("lx16a@1,lx224hv@2"), options);
+    SimFixture fixture(utf8("lx16a@1,lx224hv@2"), options);
     std::deque<device::Servo> servos{known(fixture, 1), known(fixture, 2)};
     std::vector<device::MovePlan> plans;
     for (device::Servo& servo : servos) {
-        MoveCommand order{&servo, QString::number(fixture.raw(servo.id, text("position")) + 200)};
-        order.time = text("1000");
+        MoveCommand order{&servo, QString::number(fixture.raw(servo.id, utf8("position")) + 200)};
+        order.time = utf8("1000");
         auto plan = device::planMove(fixture.context(), order);
         QVERIFY(plan);
         plans.push_back(*plan);
@@ -391,7 +388,7 @@ void TestAllFamilies::storedMovesStartTogether()
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Sync));
     fixture.runFor(500ms);
     for (const device::MovePlan& plan : plans) {
-        const auto rest = plan.goalRaw - fixture.raw(plan.servo->id, text("position"));
+        const auto rest = plan.goalRaw - fixture.raw(plan.servo->id, utf8("position"));
         QVERIFY2(rest > 20 && rest < 180, qPrintable(QString::number(rest)));
     }
     QVERIFY(device::waitForArrival(fixture.context(), plans, 10s, {}));
@@ -409,9 +406,9 @@ void TestAllFamilies::centerIsSaved()
 {
     QFETCH(QString, model);
     QFETCH(int, baud);
-    SimFixture fixture(model + text("@1"), at(baud));
+    SimFixture fixture(model + utf8("@1"), at(baud));
     device::Servo servo = known(fixture, 1);
-    auto plan = device::planMove(fixture.context(), {&servo, text("1500")});
+    auto plan = device::planMove(fixture.context(), {&servo, utf8("1500")});
     QVERIFY(plan);
     std::vector<device::MovePlan> plans{*plan};
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
@@ -419,16 +416,16 @@ void TestAllFamilies::centerIsSaved()
     const auto report = jobs::center(fixture.context(), servo);
     QVERIFY2(report, report ? "" : qPrintable(report.error().detail));
     QVERIFY(!isLockOpen(fixture, 1));
-    QVERIFY(std::abs(fixture.raw(1, text("present_position")) - 2048) <= 12);
+    QVERIFY(std::abs(fixture.raw(1, utf8("present_position")) - 2048) <= 12);
     fixture.powerCycle();
     fixture.runFor(500ms);
-    QCOMPARE(fixture.raw(1, text("position_offset")), *report->offsetAfter);
-    QVERIFY(std::abs(fixture.raw(1, text("present_position")) - 2048) <= 12);
+    QCOMPARE(fixture.raw(1, utf8("position_offset")), *report->offsetAfter);
+    QVERIFY(std::abs(fixture.raw(1, utf8("present_position")) - 2048) <= 12);
 }
 
 void TestAllFamilies::overheatedLxIsReported()
 {
-    SimFixture fixture(text("lx16a@1"), at(115'200));
+    SimFixture fixture(utf8("lx16a@1"), at(115'200));
     device::Servo servo = known(fixture, 1);
     fixture.withBus(
         [](sim::VirtualBus& wire) { wire.servo(1)->environment().ambientCelsius = 120; });

@@ -6,6 +6,7 @@
 #include "jobs/recover/recover.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -14,13 +15,9 @@ using namespace std::chrono_literals;
 using base::Protocol;
 using jobs::RecoveryAction;
 using support::SimFixture;
+using support::utf8;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 bool ledOn(SimFixture& fixture)
 {
     return fixture.withBus([](sim::VirtualBus& wire) { return wire.servos().front()->ledOn(); });
@@ -47,7 +44,7 @@ class TestBlink : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void blinksAndRestoresTheLed_data();
     void blinksAndRestoresTheLed();
@@ -71,7 +68,7 @@ void TestBlink::blinksAndRestoresTheLed_data()
     const auto row = [](const char* servo, Protocol protocol, int baud, const char* key,
                         int before) {
         QTest::addRow("%s, %s %d", servo, key, before)
-            << text(servo) << int(protocol) << baud << text(key) << before;
+            << utf8(servo) << int(protocol) << baud << utf8(key) << before;
     };
     row("sts3215@1", Protocol::Feetech, 1'000'000, "led_alarm_condition", 45);
     row("sts3215@1", Protocol::Feetech, 1'000'000, "led_alarm_condition", 0);
@@ -116,7 +113,7 @@ void TestBlink::blinkingNeedsAnLed_data()
     QTest::addColumn<QString>("servo");
     QTest::addColumn<int>("protocol");
     QTest::addColumn<QString>("why");
-    QTest::newRow("Modbus") << text("smsmb@1") << int(Protocol::Modbus) << text("factory-led");
+    QTest::newRow("Modbus") << utf8("smsmb@1") << int(Protocol::Modbus) << utf8("factory-led");
 }
 
 void TestBlink::blinkingNeedsAnLed()
@@ -138,26 +135,26 @@ void TestBlink::blinkingNeedsAnLed()
 /// With the lock left open each blink would go into the EPROM.
 void TestBlink::nothingIsSavedWithAnOpenLock()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     auto one = fixture.servo(1);
-    fixture.poke(1, text("lock"), 0);
-    const std::int64_t before = fixture.raw(1, text("led_alarm_condition"));
+    fixture.poke(1, utf8("lock"), 0);
+    const std::int64_t before = fixture.raw(1, utf8("led_alarm_condition"));
     bool openWhileOff = false;
     fixture.tap().onWrite = [&](const base::Bytes&) {
-        if (fixture.raw(1, text("led_alarm_condition")) != before)
-            openWhileOff |= fixture.raw(1, text("lock")) == 0;
+        if (fixture.raw(1, utf8("led_alarm_condition")) != before)
+            openWhileOff |= fixture.raw(1, utf8("lock")) == 0;
     };
     QVERIFY(jobs::blink(fixture.context(), one));
     QVERIFY(!openWhileOff);
     QCOMPARE(fixture.notices().front().code, base::NoticeCode::LockFoundOpen);
-    QCOMPARE(fixture.raw(1, text("lock")), 1);
+    QCOMPARE(fixture.raw(1, utf8("lock")), 1);
 }
 
 void TestBlink::stopEndsItAtOnce()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     auto one = fixture.servo(1);
-    const std::int64_t before = fixture.raw(1, text("led_alarm_condition"));
+    const std::int64_t before = fixture.raw(1, utf8("led_alarm_condition"));
     const base::Duration start = fixture.clock().now();
     base::Duration asked{};
     const auto report = jobs::blink(fixture.context(), one, 6s, [&](const jobs::Progress&) {
@@ -169,13 +166,13 @@ void TestBlink::stopEndsItAtOnce()
     QVERIFY(report);
     QVERIFY(report->stopped);
     QVERIFY(fixture.clock().now() - asked < 100ms);
-    QCOMPARE(fixture.raw(1, text("led_alarm_condition")), before);
+    QCOMPARE(fixture.raw(1, utf8("led_alarm_condition")), before);
     QVERIFY(fixture.journal().open()->empty());
 }
 
 void TestBlink::stopBeforeStartWritesNothing()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     auto one = fixture.servo(1);
     fixture.clearFrames();
     fixture.stop().request();
@@ -197,7 +194,7 @@ void TestBlink::linkLostAtEveryByte()
 {
     QFETCH(int, action);
     constexpr auto time = 1s;
-    SimFixture whole(text("sts3215@1"));
+    SimFixture whole(utf8("sts3215@1"));
     whole.clearFrames();
     {
         auto one = device::identify(whole.context(), 1);
@@ -208,8 +205,8 @@ void TestBlink::linkLostAtEveryByte()
         length += frame.size();
     int interrupted = 0;
     for (std::size_t cut = 1; cut < length; ++cut) {
-        SimFixture fixture(text("sts3215@1"));
-        const std::int64_t before = fixture.raw(1, text("led_alarm_condition"));
+        SimFixture fixture(utf8("sts3215@1"));
+        const std::int64_t before = fixture.raw(1, utf8("led_alarm_condition"));
         fixture.cutAfterHostBytes(cut);
         auto one = device::identify(fixture.context(), 1);
         if (one)
@@ -217,7 +214,7 @@ void TestBlink::linkLostAtEveryByte()
         fixture.reconnect(1'000'000);
         const auto open = *fixture.journal().open();
         if (open.empty()) {
-            QCOMPARE(fixture.raw(1, text("led_alarm_condition")), before);
+            QCOMPARE(fixture.raw(1, utf8("led_alarm_condition")), before);
             continue;
         }
         ++interrupted;
@@ -225,7 +222,7 @@ void TestBlink::linkLostAtEveryByte()
         const auto settled = jobs::recover(fixture.context(), RecoveryAction(action));
         QVERIFY(settled && settled->size() == 1);
         QVERIFY2(settled->front().done, qPrintable(QString::number(cut)));
-        QCOMPARE(fixture.raw(1, text("led_alarm_condition")), before);
+        QCOMPARE(fixture.raw(1, utf8("led_alarm_condition")), before);
         QVERIFY(fixture.journal().open()->empty());
     }
     QVERIFY(interrupted > 10);
@@ -233,7 +230,7 @@ void TestBlink::linkLostAtEveryByte()
 
 void TestBlink::fullDiskWritesNothing()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     auto one = fixture.servo(1);
     fixture.journal().setError(base::ErrorCode::DiskFull);
     fixture.clearFrames();

@@ -6,6 +6,7 @@
 #include "jobs/change/ordered_write.h"
 #include "support/lost_acknowledgments.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -14,29 +15,16 @@ using base::ErrorCode;
 using device::LockState;
 using device::WriteOutcome;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
-bool hasNotice(SimFixture& fixture, device::NoticeCode code)
-{
-    for (const device::Notice& notice : fixture.notices()) {
-        if (notice.code == code)
-            return true;
-    }
-    return false;
-}
-
 int countOpenLocks(SimFixture& fixture)
 {
     return fixture.withBus([](sim::VirtualBus& wire) {
         int open = 0;
         for (sim::VirtualServo* servo : wire.servos())
-            open += servo->raw(text("lock")) == 0 ? 1 : 0;
+            open += servo->raw(utf8("lock")) == 0 ? 1 : 0;
         return open;
     });
 }
@@ -46,7 +34,7 @@ class TestChanges : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void newIdIsSaved_data();
     void newIdIsSaved();
@@ -78,9 +66,9 @@ void TestChanges::newIdIsSaved_data()
     QTest::addColumn<bool>("acksLost");
     QTest::addColumn<int>("level");
     for (const char* model : {"sts3215@1", "scs15@1", "sm40blhv@1:1000000"}) {
-        QTest::addRow("%s", model) << text(model) << false << 1;
-        QTest::addRow("%s, every acknowledgement lost", model) << text(model) << true << 1;
-        QTest::addRow("%s, response level 0", model) << text(model) << false << 0;
+        QTest::addRow("%s", model) << utf8(model) << false << 1;
+        QTest::addRow("%s, every acknowledgement lost", model) << utf8(model) << true << 1;
+        QTest::addRow("%s, response level 0", model) << utf8(model) << false << 0;
     }
 }
 
@@ -90,7 +78,7 @@ void TestChanges::newIdIsSaved()
     QFETCH(bool, acksLost);
     QFETCH(int, level);
     SimFixture fixture(servo);
-    fixture.poke(1, text("response_level"), level);
+    fixture.poke(1, utf8("response_level"), level);
     device::Servo one = fixture.servo(1);
     if (acksLost)
         support::dropAcknowledgments(fixture);
@@ -106,13 +94,13 @@ void TestChanges::newIdIsSaved()
         idWrites += frame[4] == support::Write && frame[5] == 5 ? 1 : 0;
     QCOMPARE(idWrites, 1);
     fixture.powerCycle();
-    QCOMPARE(fixture.raw(9, text("id")), 9);
+    QCOMPARE(fixture.raw(9, utf8("id")), 9);
     QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 void TestChanges::takenIdIsRefused()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2,sts3215@3,sts3215@3"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2,sts3215@3,sts3215@3"));
     device::Servo one = fixture.servo(1);
     for (const int taken : {2, 3}) { // 3 is taken twice: a collision is an answer too
         fixture.clearFrames();
@@ -126,7 +114,7 @@ void TestChanges::takenIdIsRefused()
 /// While the new ID is checked, the servo still has its old one.
 void TestChanges::aStopNamesThePresentServo()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame[2] == 9)
@@ -150,7 +138,7 @@ void TestChanges::impossibleIds_data()
 void TestChanges::impossibleIds()
 {
     QFETCH(int, id);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.clearFrames();
     const auto report = jobs::changeId(fixture.context(), one, id);
@@ -161,7 +149,7 @@ void TestChanges::impossibleIds()
 
 void TestChanges::lostIdRequestIsResent()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     int writes = 0;
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
@@ -178,7 +166,7 @@ void TestChanges::lostIdRequestIsResent()
 /// The ID has changed and the lock is open when the line falls silent for half a second.
 void TestChanges::waitsOutSilenceAfterAnIdChange()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     base::Duration silentUntil{};
     fixture.tap().onWrite = [&](const base::Bytes& frame) {
@@ -200,10 +188,10 @@ void TestChanges::newRateIsSaved_data()
     QTest::addColumn<QString>("servo");
     QTest::addColumn<int>("rate");
     QTest::addColumn<bool>("acksLost");
-    QTest::newRow("STS 500000") << text("sts3215@1") << 500'000 << false;
-    QTest::newRow("STS 38400") << text("sts3215@1") << 38'400 << false;
-    QTest::newRow("STS 76800, every acknowledgement lost") << text("sts3215@1") << 76'800 << true;
-    QTest::newRow("SCS 115200") << text("scs15@1:1000000") << 115'200 << false;
+    QTest::newRow("STS 500000") << utf8("sts3215@1") << 500'000 << false;
+    QTest::newRow("STS 38400") << utf8("sts3215@1") << 38'400 << false;
+    QTest::newRow("STS 76800, every acknowledgement lost") << utf8("sts3215@1") << 76'800 << true;
+    QTest::newRow("SCS 115200") << utf8("scs15@1:1000000") << 115'200 << false;
 }
 
 void TestChanges::newRateIsSaved()
@@ -228,7 +216,7 @@ void TestChanges::newRateIsSaved()
 
 void TestChanges::rateUnsupportedByTheAdapter()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.tap().refusedRates = {250'000};
     fixture.clearFrames();
@@ -241,7 +229,7 @@ void TestChanges::rateUnsupportedByTheAdapter()
 
 void TestChanges::rateUnsupportedByTheSeries()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     const auto report = jobs::changeBaud(fixture.context(), one, 9'600); // code 10: SMS only
     QVERIFY(!report);
@@ -254,9 +242,9 @@ void TestChanges::centering_data()
     QTest::addColumn<bool>("acksLost");
     QTest::addColumn<int>("level");
     for (const char* model : {"sts3215@1", "sm40blhv@1:1000000"}) {
-        QTest::addRow("%s", model) << text(model) << false << 1;
-        QTest::addRow("%s, every acknowledgement lost", model) << text(model) << true << 1;
-        QTest::addRow("%s, response level 0", model) << text(model) << false << 0;
+        QTest::addRow("%s", model) << utf8(model) << false << 1;
+        QTest::addRow("%s, every acknowledgement lost", model) << utf8(model) << true << 1;
+        QTest::addRow("%s, response level 0", model) << utf8(model) << false << 0;
     }
 }
 
@@ -266,12 +254,12 @@ void TestChanges::centering()
     QFETCH(bool, acksLost);
     QFETCH(int, level);
     SimFixture fixture(servo);
-    fixture.poke(1, text("response_level"), level);
+    fixture.poke(1, utf8("response_level"), level);
     device::Servo one = fixture.servo(1);
     {
         device::MoveCommand order;
         order.servo = &one;
-        order.goal = text("1000");
+        order.goal = utf8("1000");
         std::vector<device::MovePlan> plans{*device::planMove(fixture.context(), order)};
         QVERIFY(device::sendMoves(fixture.context(), plans, device::MoveMethod::Write));
         QVERIFY(device::waitForArrival(fixture.context(), plans, 20s, {}));
@@ -287,19 +275,19 @@ void TestChanges::centering()
     for (const base::Bytes& frame : fixture.tap().written)
         sent += frame[4] == support::Write && frame[5] == 40 && frame[6] == 128 ? 1 : 0;
     QCOMPARE(sent, 1);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.back().end->items.size(), std::size_t(1));
     QCOMPARE(entries.back().end->items[0].readBack, report->offsetAfter);
-    QCOMPARE(entries.back().end->items[0].outcome, text("kept"));
+    QCOMPARE(entries.back().end->items[0].outcome, utf8("kept"));
     fixture.powerCycle();
-    QVERIFY(std::abs(fixture.raw(1, text("present_position")) - 2048) <= 12);
+    QVERIFY(std::abs(fixture.raw(1, utf8("present_position")) - 2048) <= 12);
     QCOMPARE(countOpenLocks(fixture), 0);
 }
 
 void TestChanges::centeringOnScs()
 {
-    SimFixture fixture(text("scs15@1"));
+    SimFixture fixture(utf8("scs15@1"));
     device::Servo one = fixture.servo(1);
     const auto report = jobs::center(fixture.context(), one);
     QVERIFY(!report);
@@ -309,14 +297,14 @@ void TestChanges::centeringOnScs()
 
 void TestChanges::restoring()
 {
-    SimFixture fixture(text("sts3215@7"));
+    SimFixture fixture(utf8("sts3215@7"));
     device::Servo one = fixture.servo(7);
     QVERIFY(
-        device::write(fixture.context(), one, {{text("max_temperature"), 55}}, {})->isSuccessful());
+        device::write(fixture.context(), one, {{utf8("max_temperature"), 55}}, {})->isSuccessful());
     const auto report = jobs::restoreDefaults(fixture.context(), one);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QCOMPARE(fixture.raw(7, text("max_temperature")), 70);
-    QVERIFY(std::find(report->changed.begin(), report->changed.end(), text("max_temperature")) !=
+    QCOMPARE(fixture.raw(7, utf8("max_temperature")), 70);
+    QVERIFY(std::find(report->changed.begin(), report->changed.end(), utf8("max_temperature")) !=
             report->changed.end());
     QCOMPARE(report->newId, 7); // everything but the ID
     const auto entries = fixture.journal().entries().value();
@@ -329,7 +317,7 @@ void TestChanges::restoring()
 
 void TestChanges::restoringChangesTheRate()
 {
-    SimFixture fixture(text("sts3215@7"));
+    SimFixture fixture(utf8("sts3215@7"));
     device::Servo one = fixture.servo(7);
     QVERIFY(jobs::changeBaud(fixture.context(), one, 115'200)->isSuccessful());
     const auto report = jobs::restoreDefaults(fixture.context(), one);
@@ -353,9 +341,9 @@ void TestChanges::rebooting()
     support::SimFixtureOptions options;
     options.baud = rate;
     options.servoBaud = rate;
-    SimFixture fixture(text("sts3215@1"), options);
-    fixture.poke(1, text("torque_limit"), 300);
-    fixture.poke(1, text("torque_switch"), 1);
+    SimFixture fixture(utf8("sts3215@1"), options);
+    fixture.poke(1, utf8("torque_limit"), 300);
+    fixture.poke(1, utf8("torque_switch"), 1);
     device::Servo one = fixture.servo(1);
     fixture.clearFrames();
     base::Duration rebootAt{};
@@ -369,15 +357,15 @@ void TestChanges::rebooting()
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(took);
     QVERIFY(*took >= 700 && *took <= 2300);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueSwitchedOff));
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000); // RAM reloaded
+    QVERIFY(fixture.hasNotice(device::NoticeCode::TorqueSwitchedOff));
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000); // RAM reloaded
     // Nothing may be sent to the loader, which listens at 500 kbaud.
     QVERIFY(nextAt - rebootAt >= (rate == 500'000 ? 2000ms : 700ms));
 }
 
 void TestChanges::fullJournalWritesNothing()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.journal().setError(ErrorCode::DiskFull);
     fixture.clearFrames();
@@ -391,16 +379,16 @@ void TestChanges::fullJournalWritesNothing()
 /// The new ID, which needs consent, would be written last.
 void TestChanges::aMixtureNeedsConsentBeforeItsFirstByte()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
-    const std::vector<device::WriteItem> items{{text("id"), 9}, {text("position_p"), 40}};
+    const std::vector<device::WriteItem> items{{utf8("id"), 9}, {utf8("position_p"), 40}};
     fixture.clearFrames();
     std::optional<device::WriteReport> report;
     const auto refused = jobs::writeInOrder(fixture.context(), one, items, {},
                                             jobs::SpecialRegisters::Write, report);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::NeedsConsent);
-    QCOMPARE(refused.error().registerKey, text("id"));
+    QCOMPARE(refused.error().registerKey, utf8("id"));
     QVERIFY(!report);
     QVERIFY(fixture.onlyReadsSent());
 
@@ -411,24 +399,24 @@ void TestChanges::aMixtureNeedsConsentBeforeItsFirstByte()
     QVERIFY2(written, written ? "" : qPrintable(base::errorName(written.error().code)));
     QCOMPARE(report->writes.size(), std::size_t(2));
     QCOMPARE(one.id, 9);
-    QCOMPARE(fixture.raw(9, text("position_p")), 40);
+    QCOMPARE(fixture.raw(9, utf8("position_p")), 40);
 }
 
 void TestChanges::aMixtureCanLeaveSpecialRegistersOut()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.clearFrames();
     std::optional<device::WriteReport> report;
     const auto refused =
-        jobs::writeInOrder(fixture.context(), one, {{text("position_p"), 40}, {text("id"), 9}}, {},
+        jobs::writeInOrder(fixture.context(), one, {{utf8("position_p"), 40}, {utf8("id"), 9}}, {},
                            jobs::SpecialRegisters::Refuse, report);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::NotSupported);
-    QCOMPARE(refused.error().detail, text("set-id"));
+    QCOMPARE(refused.error().detail, utf8("set-id"));
     QVERIFY(fixture.onlyReadsSent());
 
-    const auto written = jobs::writeInOrder(fixture.context(), one, {{text("position_p"), 40}}, {},
+    const auto written = jobs::writeInOrder(fixture.context(), one, {{utf8("position_p"), 40}}, {},
                                             jobs::SpecialRegisters::Refuse, report);
     QVERIFY(written);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);

@@ -5,6 +5,7 @@
 #include "jobs/change/clear_alarm.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -18,20 +19,16 @@ using base::Protocol;
 using jobs::AlarmPlan;
 using jobs::ClearMethod;
 using support::SimFixture;
+using support::utf8;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// A servo that hits a stop a little way off when it is sent upwards.
 sim::ServoSpec blocked(const char* model, double stopDegrees)
 {
     constexpr double room = 20;
     sim::Load load;
     load.stopHigh = stopDegrees * std::numbers::pi / 180.0;
-    return {text(model), 1, {}, 7.4, stopDegrees - room, load, nullptr};
+    return {utf8(model), 1, {}, 7.4, stopDegrees - room, load, nullptr};
 }
 
 sim::VirtualServo& first(sim::VirtualBus& wire)
@@ -41,13 +38,13 @@ sim::VirtualServo& first(sim::VirtualBus& wire)
 
 int statusOf(SimFixture& fixture, const char* key = "servo_status")
 {
-    return int(fixture.raw(1, text(key)));
+    return int(fixture.raw(1, utf8(key)));
 }
 
 /// Pressed against its stop until the overload protection has tripped.
 void stall(SimFixture& fixture, std::int64_t goal)
 {
-    fixture.poke(1, text("goal_position"), goal);
+    fixture.poke(1, utf8("goal_position"), goal);
     fixture.runFor(6s);
 }
 
@@ -69,7 +66,7 @@ class TestClearAlarm : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void noAlarmWritesNothing();
     void overloadMovesBackAfterConsent_data();
@@ -94,7 +91,7 @@ private Q_SLOTS:
 
 void TestClearAlarm::noAlarmWritesNothing()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     auto servo = fixture.servo(1);
     fixture.clearFrames();
     const auto report = jobs::clearAlarm(fixture.context(), servo, {});
@@ -109,9 +106,9 @@ void TestClearAlarm::overloadMovesBackAfterConsent_data()
     QTest::addColumn<int>("baud");
     QTest::addColumn<double>("stop");
     QTest::addColumn<int>("goal");
-    QTest::newRow("STS3215") << text("STS3215") << 1'000'000 << 200.0 << 3000;
-    QTest::newRow("SM40BLHV") << text("SM40BLHV") << 115'200 << 200.0 << 3000;
-    QTest::newRow("SCS15") << text("SCS15") << 1'000'000 << 120.0 << 900;
+    QTest::newRow("STS3215") << utf8("STS3215") << 1'000'000 << 200.0 << 3000;
+    QTest::newRow("SM40BLHV") << utf8("SM40BLHV") << 115'200 << 200.0 << 3000;
+    QTest::newRow("SCS15") << utf8("SCS15") << 1'000'000 << 120.0 << 900;
 }
 
 void TestClearAlarm::overloadMovesBackAfterConsent()
@@ -152,7 +149,7 @@ void TestClearAlarm::overloadNeedsConsent()
     const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NeedsConsent);
-    QCOMPARE(report.error().detail, text("release-moves"));
+    QCOMPARE(report.error().detail, utf8("release-moves"));
     QVERIFY(fixture.onlyReadsSent());
 }
 
@@ -167,7 +164,7 @@ void TestClearAlarm::overloadInTheOtherDirectionNeedsConsent()
     fixture.clearFrames();
     const auto report = jobs::clearAlarm(fixture.context(), servo, agreed);
     QVERIFY(!report);
-    QCOMPARE(report.error().detail, text("alarm-changed"));
+    QCOMPARE(report.error().detail, utf8("alarm-changed"));
     QVERIFY(fixture.onlyReadsSent());
 }
 
@@ -176,8 +173,8 @@ void TestClearAlarm::overloadWithoutASmallMoveBack_data()
     QTest::addColumn<QString>("key");
     QTest::addColumn<int>("value");
     QTest::addColumn<QString>("why");
-    QTest::newRow("speed mode") << text("operating_mode") << 1 << text("release-mode");
-    QTest::newRow("minimum angle") << text("min_angle_limit") << 2290 << text("release-limit");
+    QTest::newRow("speed mode") << utf8("operating_mode") << 1 << utf8("release-mode");
+    QTest::newRow("minimum angle") << utf8("min_angle_limit") << 2290 << utf8("release-limit");
 }
 
 void TestClearAlarm::overloadWithoutASmallMoveBack()
@@ -204,10 +201,10 @@ void TestClearAlarm::overloadWithoutASmallMoveBack()
 namespace {
 void triggerOvercurrent(SimFixture& fixture)
 {
-    fixture.poke(1, text("protection_current"), 150);
-    fixture.poke(1, text("overcurrent_time"), 50);
-    fixture.poke(1, text("unload_condition"), 8);
-    fixture.poke(1, text("goal_position"), 3500);
+    fixture.poke(1, utf8("protection_current"), 150);
+    fixture.poke(1, utf8("overcurrent_time"), 50);
+    fixture.poke(1, utf8("unload_condition"), 8);
+    fixture.poke(1, utf8("goal_position"), 3500);
     fixture.runFor(3s);
 }
 } // namespace
@@ -217,7 +214,7 @@ void TestClearAlarm::overcurrentUsesThePresentPositionAsGoal()
     SimFixture fixture({blocked("STS3215", 200.0)});
     triggerOvercurrent(fixture);
     QCOMPARE(statusOf(fixture), 8);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     auto servo = fixture.servo(1);
     const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan);
@@ -230,7 +227,7 @@ void TestClearAlarm::overcurrentUsesThePresentPositionAsGoal()
     QVERIFY(report->isExecuted && report->isCleared());
     fixture.runFor(1s);
     QCOMPARE(statusOf(fixture), 0);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 1);
     QVERIFY(std::abs(shaft(fixture) - before) < 1.0);
 }
 
@@ -242,14 +239,14 @@ void TestClearAlarm::overcurrentNeedsConsent()
     fixture.clearFrames();
     const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(!report);
-    QCOMPARE(report.error().detail, text("release-energises"));
+    QCOMPARE(report.error().detail, utf8("release-energises"));
     QVERIFY(fixture.onlyReadsSent());
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
 }
 
 void TestClearAlarm::voltageIsShownUntilItReturns()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const auto supply = [&](double volts) {
         fixture.withBus(
             [&](sim::VirtualBus& wire) { first(wire).environment().supplyVolts = volts; });
@@ -261,9 +258,9 @@ void TestClearAlarm::voltageIsShownUntilItReturns()
     const auto high = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(high && !high->isExecuted && !high->isCleared());
     const jobs::Alarm& alarm = high->after.alarms.front();
-    QCOMPARE(alarm.key, text("voltage"));
+    QCOMPARE(alarm.key, utf8("voltage"));
     QCOMPARE(alarm.release, ClearMethod::Wait);
-    QCOMPARE(alarm.measured, text("present_voltage"));
+    QCOMPARE(alarm.measured, utf8("present_voltage"));
     QVERIFY(*alarm.value > *alarm.max);
     QVERIFY(*alarm.min < *alarm.max);
     supply(7.4);
@@ -275,14 +272,14 @@ void TestClearAlarm::voltageIsShownUntilItReturns()
 
 void TestClearAlarm::temperatureIsShownUntilItReturns()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(80); });
     fixture.runFor(50ms);
     auto servo = fixture.servo(1);
     fixture.clearFrames();
     const auto hot = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(hot && !hot->isExecuted && !hot->isCleared());
-    QCOMPARE(keys(hot->after), QStringList{text("temperature")});
+    QCOMPARE(keys(hot->after), QStringList{utf8("temperature")});
     QVERIFY(*hot->after.alarms.front().value > *hot->after.alarms.front().max);
     fixture.runFor(600s);
     const auto cool = jobs::planClearAlarm(fixture.context(), servo);
@@ -309,8 +306,8 @@ void TestClearAlarm::temperatureComesBeforeOverload()
 
 void TestClearAlarm::lxRecoversByItself()
 {
-    SimFixture fixture(text("lx16a@1"), {115'200});
-    fixture.poke(1, text("temp_limit"), 60);
+    SimFixture fixture(utf8("lx16a@1"), {115'200});
+    fixture.poke(1, utf8("temp_limit"), 60);
     fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(70); });
     fixture.runFor(50ms);
     auto servo = fixture.servo(1, Protocol::Lx);
@@ -318,7 +315,7 @@ void TestClearAlarm::lxRecoversByItself()
     const auto hot = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(hot && !hot->isExecuted && !hot->isCleared());
     const jobs::Alarm& alarm = hot->after.alarms.front();
-    QCOMPARE(alarm.key, text("temperature"));
+    QCOMPARE(alarm.key, utf8("temperature"));
     QVERIFY(alarm.derived);
     QCOMPARE(alarm.max, std::optional<std::int64_t>(60));
     QVERIFY(*alarm.value > 60);
@@ -331,13 +328,13 @@ void TestClearAlarm::lxRecoversByItself()
 
 void TestClearAlarm::lxVoltageIsShown()
 {
-    SimFixture fixture(text("lx16a@1"), {115'200});
+    SimFixture fixture(utf8("lx16a@1"), {115'200});
     fixture.withBus([](sim::VirtualBus& wire) { first(wire).environment().supplyVolts = 13; });
     fixture.runFor(500ms);
     auto servo = fixture.servo(1, Protocol::Lx);
     const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan);
-    QCOMPARE(keys(*plan), QStringList{text("voltage")});
+    QCOMPARE(keys(*plan), QStringList{utf8("voltage")});
     QCOMPARE(plan->next, ClearMethod::Wait);
     QVERIFY(*plan->alarms.front().value > *plan->alarms.front().max);
 }
@@ -347,7 +344,7 @@ constexpr int modbusFaults = 0x2F;
 
 void stallModbus(SimFixture& fixture)
 {
-    fixture.poke(1, text("torque_switch"), 1);
+    fixture.poke(1, utf8("torque_switch"), 1);
     stall(fixture, 3000);
 }
 } // namespace
@@ -384,7 +381,7 @@ void TestClearAlarm::modbusHoldsItsPosition()
 
 void TestClearAlarm::modbusPersistentCauseReturns()
 {
-    SimFixture fixture(text("smsmb@1"), {115'200});
+    SimFixture fixture(utf8("smsmb@1"), {115'200});
     fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(95); });
     fixture.runFor(50ms);
     auto servo = fixture.servo(1, Protocol::Modbus);
@@ -392,13 +389,13 @@ void TestClearAlarm::modbusPersistentCauseReturns()
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QVERIFY(report->isExecuted && !report->isCleared());
     const jobs::Alarm& alarm = report->after.alarms.front();
-    QCOMPARE(alarm.key, text("temperature"));
+    QCOMPARE(alarm.key, utf8("temperature"));
     QVERIFY(*alarm.value > *alarm.max);
 }
 
 void TestClearAlarm::sensorNeedsAPowerCycle()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     fixture.withBus([](sim::VirtualBus& wire) { first(wire).injectStatus(2); });
     auto servo = fixture.servo(1);
     fixture.clearFrames();
@@ -412,7 +409,7 @@ void TestClearAlarm::sensorNeedsAPowerCycle()
 void TestClearAlarm::worksWithResponseLevelZero()
 {
     SimFixture fixture({blocked("STS3215", 200.0)});
-    fixture.poke(1, text("response_level"), 0);
+    fixture.poke(1, utf8("response_level"), 0);
     stall(fixture, 3000);
     auto servo = fixture.servo(1);
     const auto plan = jobs::planClearAlarm(fixture.context(), servo);

@@ -26,7 +26,7 @@ using support::RawServoLine;
 using support::rawSts3215;
 
 namespace {
-struct Fixture {
+struct ConflictFixture {
     base::ManualClock clock;
     RawServoLine line;
     support::MemoryJournal journal;
@@ -34,7 +34,7 @@ struct Fixture {
     device::Notices notices;
     std::unique_ptr<bus::BusCore> bus;
 
-    explicit Fixture(const support::RawServo& servo)
+    explicit ConflictFixture(const support::RawServo& servo)
     {
         line.servos = {servo};
         bus = std::make_unique<bus::BusCore>(support::openRawServoLine(line, clock),
@@ -61,7 +61,7 @@ support::RawServo invalidLockServo()
 }
 
 template <typename Answer>
-void refused(const Answer& answer, Fixture& fixture, const char* path)
+void refused(const Answer& answer, ConflictFixture& fixture, const char* path)
 {
     QVERIFY2(!answer, path);
     QVERIFY2(answer.error().code == ErrorCode::FamilyConflict,
@@ -107,7 +107,7 @@ void TestFamilyConflict::nothingWrites_data()
 void TestFamilyConflict::nothingWrites()
 {
     QFETCH(bool, lockOnly);
-    Fixture fixture(lockOnly ? invalidLockServo() : conflictingServo());
+    ConflictFixture fixture(lockOnly ? invalidLockServo() : conflictingServo());
     const auto context = fixture.context();
     auto found = device::identify(context, 1);
     QVERIFY(found);
@@ -134,7 +134,7 @@ void TestFamilyConflict::nothingWrites()
 
 void TestFamilyConflict::everythingCanBeRead()
 {
-    Fixture fixture(conflictingServo());
+    ConflictFixture fixture(conflictingServo());
     auto servo = device::identify(fixture.context(), 1);
     QVERIFY(servo);
     QVERIFY(servo->profile->conflict);
@@ -172,7 +172,7 @@ void TestFamilyConflict::theFactsAreReported()
 {
     QFETCH(bool, lockOnly);
     QFETCH(QStringList, facts);
-    Fixture fixture(lockOnly ? invalidLockServo() : conflictingServo());
+    ConflictFixture fixture(lockOnly ? invalidLockServo() : conflictingServo());
     auto servo = device::identify(fixture.context(), 1);
     QVERIFY(servo);
     const auto refusal = device::setTorque(fixture.context(), *servo, device::Torque::On);
@@ -192,7 +192,7 @@ void TestFamilyConflict::emergencyStopIsAllowed()
 {
     support::RawServo servo = conflictingServo();
     servo.table[40] = 1;
-    Fixture fixture(servo);
+    ConflictFixture fixture(servo);
     auto found = device::identify(fixture.context(), 1);
     QVERIFY(found);
     const auto verdicts = jobs::verifyEmergencyStop(fixture.context(), {&*found});
@@ -218,7 +218,7 @@ void TestFamilyConflict::torqueGoesOff()
     QFETCH(bool, halt);
     support::RawServo servo = lockOnly ? invalidLockServo() : conflictingServo();
     servo.table[40] = 1;
-    Fixture fixture(servo);
+    ConflictFixture fixture(servo);
     auto found = device::identify(fixture.context(), 1);
     QVERIFY(found);
     const auto done = halt ? device::halt(fixture.context(), *found)
@@ -232,7 +232,7 @@ void TestFamilyConflict::torqueGoesOff()
 
 void TestFamilyConflict::aValidLockAllowsWriting()
 {
-    Fixture fixture(invalidLockServo());
+    ConflictFixture fixture(invalidLockServo());
     auto servo = device::identify(fixture.context(), 1);
     QVERIFY(servo);
     const device::WriteItem item{QStringLiteral("max_temperature"), 61};

@@ -4,6 +4,7 @@
 #include "jobs/change/change.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -11,20 +12,14 @@
 using base::Bytes;
 using base::ErrorCode;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
-
-Q_DECLARE_METATYPE(base::Duration)
 
 namespace {
 const Bytes restartOf1{0xFF, 0xFF, 0x01, 0x02, 0x08, 0xF4};
 const Bytes statusOf1{0xFF, 0xFF, 0x01, 0x02, 0x00, 0xFC};
 const Bytes modbusRestartOf1{0x01, 0x41, 0xC0, 0x10};
 const Bytes modbusIllegalFunction{0x01, 0xC1, 0x01, 0xB0, 0x50};
-
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
 
 /// How often the command was sent to a device that makes `reply` of it, and nothing else.
 void replace(SimFixture& fixture, const Bytes& command, const Bytes& reply, int& matchCount)
@@ -36,19 +31,13 @@ void replace(SimFixture& fixture, const Bytes& command, const Bytes& reply, int&
         return std::optional(reply);
     };
 }
-
-bool hasNotice(SimFixture& fixture, device::NoticeCode code)
-{
-    return std::any_of(fixture.notices().begin(), fixture.notices().end(),
-                       [code](const device::Notice& notice) { return notice.code == code; });
-}
 } // namespace
 
 class TestReboot : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void restartIsVerified_data();
     void restartIsVerified();
@@ -74,13 +63,13 @@ void TestReboot::restartIsVerified_data()
     QTest::addColumn<base::Duration>("latency");
     QTest::addColumn<base::Duration>("timeout"); ///< the user's
     for (const char* servo : {"sts3215@1", "scs15@1:1000000", "sm40blhv@1:1000000"})
-        QTest::addRow("%s", servo) << text(servo) << base::Duration(1ms) << base::Duration(25ms);
+        QTest::addRow("%s", servo) << utf8(servo) << base::Duration(1ms) << base::Duration(25ms);
     for (const base::Duration latency : {1ms, 20ms, 40ms, 60ms, 100ms, 150ms}) {
         for (const base::Duration timeout : {25ms, 200ms}) {
             for (const char* servo : {"sts3215@1", "scs15@1:1000000"}) {
                 QTest::addRow("%s, %d ms, time-out %d ms", servo, int(latency / 1ms),
                               int(timeout / 1ms))
-                    << text(servo) << latency << timeout;
+                    << utf8(servo) << latency << timeout;
             }
         }
     }
@@ -99,8 +88,8 @@ void TestReboot::restartIsVerified()
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY2(took, took ? "" : qPrintable(took.error().detail));
     QVERIFY(*took >= 700);
-    QCOMPARE(fixture.raw(1, text("lock")), 1);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, utf8("lock")), 1);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
@@ -109,8 +98,8 @@ void TestReboot::ignoredCommandIsNoRestart_data()
     QTest::addColumn<QString>("model");
     QTest::addColumn<QString>("mark");
     QTest::addColumn<int>("before");
-    QTest::newRow("STS") << text("sts3215@1") << text("torque_limit") << 1000;
-    QTest::newRow("SCS") << text("scs15@1:1000000") << text("goal_time") << 0;
+    QTest::newRow("STS") << utf8("sts3215@1") << utf8("torque_limit") << 1000;
+    QTest::newRow("SCS") << utf8("scs15@1:1000000") << utf8("goal_time") << 0;
 }
 
 void TestReboot::ignoredCommandIsNoRestart()
@@ -125,17 +114,17 @@ void TestReboot::ignoredCommandIsNoRestart()
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY2(!took, "it has not restarted");
     QCOMPARE(took.error().code, ErrorCode::Refused);
-    QCOMPARE(took.error().detail, text("not-restarted"));
+    QCOMPARE(took.error().detail, utf8("not-restarted"));
     QCOMPARE(matchCount,
              2); // the first one may have been lost: reading proved that nothing happened
-    QVERIFY(!hasNotice(fixture, device::NoticeCode::RebootedAfter));
+    QVERIFY(!fixture.hasNotice(device::NoticeCode::RebootedAfter));
     QCOMPARE(fixture.raw(1, mark), before); // the mark is taken back
     QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 void TestReboot::lostCommandIsResent()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     int matchCount = 0;
     fixture.tap().replyOverride = [&matchCount](const Bytes& frame) {
@@ -143,21 +132,21 @@ void TestReboot::lostCommandIsResent()
     };
     QVERIFY(jobs::reboot(fixture.context(), one));
     QCOMPARE(matchCount, 2);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::Resent));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::Resent));
 }
 
 void TestReboot::acknowledgmentIsNoRestart()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     int matchCount = 0;
     replace(fixture, restartOf1, statusOf1, matchCount);
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(!took);
     QCOMPARE(took.error().code, ErrorCode::Refused);
-    QCOMPARE(took.error().detail, text("restart-acknowledged"));
+    QCOMPARE(took.error().detail, utf8("restart-acknowledged"));
     QCOMPARE(matchCount, 1);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
     QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
@@ -166,8 +155,8 @@ void TestReboot::quickRestartIsDetectedByRam_data()
     QTest::addColumn<QString>("model");
     QTest::addColumn<QString>("mark");
     QTest::addColumn<int>("atStart");
-    QTest::newRow("torque limit") << text("sts3215@1") << text("torque_limit") << 1000;
-    QTest::newRow("running time") << text("scs15@1:1000000") << text("goal_time") << 0;
+    QTest::newRow("torque limit") << utf8("sts3215@1") << utf8("torque_limit") << 1000;
+    QTest::newRow("running time") << utf8("scs15@1:1000000") << utf8("goal_time") << 0;
 }
 
 void TestReboot::quickRestartIsDetectedByRam()
@@ -184,16 +173,16 @@ void TestReboot::quickRestartIsDetectedByRam()
         return std::optional(Bytes());
     };
     QVERIFY(jobs::reboot(fixture.context(), one));
-    QVERIFY(hasNotice(fixture, device::NoticeCode::RebootedAfter));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::RebootedAfter));
     QCOMPARE(fixture.raw(1, mark), atStart);
     QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 void TestReboot::quickRestartWithoutMarkerIsNotReported()
 {
-    SimFixture fixture(text("scs15@1:1000000")); // in motor mode it has no mark
+    SimFixture fixture(utf8("scs15@1:1000000")); // in motor mode it has no mark
     for (const char* limit : {"min_angle_limit", "max_angle_limit"})
-        fixture.poke(1, text(limit), 0);
+        fixture.poke(1, utf8(limit), 0);
     device::Servo one = fixture.servo(1);
     fixture.tap().replyOverride = [&fixture](const Bytes& frame) {
         if (frame != restartOf1)
@@ -204,7 +193,7 @@ void TestReboot::quickRestartWithoutMarkerIsNotReported()
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(!took);
     QCOMPARE(took.error().code, ErrorCode::Refused);
-    QCOMPARE(took.error().detail, text("restart-unproven"));
+    QCOMPARE(took.error().detail, utf8("restart-unproven"));
 }
 
 /// The command is ignored, and the first PING after it gets lost: that is not a servo that was
@@ -212,7 +201,7 @@ void TestReboot::quickRestartWithoutMarkerIsNotReported()
 void TestReboot::lostPingIsNoRestart()
 {
     for (const char* servo : {"sts3215@1", "scs15@1:1000000"}) {
-        SimFixture fixture{text(servo)};
+        SimFixture fixture{utf8(servo)};
         device::Servo one = fixture.servo(1);
         bool lost = false;
         bool sent = false;
@@ -245,7 +234,7 @@ void TestReboot::lateRepliesAreNoSilence()
 {
     QFETCH(const base::Duration, lateness);
     QFETCH(const int, latePings);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     bool sent = false;
     int pings = 0;
@@ -261,44 +250,44 @@ void TestReboot::lateRepliesAreNoSilence()
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(!took);
     QVERIFY(pings > 1);
-    QCOMPARE(took.error().detail, text("not-restarted"));
+    QCOMPARE(took.error().detail, utf8("not-restarted"));
 }
 
 void TestReboot::exceptionFails()
 {
     support::SimFixtureOptions options;
     options.baud = 115'200;
-    SimFixture fixture(text("smsmb@1:115200"), options);
+    SimFixture fixture(utf8("smsmb@1:115200"), options);
     device::Servo one = fixture.servo(1, base::Protocol::Modbus);
     int matchCount = 0;
     replace(fixture, modbusRestartOf1, modbusIllegalFunction, matchCount);
-    const std::int64_t limit = fixture.raw(1, text("torque_limit"));
+    const std::int64_t limit = fixture.raw(1, utf8("torque_limit"));
     const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY2(!took, "refused in so many words");
     QCOMPARE(took.error().code, ErrorCode::Refused);
-    QCOMPARE(took.error().detail, text("illegal-function"));
+    QCOMPARE(took.error().detail, utf8("illegal-function"));
     QCOMPARE(matchCount, 1);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), limit);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), limit);
     QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 /// What differs from the power-on value by itself needs no write.
 void TestReboot::loweredLimitIsTheMarker()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("torque_limit"), 300);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("torque_limit"), 300);
     device::Servo one = fixture.servo(1);
     fixture.clearFrames();
     QVERIFY(jobs::reboot(fixture.context(), one));
     for (const Bytes& frame : fixture.tap().written)
         QVERIFY(frame[4] != support::Write || frame[5] != 48);
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
 }
 
 /// Its mark could not be noted: a restart would prove nothing, and the servo is not to blame.
 void TestReboot::aFullDiskIsReportedAndNothingRestarts()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.journal().setError(ErrorCode::DiskFull);
     fixture.clearFrames();
@@ -306,21 +295,21 @@ void TestReboot::aFullDiskIsReportedAndNothingRestarts()
     QVERIFY(!took);
     QCOMPARE(took.error().code, ErrorCode::DiskFull);
     QCOMPARE(fixture.frames(support::Reboot), 0);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueStaysOff));
-    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QVERIFY(fixture.hasNotice(device::NoticeCode::TorqueStaysOff));
+    QCOMPARE(fixture.raw(1, utf8("torque_limit")), 1000);
 }
 
 void TestReboot::anUnrecordedRestartIsReported()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo one = fixture.servo(1);
     fixture.tap().onWrite = [&fixture](const Bytes& frame) {
         if (frame == restartOf1)
             fixture.journal().setError(ErrorCode::DiskFull);
     };
     QVERIFY(jobs::reboot(fixture.context(), one));
-    QVERIFY(hasNotice(fixture, device::NoticeCode::RebootedAfter));
-    QVERIFY(hasNotice(fixture, device::NoticeCode::NotRecorded));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::RebootedAfter));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::NotRecorded));
     QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 

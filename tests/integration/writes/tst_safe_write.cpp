@@ -18,15 +18,6 @@ using support::SimFixture;
 namespace {
 const QString twoServos = QStringLiteral("sts3215@1,scs15@2");
 
-bool hasNotice(SimFixture& fixture, device::NoticeCode code)
-{
-    for (const device::Notice& notice : fixture.notices()) {
-        if (notice.code == code)
-            return true;
-    }
-    return false;
-}
-
 std::size_t openIntents(SimFixture& fixture)
 {
     return fixture.journal().open()->size();
@@ -142,7 +133,7 @@ void TestSafeWrite::temporaryClosesALockLeftOpen()
         device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, options);
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LockFoundOpen));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LockFoundOpen));
     fixture.powerCycle();
     QCOMPARE(fixture.raw(1, QStringLiteral("max_temperature")), 70);
 }
@@ -155,7 +146,7 @@ void TestSafeWrite::safeWriteClosesALockLeftOpen()
     const auto report =
         device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(report && report->isSuccessful());
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LockFoundOpen));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LockFoundOpen));
     QCOMPARE(fixture.raw(1, QStringLiteral("lock")), 1);
 }
 
@@ -368,7 +359,7 @@ void TestSafeWrite::torqueIsSwitchedOffOnRequest()
         device::write(fixture.context(), servo, {{QStringLiteral("position_offset"), 30}}, options);
     QVERIFY(offset && offset->isSuccessful());
     QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), 0);
-    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueSwitchedOff));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::TorqueSwitchedOff));
 }
 
 void TestSafeWrite::stopBetweenRegistersClosesTheLock()
@@ -405,7 +396,7 @@ void TestSafeWrite::silentServoIsNoAnswer()
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::NoReply);
     QVERIFY(!report->isSuccessful());
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LockLeftOpen));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LockLeftOpen));
     QCOMPARE(openIntents(fixture), std::size_t(1));
 }
 
@@ -512,7 +503,7 @@ void TestSafeWrite::aPossiblyClosedLockIsNotReportedOpen()
     QCOMPARE(fixture.raw(1, QStringLiteral("lock")), 1);
     QCOMPARE(report->lock, LockState::Unknown);
     QVERIFY(!report->isSuccessful());
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LockLeftOpen));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LockLeftOpen));
     QCOMPARE(openIntents(fixture), std::size_t(1));
 }
 

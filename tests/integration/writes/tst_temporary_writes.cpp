@@ -10,6 +10,7 @@
 #include "jobs/temporary_settings.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -20,18 +21,14 @@ using jobs::RecoveryAction;
 using jobs::TemporarySettings;
 using results::SweepEnd;
 using support::SimFixture;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 const std::vector<device::WriteItem>& gains()
 {
-    static const std::vector<device::WriteItem> items{{text("position_p"), 20},
-                                                      {text("position_i"), 1}};
+    static const std::vector<device::WriteItem> items{{utf8("position_p"), 20},
+                                                      {utf8("position_i"), 1}};
     return items;
 }
 
@@ -45,7 +42,7 @@ base::Result<results::SweepRun> sweep(SimFixture& fixture, std::vector<device::S
                                       const char* to = "1500", const char* from = "1000")
 {
     jobs::SweepRequest order;
-    order.spec.range = {text(from), text(to)};
+    order.spec.range = {utf8(from), utf8(to)};
     order.spec.pace = results::SweepPace::Dwell;
     order.spec.pause = 200ms;
     order.spec.cycles = 2;
@@ -54,22 +51,16 @@ base::Result<results::SweepRun> sweep(SimFixture& fixture, std::vector<device::S
     return jobs::sweep(fixture.context(), servos, order, watch);
 }
 
-int openIntents(SimFixture& fixture)
+int countOpenIntents(SimFixture& fixture)
 {
     return int(fixture.journal().open()->size());
-}
-
-bool hasNotice(SimFixture& fixture, device::NoticeCode code)
-{
-    return std::any_of(fixture.notices().begin(), fixture.notices().end(),
-                       [code](const device::Notice& notice) { return notice.code == code; });
 }
 
 /// A servo that stands in this mode, with torque off, as switching there leaves it.
 void enterModeDirectly(SimFixture& fixture, const char* mode, base::Protocol protocol)
 {
     device::Servo servo = fixture.servo(1, protocol);
-    const auto report = device::switchMode(fixture.context(), servo, text(mode));
+    const auto report = device::switchMode(fixture.context(), servo, utf8(mode));
     QVERIFY(report && report->isSuccessful());
     fixture.notices().clear();
 }
@@ -79,7 +70,7 @@ class TestTemporaryWrites : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void gainsTakeEffectAndAreRestored();
     void anOpenLockIsClosedFirst();
@@ -104,54 +95,54 @@ private Q_SLOTS:
 
 void TestTemporaryWrites::gainsTakeEffectAndAreRestored()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     const auto before = eprom(fixture);
-    const auto p = fixture.raw(1, text("position_p"));
+    const auto p = fixture.raw(1, utf8("position_p"));
     {
         const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
         QVERIFY(trial);
         QCOMPARE((*trial)->items().size(), std::size_t(2));
-        QCOMPARE(fixture.raw(1, text("position_p")), 20);
-        QCOMPARE(fixture.raw(1, text("position_i")), 1);
-        QCOMPARE(openIntents(fixture), 1);
+        QCOMPARE(fixture.raw(1, utf8("position_p")), 20);
+        QCOMPARE(fixture.raw(1, utf8("position_i")), 1);
+        QCOMPARE(countOpenIntents(fixture), 1);
         QCOMPARE(fixture.journal().open()->front().kind, base::IntentKind::Trial);
         QVERIFY(fixture.journal().open()->front().temporary);
         QVERIFY((*trial)->revert());
-        QCOMPARE(fixture.raw(1, text("position_p")), p);
-        QCOMPARE(openIntents(fixture), 0);
+        QCOMPARE(fixture.raw(1, utf8("position_p")), p);
+        QCOMPARE(countOpenIntents(fixture), 0);
         fixture.clearFrames();
     }
     QCOMPARE(fixture.frameCount(), std::size_t(0)); // once is enough
     QVERIFY(before == eprom(fixture));
     QCOMPARE(fixture.journal().entries()->size(), std::size_t(1));
-    QCOMPARE(fixture.journal().entries()->front().end->outcome, text("undone"));
+    QCOMPARE(fixture.journal().entries()->front().end->outcome, utf8("undone"));
 }
 
 void TestTemporaryWrites::anOpenLockIsClosedFirst()
 {
-    SimFixture fixture(text("sts3215@1"));
-    fixture.poke(1, text("lock"), 0);
+    SimFixture fixture(utf8("sts3215@1"));
+    fixture.poke(1, utf8("lock"), 0);
     device::Servo servo = fixture.servo(1);
     const auto before = eprom(fixture);
     {
         const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
         QVERIFY(trial);
-        QCOMPARE(fixture.raw(1, text("lock")), 1);
-        QCOMPARE(fixture.raw(1, text("position_p")), 20);
+        QCOMPARE(fixture.raw(1, utf8("lock")), 1);
+        QCOMPARE(fixture.raw(1, utf8("position_p")), 20);
     }
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LockFoundOpen));
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LockFoundOpen));
     QVERIFY(before == eprom(fixture));
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(countOpenIntents(fixture), 0);
 }
 
 void TestTemporaryWrites::matchingValuesAreNotWritten()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     fixture.clearFrames();
     const auto trial = TemporarySettings::set(
-        fixture.context(), servo, {{text("position_p"), fixture.raw(1, text("position_p"))}});
+        fixture.context(), servo, {{utf8("position_p"), fixture.raw(1, utf8("position_p"))}});
     QVERIFY(trial);
     QVERIFY((*trial)->items().empty());
     QVERIFY(fixture.onlyReadsSent());
@@ -160,43 +151,43 @@ void TestTemporaryWrites::matchingValuesAreNotWritten()
 
 void TestTemporaryWrites::permanentRegistersAreRefused()
 {
-    SimFixture fixture(text("lx16a@1"), {.baud = 115'200});
+    SimFixture fixture(utf8("lx16a@1"), {.baud = 115'200});
     device::Servo servo = fixture.servo(1, base::Protocol::Lx);
-    const auto was = fixture.raw(1, text("temp_limit"));
+    const auto was = fixture.raw(1, utf8("temp_limit"));
     fixture.clearFrames();
     const auto trial =
-        TemporarySettings::set(fixture.context(), servo, {{text("temp_limit"), was - 5}});
+        TemporarySettings::set(fixture.context(), servo, {{utf8("temp_limit"), was - 5}});
     QVERIFY(!trial);
     QCOMPARE(trial.error().code, ErrorCode::NotSupported);
-    QCOMPARE(trial.error().detail, text("always-kept"));
+    QCOMPARE(trial.error().detail, utf8("always-kept"));
     QVERIFY(fixture.onlyReadsSent());
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(countOpenIntents(fixture), 0);
 }
 
 /// Neither in the servo nor in the report of its values.
 void TestTemporaryWrites::aRefusalLeavesNothingBehind()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
-    const auto p = fixture.raw(1, text("position_p"));
+    const auto p = fixture.raw(1, utf8("position_p"));
     fixture.clearFrames();
-    QVERIFY(!TemporarySettings::set(fixture.context(), servo, {{text("position_p"), 9999}}));
+    QVERIFY(!TemporarySettings::set(fixture.context(), servo, {{utf8("position_p"), 9999}}));
     QCOMPARE(fixture.frames(support::Write), 0);
-    QCOMPARE(fixture.raw(1, text("position_p")), p);
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), p);
+    QCOMPARE(countOpenIntents(fixture), 0);
     const auto entries = fixture.journal().entries();
     QCOMPARE(entries->size(), std::size_t(1));
     const base::IntentResult& end = *entries->front().end;
-    QCOMPARE(end.outcome, text("failed"));
+    QCOMPARE(end.outcome, utf8("failed"));
     QCOMPARE(end.items.size(), std::size_t(1));
-    QCOMPARE(end.items.front().key, text("position_p"));
-    QCOMPARE(end.items.front().outcome, text("not-sent"));
+    QCOMPARE(end.items.front().key, utf8("position_p"));
+    QCOMPARE(end.items.front().outcome, utf8("not-sent"));
     QVERIFY(device::temporaryValues(fixture.journal(), servo)->empty());
 }
 
 void TestTemporaryWrites::aFullDiskPreventsIt()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
     fixture.journal().setError(ErrorCode::DiskFull);
     fixture.clearFrames();
@@ -208,31 +199,31 @@ void TestTemporaryWrites::aFullDiskPreventsIt()
 
 void TestTemporaryWrites::aStopStillRestoresThem()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     device::Servo servo = fixture.servo(1);
-    const auto p = fixture.raw(1, text("position_p"));
+    const auto p = fixture.raw(1, utf8("position_p"));
     const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
     QVERIFY(trial);
     fixture.stop().request();
     QVERIFY((*trial)->revert());
-    QCOMPARE(fixture.raw(1, text("position_p")), p);
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), p);
+    QCOMPARE(countOpenIntents(fixture), 0);
 }
 
 void TestTemporaryWrites::gainsAreRestoredAfterAnEmergencyStop()
 {
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     std::vector<device::Servo> servos{fixture.servo(1)};
     fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
-    const auto p = fixture.raw(1, text("position_p"));
+    const auto p = fixture.raw(1, utf8("position_p"));
     const auto trial = TemporarySettings::set(fixture.context(), servos[0], gains());
     QVERIFY(trial);
     QVERIFY(device::setTorque(fixture.context(), servos[0], device::Torque::On));
     fixture.bus().emergency();
     QVERIFY((*trial)->revert());
-    QCOMPARE(fixture.raw(1, text("position_p")), p);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0); // nothing turned torque on
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), p);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0); // nothing turned torque on
+    QCOMPARE(countOpenIntents(fixture), 0);
 }
 
 void TestTemporaryWrites::aLostLinkLeavesTheIntentOpen_data()
@@ -245,9 +236,9 @@ void TestTemporaryWrites::aLostLinkLeavesTheIntentOpen_data()
 void TestTemporaryWrites::aLostLinkLeavesTheIntentOpen()
 {
     QFETCH(int, action);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     const auto before = eprom(fixture);
-    const auto p = fixture.raw(1, text("position_p"));
+    const auto p = fixture.raw(1, utf8("position_p"));
     {
         device::Servo servo = fixture.servo(1);
         const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
@@ -256,27 +247,27 @@ void TestTemporaryWrites::aLostLinkLeavesTheIntentOpen()
         const auto back = (*trial)->revert();
         QVERIFY(!back);
         QCOMPARE(back.error().code, ErrorCode::LinkLost);
-        QVERIFY(hasNotice(fixture, device::NoticeCode::SettingNotRestored));
+        QVERIFY(fixture.hasNotice(device::NoticeCode::SettingNotRestored));
     }
-    QCOMPARE(openIntents(fixture), 1);
+    QCOMPARE(countOpenIntents(fixture), 1);
     fixture.reconnect(1'000'000);
     const auto preview = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(preview);
     QCOMPARE(preview->size(), std::size_t(1));
     QCOMPARE(preview->front().before.finding, Finding::AllNew);
-    QCOMPARE(fixture.raw(1, text("position_p")), 20);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), 20);
     const auto settled = jobs::recover(fixture.context(), RecoveryAction(action));
     QVERIFY(settled && settled->front().done);
-    QCOMPARE(fixture.raw(1, text("position_p")), p);
-    QCOMPARE(fixture.raw(1, text("position_i")), 0);
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), p);
+    QCOMPARE(fixture.raw(1, utf8("position_i")), 0);
+    QCOMPARE(countOpenIntents(fixture), 0);
     QVERIFY(before == eprom(fixture));
 }
 
 void TestTemporaryWrites::aPowerCycleResetsThem()
 {
-    SimFixture fixture(text("sts3215@1"));
-    const auto p = fixture.raw(1, text("position_p"));
+    SimFixture fixture(utf8("sts3215@1"));
+    const auto p = fixture.raw(1, utf8("position_p"));
     {
         device::Servo servo = fixture.servo(1);
         const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
@@ -285,13 +276,13 @@ void TestTemporaryWrites::aPowerCycleResetsThem()
     }
     fixture.powerCycle();
     fixture.reconnect(1'000'000);
-    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), p);
     const auto preview = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(preview);
     QCOMPARE(preview->front().before.finding, Finding::AllOld);
     const auto settled = jobs::recover(fixture.context(), RecoveryAction::Undo);
     QVERIFY(settled && settled->front().done);
-    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    QCOMPARE(fixture.raw(1, utf8("position_p")), p);
 }
 
 void TestTemporaryWrites::theSweepSwitchesTheMode_data()
@@ -304,7 +295,7 @@ void TestTemporaryWrites::theSweepSwitchesTheMode_data()
     const int feetech = int(base::Protocol::Feetech);
     const auto row = [&](const char* name, const char* servo, const char* mode, int protocol,
                          const char* from, const char* to) {
-        QTest::newRow(name) << text(servo) << text(mode) << protocol << text(from) << text(to);
+        QTest::newRow(name) << utf8(servo) << utf8(mode) << protocol << utf8(from) << utf8(to);
     };
     row("STS wheel", "sts3215@1", "speed", feetech, "1000", "1500");
     row("STS PWM", "sts3215@1", "pwm", feetech, "1000", "1500");
@@ -343,8 +334,8 @@ void TestTemporaryWrites::theSweepSwitchesTheMode()
     device::Servo after = fixture.servo(1, language);
     QCOMPARE(after.mode()->key, mode);
     QVERIFY(before == eprom(fixture));
-    QCOMPARE(fixture.raw(1, lx ? text("load") : text("torque_switch")), 0);
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, lx ? utf8("load") : utf8("torque_switch")), 0);
+    QCOMPARE(countOpenIntents(fixture), 0);
     QCOMPARE(fixture.journal().entries()->size(), intents + 1);
     // The report shows the servo's own settings.
     for (const snapshot::SnapshotRegister& reg : done->servos.at(0).parameters.registers) {
@@ -369,13 +360,13 @@ void TestTemporaryWrites::theSweepAlwaysRestoresTheMode_data()
 {
     QTest::addColumn<QString>("end");
     for (const char* end : {"stopped", "alarm", "jammed", "bad range"})
-        QTest::newRow(end) << text(end);
+        QTest::newRow(end) << utf8(end);
 }
 
 void TestTemporaryWrites::theSweepAlwaysRestoresTheMode()
 {
     QFETCH(QString, end);
-    SimFixture fixture(text("sts3215@1"));
+    SimFixture fixture(utf8("sts3215@1"));
     enterModeDirectly(fixture, "speed", base::Protocol::Feetech);
     const auto before = eprom(fixture);
     std::vector<device::Servo> servos{fixture.servo(1)};
@@ -394,26 +385,26 @@ void TestTemporaryWrites::theSweepAlwaysRestoresTheMode()
     const bool badRange = end == QLatin1StringView("bad range");
     const auto done = sweep(fixture, servos, watch, badRange ? "5000" : "1500");
     QCOMPARE(done.has_value(), !badRange);
-    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
-    QCOMPARE(fixture.raw(1, text("goal_speed")), 0);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, utf8("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, utf8("goal_speed")), 0);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(countOpenIntents(fixture), 0);
     QVERIFY(before == eprom(fixture));
 }
 
 /// The limits of a servo during a test are not those saved for its way back from motor mode.
 void TestTemporaryWrites::rememberedLimitsAreUnchanged()
 {
-    SimFixture fixture(text("scs15@1"), {.baud = 1'000'000, .servoBaud = 1'000'000});
-    fixture.poke(1, text("min_angle_limit"), 0);
-    fixture.poke(1, text("max_angle_limit"), 0);
+    SimFixture fixture(utf8("scs15@1"), {.baud = 1'000'000, .servoBaud = 1'000'000});
+    fixture.poke(1, utf8("min_angle_limit"), 0);
+    fixture.poke(1, utf8("max_angle_limit"), 0);
     std::vector<device::Servo> servos{fixture.servo(1)};
     const auto identity = servos[0].identity();
     QVERIFY(sweep(fixture, servos, {}, "500", "300"));
-    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 0);
-    QVERIFY(!fixture.journal().servoValues(identity, text("limits")).value());
-    QVERIFY(hasNotice(fixture, device::NoticeCode::LimitsSetToDefault));
-    QVERIFY(!hasNotice(fixture, device::NoticeCode::LimitsSaved));
+    QCOMPARE(fixture.raw(1, utf8("max_angle_limit")), 0);
+    QVERIFY(!fixture.journal().servoValues(identity, utf8("limits")).value());
+    QVERIFY(fixture.hasNotice(device::NoticeCode::LimitsSetToDefault));
+    QVERIFY(!fixture.hasNotice(device::NoticeCode::LimitsSaved));
 }
 
 void TestTemporaryWrites::anUnrestoredModeIsFound_data()
@@ -421,10 +412,10 @@ void TestTemporaryWrites::anUnrestoredModeIsFound_data()
     QTest::addColumn<QString>("how");
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mode");
-    QTest::newRow("lost link, STS") << text("link") << text("sts3215@1") << text("speed");
-    QTest::newRow("lost link, limits") << text("link") << text("sts3215@1") << text("step");
-    QTest::newRow("lost link, LX") << text("link") << text("lx16a@1") << text("motor");
-    QTest::newRow("emergency stop") << text("emergency") << text("sts3215@1") << text("speed");
+    QTest::newRow("lost link, STS") << utf8("link") << utf8("sts3215@1") << utf8("speed");
+    QTest::newRow("lost link, limits") << utf8("link") << utf8("sts3215@1") << utf8("step");
+    QTest::newRow("lost link, LX") << utf8("link") << utf8("lx16a@1") << utf8("motor");
+    QTest::newRow("emergency stop") << utf8("emergency") << utf8("sts3215@1") << utf8("speed");
 }
 
 void TestTemporaryWrites::anUnrestoredModeIsFound()
@@ -450,12 +441,12 @@ void TestTemporaryWrites::anUnrestoredModeIsFound()
         const auto done = sweep(fixture, servos, watch, lx ? "500" : "1500", lx ? "300" : "1000");
         QVERIFY(done);
         QCOMPARE(done->end, emergency ? SweepEnd::Emergency : SweepEnd::LinkLost);
-        QVERIFY(hasNotice(fixture, device::NoticeCode::SettingNotRestored));
+        QVERIFY(fixture.hasNotice(device::NoticeCode::SettingNotRestored));
     }
-    QCOMPARE(openIntents(fixture), 1);
+    QCOMPARE(countOpenIntents(fixture), 1);
     QVERIFY(before == eprom(fixture));
     if (emergency)
-        QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+        QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
     fixture.reconnect(baud);
     const auto found = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(found);
@@ -466,23 +457,23 @@ void TestTemporaryWrites::anUnrestoredModeIsFound()
              settled->front().error ? qPrintable(settled->front().error->detail) : "");
     device::Servo after = fixture.servo(1, language);
     QCOMPARE(after.mode()->key, mode);
-    QCOMPARE(fixture.raw(1, lx ? text("load") : text("torque_switch")), 0);
-    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.raw(1, lx ? utf8("load") : utf8("torque_switch")), 0);
+    QCOMPARE(countOpenIntents(fixture), 0);
     QVERIFY(before == eprom(fixture));
 }
 
 void TestTemporaryWrites::twoServosInTwoModes()
 {
-    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(utf8("sts3215@1,sts3215@2"));
     enterModeDirectly(fixture, "speed", base::Protocol::Feetech);
     std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     const auto done = sweep(fixture, servos);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
-    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
-    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
-    QCOMPARE(fixture.raw(2, text("operating_mode")), 0);
-    QCOMPARE(fixture.raw(2, text("torque_switch")), 1); // it holds, as it would alone
+    QCOMPARE(fixture.raw(1, utf8("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, utf8("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, utf8("operating_mode")), 0);
+    QCOMPARE(fixture.raw(2, utf8("torque_switch")), 1); // it holds, as it would alone
 }
 
 SERVODESK_GUILESS_TEST(TestTemporaryWrites)

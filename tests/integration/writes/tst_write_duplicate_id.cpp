@@ -31,7 +31,7 @@ using support::SimFixture;
 
 namespace {
 /// A bus on responders that know only bytes.
-struct Fixture {
+struct DuplicateIdFixture {
     base::ManualClock clock;
     RawServoLine line;
     support::MemoryJournal journal;
@@ -89,7 +89,7 @@ base::Result<void> restoreOtherSnapshot(const device::Context& context, device::
     return plain(jobs::restore(context, servo, jobs::planRestore(servo, *snapshot), {}));
 }
 
-base::Result<void> move(const device::Context& context, device::Servo& servo)
+base::Result<void> moveOnce(const device::Context& context, device::Servo& servo)
 {
     auto plan = device::planMove(context, {&servo, QStringLiteral("2100")});
     if (!plan)
@@ -130,7 +130,7 @@ const std::vector<std::pair<const char*, Action>>& actions()
          [](const Context& context, Servo& servo) {
              return device::setTorque(context, servo, device::Torque::On);
          }},
-        {"move", move},
+        {"move", moveOnce},
         {"center",
          [](const Context& context, Servo& servo) { return plain(jobs::center(context, servo)); }},
         {"reboot",
@@ -151,7 +151,6 @@ const std::vector<std::pair<const char*, Action>>& actions()
 
 enum class SecondReply { Sequential, Collides, Delayed };
 } // namespace
-Q_DECLARE_METATYPE(SecondReply)
 
 class TestWriteDuplicateId : public QObject {
     Q_OBJECT
@@ -193,7 +192,7 @@ void TestWriteDuplicateId::nothingIsWrittenToTwoResponders()
 {
     QFETCH(int, action);
     QFETCH(SecondReply, second);
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
     fixture.line.servos[0].table[14] = 80;
     fixture.line.servos[1].table[14] = 90;
@@ -275,7 +274,7 @@ void TestWriteDuplicateId::nothingIsWrittenToSimulatedDuplicates()
 // Said to be so in the help: content that is equal bit by bit, in step, looks like one servo.
 void TestWriteDuplicateId::identicalSynchronousServosAreIndistinguishable()
 {
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1), rawSts3215(1)};
     fixture.open();
     device::Servo servo = fixture.servo();
@@ -298,7 +297,7 @@ void TestWriteDuplicateId::aSingleServoIsWritten()
 {
     QFETCH(int, lateMs);
     QFETCH(int, spoilEvery);
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1)};
     fixture.line.adapterLatency = milliseconds(lateMs);
     if (spoilEvery > 0) {
@@ -317,7 +316,7 @@ void TestWriteDuplicateId::aSingleServoIsWritten()
 
 void TestWriteDuplicateId::theCheckIsDoneOnce()
 {
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1)};
     fixture.open();
     device::Servo servo = fixture.servo();
@@ -361,7 +360,7 @@ void TestWriteDuplicateId::aNewIdNeedsNoSecondCheck()
 // On a line that breaks everything nothing is written; the next attempt looks afresh.
 void TestWriteDuplicateId::noiseIsRetriedAndNotRemembered()
 {
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1)};
     fixture.line.spoil = [](int, base::Bytes& reply) { reply[reply.size() / 2] ^= 0x10; };
     fixture.open();
@@ -380,7 +379,7 @@ void TestWriteDuplicateId::noiseIsRetriedAndNotRemembered()
 // The firmware's span is never answered: that is no sign of a second servo.
 void TestWriteDuplicateId::aLostReplyIsNoSecondServo()
 {
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1)};
     fixture.line.spoil = [](int, base::Bytes& reply) {
         if (reply.size() > 7 && reply[5] == 3 && reply[6] == 10)
@@ -397,7 +396,7 @@ void TestWriteDuplicateId::aLostReplyIsNoSecondServo()
 /// One unreadable reply, and then the cable is out.
 void TestWriteDuplicateId::silenceIsNoSecondServo()
 {
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1)};
     fixture.line.spoil = [duplicateReported = false](int, base::Bytes& reply) mutable {
         if (std::exchange(duplicateReported, true))
@@ -431,7 +430,7 @@ void TestWriteDuplicateId::torqueOffReachesBoth()
     QFETCH(bool, collide);
     QFETCH(int, mode);
     constexpr std::uint8_t goal = 4; // its high byte: 1024
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
     fixture.line.servos[1].table[14] = 90;
     if (!collide)
@@ -457,7 +456,7 @@ void TestWriteDuplicateId::torqueOffReachesBoth()
 
 void TestWriteDuplicateId::anEmergencyStopDoesNotWait()
 {
-    Fixture fixture;
+    DuplicateIdFixture fixture;
     fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
     fixture.line.replies = RawServoLine::ReplyTiming::Sequential;
     for (support::RawServo& one : fixture.line.servos)

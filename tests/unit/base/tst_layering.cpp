@@ -16,7 +16,7 @@ struct Layer {
     QStringList qtModules;
 };
 
-QString contentOf(const QString& path)
+QString sourceOf(const QString& path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
@@ -195,7 +195,7 @@ class TestLayering : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        m_layers = parseTable(contentOf(m_root + QStringLiteral("/CONTRIBUTING.md")));
+        m_layers = parseTable(sourceOf(m_root + QStringLiteral("/CONTRIBUTING.md")));
         QVERIFY(m_layers.size() >= 12);
     }
 
@@ -245,7 +245,7 @@ private Q_SLOTS:
         QVERIFY(files.hasNext());
         while (files.hasNext()) {
             const QString file = files.next();
-            const QString source = contentOf(file);
+            const QString source = sourceOf(file);
             for (const QString& what : wrongIncludes(source, layer, m_layers, exists))
                 wrong.append(file + QStringLiteral(" includes ") + what);
             for (const QString& header : qtHeadersIn(source)) {
@@ -264,7 +264,7 @@ private Q_SLOTS:
 
     void uiFoldersFollowTheirTable()
     {
-        const auto table = parseUiFolders(contentOf(m_root + QStringLiteral("/CONTRIBUTING.md")));
+        const auto table = parseUiFolders(sourceOf(m_root + QStringLiteral("/CONTRIBUTING.md")));
         const QDir ui(m_root + QStringLiteral("/ui"));
         const QStringList folders = ui.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
         QVERIFY(folders.size() > 10);
@@ -274,7 +274,7 @@ private Q_SLOTS:
             QDirIterator files(ui.filePath(folder), QDir::Files);
             while (files.hasNext()) {
                 const QString file = files.next();
-                for (const QString& used : uiFoldersIn(contentOf(file))) {
+                for (const QString& used : uiFoldersIn(sourceOf(file))) {
                     if (used != folder && !table[folder].contains(used))
                         wrong.append(file + QStringLiteral(" includes ui/") + used);
                 }
@@ -296,8 +296,8 @@ private Q_SLOTS:
                                           ? path.section(u'/', 0, 0)
                                           : QStringLiteral(".");
                 const QString listed = layer == u'.' ? path : path.section(u'/', 1);
-                const QString lists = contentOf(
-                    QDir(root.filePath(layer)).filePath(QStringLiteral("CMakeLists.txt")));
+                const QString lists =
+                    sourceOf(QDir(root.filePath(layer)).filePath(QStringLiteral("CMakeLists.txt")));
                 // The mains of the command line: main_${name}.cpp.
                 const bool isMain = path.contains(QLatin1String("cli/main_"));
                 const QRegularExpression line(
@@ -311,7 +311,7 @@ private Q_SLOTS:
 
     void buildLinksMatchTheTable()
     {
-        const QString text = contentOf(m_root + QStringLiteral("/src/CMakeLists.txt"));
+        const QString text = sourceOf(m_root + QStringLiteral("/src/CMakeLists.txt"));
         const QMap<QString, Linked> linked = parseCMake(text);
         QVERIFY(linked.size() >= 11);
         for (auto it = linked.begin(); it != linked.end(); ++it) {
@@ -330,7 +330,7 @@ private Q_SLOTS:
         QDirIterator files(m_root + QStringLiteral("/src"), {QStringLiteral("CMakeLists.txt")},
                            QDir::Files, QDirIterator::Subdirectories);
         while (files.hasNext())
-            QVERIFY(!contentOf(files.next()).contains(QLatin1String("Widgets")));
+            QVERIFY(!sourceOf(files.next()).contains(QLatin1String("Widgets")));
     }
 
     // The test of the test: each kind of trespass is noticed.
@@ -389,7 +389,7 @@ private Q_SLOTS:
             while (files.hasNext()) {
                 const QString path = files.next();
                 const QString relative = QDir(m_root).relativeFilePath(path);
-                const QString source = contentOf(path);
+                const QString source = sourceOf(path);
                 for (auto place = places.begin(); place != places.end(); ++place) {
                     if (!source.contains(place.key()))
                         continue;
@@ -418,7 +418,7 @@ private Q_SLOTS:
         int found = 0;
         for (const QString& file : paths + documents) {
             const bool isSource = !documents.contains(file);
-            for (const QString& name : filesMentionedIn(contentOf(file), isSource)) {
+            for (const QString& name : filesMentionedIn(sourceOf(file), isSource)) {
                 ++found;
                 const QString end = u'/' + name;
                 if (std::none_of(paths.begin(), paths.end(),

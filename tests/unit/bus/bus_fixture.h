@@ -23,6 +23,8 @@ struct BusFixture {
         core->takeTrace();
     }
 
+    void pause(Duration span) const { core->pauseUntil(script.clock.now() + span, nullptr); }
+
     base::Result<bus::Outcome> transact(protocol::Request request, int retries = -1,
                                         Duration timeout = {}, std::uint64_t hold = 0)
     {

@@ -106,8 +106,6 @@ struct FloodFixture {
 };
 } // namespace
 
-Q_DECLARE_METATYPE(Kind)
-
 class TestBusFlood : public QObject {
     Q_OBJECT
 

@@ -46,10 +46,6 @@ std::thread::id otherThread()
 }
 } // namespace
 
-Q_DECLARE_METATYPE(std::vector<bus::PollSpan>)
-Q_DECLARE_METATYPE(bus::PollPlan)
-Q_DECLARE_METATYPE(protocol::Request)
-
 class TestBusParts : public QObject {
     Q_OBJECT
 

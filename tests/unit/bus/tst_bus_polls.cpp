@@ -47,11 +47,6 @@ std::map<int, int> missesById(const std::vector<Sample>& samples)
         misses[sample.id] += sample.answered ? 0 : 1;
     return misses;
 }
-
-void pause(BusFixture& fixture, Duration span)
-{
-    fixture.core->pauseUntil(fixture.script.clock.now() + span, nullptr);
-}
 } // namespace
 
 class TestBusPolls : public QObject {
@@ -66,7 +61,7 @@ private Q_SLOTS:
         fixture.open();
         const Duration start = fixture.script.clock.now();
         const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
-        pause(fixture, 100ms - 1us);
+        fixture.pause(100ms - 1us);
         const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(10));
         for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -91,7 +86,7 @@ private Q_SLOTS:
                 fixture.script.clock.advance(2s);
         };
         const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
-        pause(fixture, 2s + 5ms);
+        fixture.pause(2s + 5ms);
         const auto samples = fixture.core->takeSamples(id);
         QVERIFY(samples.size() >= 2);
         QVERIFY(samples[0].answered && samples[1].answered);
@@ -104,7 +99,7 @@ private Q_SLOTS:
         BusFixture fixture;
         fixture.open();
         const PollId id = fixture.core->startPoll(singleReadPlan({1}, 0us));
-        pause(fixture, 29ms);
+        fixture.pause(29ms);
         QCOMPARE(fixture.core->takeSamples(id).size(), std::size_t(100));
     }
 
@@ -116,7 +111,7 @@ private Q_SLOTS:
         plan.period = 10ms;
         plan.servos.push_back({1, {{60, 2}, {56, 2}, {100, 3}}, false, 0});
         const PollId id = fixture.core->startPoll(plan);
-        pause(fixture, 5ms);
+        fixture.pause(5ms);
         QCOMPARE(fixture.script.sent.size(), std::size_t(2));
         const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(2));
@@ -130,7 +125,7 @@ private Q_SLOTS:
         BusFixture fixture;
         fixture.open();
         const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
-        pause(fixture, 25ms);
+        fixture.pause(25ms);
         QCOMPARE(fixture.script.sent.size(), std::size_t(3));
         for (const SentFrame& frame : fixture.script.sent)
             QCOMPARE(frame.instruction(), 0x82);
@@ -143,7 +138,7 @@ private Q_SLOTS:
         BusFixture fixture;
         fixture.open();
         fixture.core->startPoll(together({2}, 10ms));
-        pause(fixture, 5ms);
+        fixture.pause(5ms);
         QCOMPARE(fixture.script.sent.front().instruction(), 0x02);
     }
 
@@ -154,7 +149,7 @@ private Q_SLOTS:
         const PollId fast = fixture.core->startPoll(singleReadPlan({1}, 0us));
         const PollId slow = fixture.core->startPoll(singleReadPlan({2}, 50ms));
         const PollId fastPoll = fixture.core->startPoll(singleReadPlan({3}, 0us));
-        pause(fixture, 500ms);
+        fixture.pause(500ms);
         QVERIFY(fixture.core->takeSamples(fast).size() > 800);
         QVERIFY(fixture.core->takeSamples(fastPoll).size() > 800);
         QCOMPARE(fixture.core->takeSamples(slow).size(), std::size_t(10));
@@ -165,11 +160,11 @@ private Q_SLOTS:
         BusFixture fixture;
         fixture.open();
         const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
-        pause(fixture, 15ms);
+        fixture.pause(15ms);
         fixture.core->stopPoll(id);
         QCOMPARE(fixture.core->takeSamples(id).size(), std::size_t(2));
         fixture.script.sent.clear();
-        pause(fixture, 100ms);
+        fixture.pause(100ms);
         QVERIFY(fixture.script.sent.empty());
         QVERIFY(fixture.core->takeSamples(id).empty());
     }
@@ -179,7 +174,7 @@ private Q_SLOTS:
         BusFixture fixture;
         fixture.open();
         const PollId id = fixture.core->startPoll(singleReadPlan({9}, 200ms));
-        pause(fixture, 150ms);
+        fixture.pause(150ms);
         QCOMPARE(fixture.script.sent.size(), std::size_t(1));
         const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(1));
@@ -200,7 +195,7 @@ private Q_SLOTS:
             return true;
         };
         const PollId id = fixture.core->startPoll(singleReadPlan({1}, 1s));
-        pause(fixture, 100ms);
+        fixture.pause(100ms);
         QCOMPARE(fixture.core->takeSamples(id).front().error, ErrorCode::Garbled);
     }
 
@@ -212,7 +207,7 @@ private Q_SLOTS:
         plan.servos.push_back({1, {{250, 20}}, false, 0});
         plan.period = 10ms;
         const PollId id = fixture.core->startPoll(plan);
-        pause(fixture, 15ms);
+        fixture.pause(15ms);
         const auto samples = fixture.core->takeSamples(id);
         QVERIFY(!samples.empty());
         QCOMPARE(samples.front().error, ErrorCode::BadArgument);
@@ -233,7 +228,7 @@ private Q_SLOTS:
         fixture.open();
         const PollId id = fixture.core->startPoll(sync ? together({1, 9, 2}, 0us)
                                                        : singleReadPlan({1, 9, 2}, 0us));
-        pause(fixture, 10s);
+        fixture.pause(10s);
         const auto samples = fixture.core->takeSamples(id);
         const auto answers = answersById(samples);
         // Undisturbed, each of the two would be read about 17000 (20000 by sync read) times.
@@ -250,14 +245,14 @@ private Q_SLOTS:
         fixture.open();
         const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
         const Bytes table = fixture.script.tables.at(2);
-        pause(fixture, 100ms);
+        fixture.pause(100ms);
         fixture.script.tables.erase(2);
-        pause(fixture, 5s);
+        fixture.pause(5s);
         fixture.script.tables[2] = table;
-        pause(fixture, 2s);
+        fixture.pause(2s);
         fixture.core->takeSamples(id);
         fixture.script.sent.clear();
-        pause(fixture, 100ms);
+        fixture.pause(100ms);
         QCOMPARE(answersById(fixture.core->takeSamples(id)).at(2), 10);
         for (const SentFrame& frame : fixture.script.sent)
             QCOMPARE(frame.instruction(), 0x82);
@@ -276,10 +271,10 @@ private Q_SLOTS:
             return true;
         };
         const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
-        pause(fixture, 1s);
+        fixture.pause(1s);
         fixture.core->takeSamples(id);
         fixture.script.sent.clear();
-        pause(fixture, 100ms);
+        fixture.pause(100ms);
         const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(answersById(samples), (std::map<int, int>{{1, 10}, {2, 10}, {3, 10}}));
         QCOMPARE(missesById(samples).at(3), 0);
@@ -296,12 +291,12 @@ private Q_SLOTS:
         const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
         {
             const Hold hold = fixture.core->hold({2});
-            pause(fixture, 100ms);
+            fixture.pause(100ms);
             const auto samples = fixture.core->takeSamples(id);
             QCOMPARE(answersById(samples), (std::map<int, int>{{1, 10}, {3, 10}}));
             QCOMPARE(fixture.counters(2).sent, std::uint64_t(0));
         }
-        pause(fixture, 50ms);
+        fixture.pause(50ms);
         QVERIFY(answersById(fixture.core->takeSamples(id)).at(2) >= 4);
     }
 
@@ -311,7 +306,7 @@ private Q_SLOTS:
         fixture.open();
         fixture.core->startPoll(singleReadPlan({1}, 0us));
         const Hold hold = fixture.core->hold({});
-        pause(fixture, 100ms);
+        fixture.pause(100ms);
         QVERIFY(fixture.script.sent.empty());
     }
 
@@ -350,7 +345,7 @@ private Q_SLOTS:
         PollPlan plan;
         plan.servos.push_back({1, {{56, 2}, {100, 2}}, false, 0});
         const PollId id = fixture.core->startPoll(plan);
-        pause(fixture, 5s);
+        fixture.pause(5s);
         int answered = 0;
         for (const Sample& sample : fixture.core->takeSamples(id)) {
             if (!sample.answered)

@@ -15,21 +15,11 @@ using protocol::Repeat;
 using protocol::Request;
 using namespace std::chrono_literals;
 
-Q_DECLARE_METATYPE(protocol::Request)
-Q_DECLARE_METATYPE(Duration)
-Q_DECLARE_METATYPE(base::Protocol)
-Q_DECLARE_METATYPE(base::ErrorCode)
-
 namespace {
 const Bytes modbusOffAll = modbusFrame({0, 6, 0, 129, 0, 0});
 const Bytes modbusOff1 = modbusFrame({1, 6, 0, 129, 0, 0});
 const Bytes feetechOffAll = frameOf(254, 3, {40, 0});
 const Bytes lxOffAll = lxFrame(254, 31, {0});
-
-void pause(BusFixture& fixture, Duration span)
-{
-    fixture.core->pauseUntil(fixture.script.clock.now() + span, nullptr);
-}
 
 int samplesAt(const std::vector<Sample>& samples, int address)
 {
@@ -325,7 +315,7 @@ private Q_SLOTS:
         plan.period = 10ms;
         plan.servos.push_back({1, {{512, 4, 1}}, false, 0, Protocol::Modbus, 0, 58});
         const PollId id = drawer.core->startPoll(plan);
-        pause(drawer, 95ms);
+        drawer.pause(95ms);
         const auto samples = drawer.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(10));
         QVERIFY(!samples.front().answered);
@@ -382,7 +372,7 @@ private Q_SLOTS:
         plan.servos.push_back(
             {1, {{224, 2, 1}, {216, 2, 5}, {208, 1, 10}}, false, 0, Protocol::Lx, -1, 128});
         const PollId id = drawer.core->startPoll(plan);
-        pause(drawer, 195ms);
+        drawer.pause(195ms);
         const auto samples = drawer.core->takeSamples(id);
         QCOMPARE(samplesAt(samples, 224), 20);
         QCOMPARE(samplesAt(samples, 216), 4);
@@ -408,7 +398,7 @@ private Q_SLOTS:
         plan.period = period;
         plan.servos.push_back({1, {{216, 2, 5}, {208, 1, 10}}, false, 0, Protocol::Lx, -1, 128});
         const PollId id = drawer.core->startPoll(plan);
-        pause(drawer, 195ms);
+        drawer.pause(195ms);
         const auto samples = drawer.core->takeSamples(id);
         QTEST(samplesAt(samples, 216), "fives");
         QTEST(samplesAt(samples, 208), "tens");
@@ -421,7 +411,7 @@ private Q_SLOTS:
         PollPlan plan;
         plan.servos.push_back({1, {{216, 2, 5}}, false, 0, Protocol::Lx, -1, 128});
         const PollId id = drawer.core->startPoll(plan);
-        pause(drawer, 100ms);
+        drawer.pause(100ms);
         // 14 bytes at 115200 take 1.22 ms.
         QVERIFY(samplesAt(drawer.core->takeSamples(id), 216) >= 80);
     }
@@ -436,7 +426,7 @@ private Q_SLOTS:
         plan.servos.push_back(
             {1, {{208, 1}, {216, 2}, {224, 2}, {216, 2}}, false, 0, Protocol::Lx, -1, 128});
         const PollId id = drawer.core->startPoll(plan);
-        pause(drawer, 8ms);
+        drawer.pause(8ms);
         std::vector<int> commands;
         for (const SentFrame& frame : drawer.script.sent)
             commands.push_back(frame.instruction());
@@ -454,7 +444,7 @@ private Q_SLOTS:
         plan.servos.push_back({2, {{56, 4}}, true, 0});
         plan.servos.push_back({1, {{512, 4}, {516, 12}}, true, 0, Protocol::Modbus, 0, 58});
         const PollId id = drawer.core->startPoll(plan);
-        pause(drawer, 15ms);
+        drawer.pause(15ms);
         const auto samples = drawer.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(3));
         for (const Sample& sample : samples) {

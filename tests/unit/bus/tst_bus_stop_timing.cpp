@@ -99,8 +99,6 @@ Duration computeExpectedEnd(const Script& script)
 }
 } // namespace
 
-Q_DECLARE_METATYPE(BusActivity)
-
 class TestBusStopTiming : public QObject {
     Q_OBJECT
 

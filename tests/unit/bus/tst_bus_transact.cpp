@@ -13,11 +13,6 @@ using protocol::Repeat;
 using protocol::Request;
 using namespace std::chrono_literals;
 
-Q_DECLARE_METATYPE(protocol::Request)
-Q_DECLARE_METATYPE(Duration)
-Q_DECLARE_METATYPE(base::ErrorCode)
-Q_DECLARE_METATYPE(Bytes)
-
 class TestBusTransact : public QObject {
     Q_OBJECT
 

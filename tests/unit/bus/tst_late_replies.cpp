@@ -15,9 +15,6 @@ using protocol::Repeat;
 using protocol::Request;
 using namespace std::chrono_literals;
 
-Q_DECLARE_METATYPE(protocol::Request)
-Q_DECLARE_METATYPE(Duration)
-
 class TestLateReplies : public QObject {
     Q_OBJECT
 

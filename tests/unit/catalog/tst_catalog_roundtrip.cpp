@@ -10,8 +10,6 @@
 
 using namespace catalog;
 
-Q_DECLARE_METATYPE(catalog::Lookup)
-
 class TestCatalogRoundTrip : public QObject {
     Q_OBJECT
 

@@ -3,19 +3,13 @@
 #include "catalog/catalog.h"
 #include "catalog/value.h"
 #include "support/test_main.h"
+#include "unit/catalog/identities.h"
 
 #include <QtTest>
 
 #include <cmath>
 
 using namespace catalog;
-
-namespace {
-const Identity Sts{3, 10, 0, 9, 3};
-const Identity Sms{2, 53, 0, 8, 42};
-const Identity Scs15{0, 4, 1, 5, 15};
-const Identity Scs45{0, 4, 1, 5, 12}; // range not known
-} // namespace
 
 class TestCatalogText : public QObject {
     Q_OBJECT

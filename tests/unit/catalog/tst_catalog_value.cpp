@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "catalog/value.h"
 #include "support/test_main.h"
+#include "unit/catalog/identities.h"
 
 #include <QtTest>
 
@@ -11,14 +12,7 @@
 
 using namespace catalog;
 
-Q_DECLARE_METATYPE(base::Bytes)
-
 namespace {
-const Identity Sts{3, 10, 0, 9, 3};
-const Identity Sms{2, 53, 0, 8, 42};
-const Identity Scs15{0, 4, 1, 5, 15};
-const Identity Scs45{0, 4, 1, 5, 12}; // range not known
-
 Lookup lookupIn(QMap<QString, std::int64_t> values)
 {
     return [values](const QString& key) {

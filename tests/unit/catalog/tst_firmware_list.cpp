@@ -21,7 +21,6 @@ struct Case {
     int firmwareMinor = -1;
 };
 } // namespace
-Q_DECLARE_METATYPE(Case)
 
 class TestFirmwareList : public QObject {
     Q_OBJECT

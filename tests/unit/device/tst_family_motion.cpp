@@ -3,6 +3,7 @@
 // lacks is refused before the wire.
 #include "device/motion/motion.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QTest>
 
@@ -16,14 +17,10 @@ using device::NoticeCode;
 using device::Torque;
 using fake::DeviceFixture;
 using protocol::Op;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 /// The requests besides reads: "W16:F4 01 00 00" = write at offset 16; H halt, A action.
 QStringList requests(const DeviceFixture& fixture)
 {
@@ -34,7 +31,7 @@ QStringList requests(const DeviceFixture& fixture)
         else if (request.op == Op::SyncWrite)
             words << QStringLiteral("S%1x%2").arg(request.address).arg(request.targets.size());
         else if (request.op == Op::Halt)
-            words << text("H");
+            words << utf8("H");
         else if (request.op == Op::Action)
             words << QStringLiteral("A%1").arg(request.id);
         else if (request.op == Op::RegWrite)
@@ -45,7 +42,7 @@ QStringList requests(const DeviceFixture& fixture)
 
 MoveCommand order(device::Servo& servo, const char* goal)
 {
-    return {&servo, text(goal)};
+    return {&servo, utf8(goal)};
 }
 
 base::Result<std::vector<device::MovePlan>> planned(DeviceFixture& fixture,
@@ -124,17 +121,17 @@ void TestFamilyMotion::torqueOnHolds_data()
     QTest::addColumn<QString>("family");
     QTest::addColumn<int>("stands");
     QTest::addColumn<QStringList>("frames");
-    QTest::newRow("HLS") << "HLS" << 1000 << QStringList{text("W42:E8 03")};
-    QTest::newRow("SMCL") << "SMCL" << 1000 << QStringList{text("W42:E8 03")};
-    QTest::newRow("SCS-2") << "SCS2" << 512 << QStringList{text("W42:02 00")};
-    QTest::newRow("Modbus") << "SMSMB" << 1000 << QStringList{text("W256:03 E8")};
+    QTest::newRow("HLS") << "HLS" << 1000 << QStringList{utf8("W42:E8 03")};
+    QTest::newRow("SMCL") << "SMCL" << 1000 << QStringList{utf8("W42:E8 03")};
+    QTest::newRow("SCS-2") << "SCS2" << 512 << QStringList{utf8("W42:02 00")};
+    QTest::newRow("Modbus") << "SMSMB" << 1000 << QStringList{utf8("W256:03 E8")};
     // Before, and again when it is loaded and listens.
     QTest::newRow("LX") << "LX" << 500
-                        << QStringList{text("W8:F4 01 00 00"), text("W248:01"),
-                                       text("W8:F4 01 00 00")};
+                        << QStringList{utf8("W8:F4 01 00 00"), utf8("W248:01"),
+                                       utf8("W8:F4 01 00 00")};
     QTest::newRow("LX, just below its scale")
         << "LX" << -3
-        << QStringList{text("W8:00 00 00 00"), text("W248:01"), text("W8:00 00 00 00")};
+        << QStringList{utf8("W8:00 00 00 00"), utf8("W248:01"), utf8("W8:00 00 00 00")};
 }
 
 void TestFamilyMotion::torqueOnHolds()
@@ -158,8 +155,8 @@ void TestFamilyMotion::torqueOnHolds()
 void TestFamilyMotion::torqueOnOutsideTheScaleIsRefused()
 {
     for (const int stands : {-11, 1011}) {
-        DeviceFixture fixture(text("LX"));
-        fixture.fake().poke(text("position"), stands);
+        DeviceFixture fixture(utf8("LX"));
+        fixture.fake().poke(utf8("position"), stands);
         device::Servo servo = fixture.servo();
         const auto on = device::setTorque(fixture.context(), servo, Torque::On);
         QVERIFY(!on);
@@ -175,13 +172,13 @@ void TestFamilyMotion::torqueOnOutsideTheScaleIsRefused()
 
 void TestFamilyMotion::torqueOnInMotorModeDoesNotMove()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("mode"), 1);
-    fixture.fake().poke(text("motor_speed"), 700);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("mode"), 1);
+    fixture.fake().poke(utf8("motor_speed"), 700);
     device::Servo servo = fixture.servo();
     QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
     QCOMPARE(requests(fixture),
-             (QStringList{text("W232:01 00 00 00"), text("W248:01"), text("W232:01 00 00 00")}));
+             (QStringList{utf8("W232:01 00 00 00"), utf8("W248:01"), utf8("W232:01 00 00 00")}));
 }
 
 void TestFamilyMotion::anEmergencyEndsTorqueOn_data()
@@ -231,31 +228,31 @@ void TestFamilyMotion::noDampingWhereThereIsNone()
     const auto damped = device::setTorque(fixture.context(), servo, Torque::Damp);
     QVERIFY(!damped);
     QCOMPARE(damped.error().code, ErrorCode::NotSupported);
-    QCOMPARE(damped.error().detail, text("damp"));
+    QCOMPARE(damped.error().detail, utf8("damp"));
     QVERIFY(fixture.bus.requests.empty());
 }
 
 /// HLS 44 at 0 is no torque at all; and no move ever writes there.
 void TestFamilyMotion::missingCurrentIsReported()
 {
-    DeviceFixture fixture(text("HLS"));
-    fixture.fake().poke(text("goal_current"), 0);
+    DeviceFixture fixture(utf8("HLS"));
+    fixture.fake().poke(utf8("goal_current"), 0);
     device::Servo servo = fixture.servo();
     QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
     QCOMPARE(fixture.noticeCount(NoticeCode::CurrentLimitZero), 1);
     fixture.notices.clear();
     MoveCommand fast = order(servo, "2000");
-    fast.speed = text("100");
-    fast.acceleration = text("50");
+    fast.speed = utf8("100");
+    fast.acceleration = utf8("50");
     for (const MoveMethod how : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async})
         QVERIFY(moved(fixture, {fast}, how));
     QCOMPARE(fixture.noticeCount(NoticeCode::CurrentLimitZero), 3);
-    fixture.fake().poke(text("goal_current"), 500);
+    fixture.fake().poke(utf8("goal_current"), 500);
     fixture.notices.clear();
     QVERIFY(moved(fixture, {fast}));
     QCOMPARE(fixture.noticeCount(NoticeCode::CurrentLimitZero), 0);
-    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(500));
-    QCOMPARE(requests(fixture), (QStringList{text("W46:64 00"), text("W41:32 D0 07")}));
+    QCOMPARE(fixture.fake().raw(utf8("goal_current")), std::int64_t(500));
+    QCOMPARE(requests(fixture), (QStringList{utf8("W46:64 00"), utf8("W41:32 D0 07")}));
 }
 
 void TestFamilyMotion::currentIsRestored_data()
@@ -274,52 +271,52 @@ void TestFamilyMotion::currentIsRestored()
 {
     QFETCH(QString, through);
     QFETCH(QString, to);
-    DeviceFixture fixture(text("HLS"));
-    fixture.fake().setPersistent(text("protection_current"), 400);
-    fixture.fake().poke(text("goal_current"), 400);
+    DeviceFixture fixture(utf8("HLS"));
+    fixture.fake().setPersistent(utf8("protection_current"), 400);
+    fixture.fake().poke(utf8("goal_current"), 400);
     device::Servo servo = fixture.servo();
     const auto there = device::switchMode(fixture.context(), servo, through);
     QVERIFY(there && there->isSuccessful());
-    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(0)); // nothing pushes
+    QCOMPARE(fixture.fake().raw(utf8("goal_current")), std::int64_t(0)); // nothing pushes
     QCOMPARE(fixture.noticeCount(NoticeCode::CommandZeroed), 1);
     fixture.notices.clear();
     const auto back = device::switchMode(fixture.context(), servo, to);
     QVERIFY(back && back->isSuccessful());
-    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(400));
+    QCOMPARE(fixture.fake().raw(utf8("goal_current")), std::int64_t(400));
     QCOMPARE(fixture.noticeCount(NoticeCode::CurrentRestored), 1);
     QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(0));
 }
 
 void TestFamilyMotion::currentIsRestoredAfterAnInterruptedSwitch()
 {
-    DeviceFixture fixture(text("HLS"));
-    fixture.fake().setPersistent(text("protection_current"), 400);
-    fixture.fake().poke(text("goal_current"), 0);
+    DeviceFixture fixture(utf8("HLS"));
+    fixture.fake().setPersistent(utf8("protection_current"), 400);
+    fixture.fake().poke(utf8("goal_current"), 0);
     device::Servo servo = fixture.servo();
     QVERIFY(device::torqueOffAndZero(fixture.context(), servo));
-    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(400));
+    QCOMPARE(fixture.fake().raw(utf8("goal_current")), std::int64_t(400));
     QCOMPARE(fixture.noticeCount(NoticeCode::CurrentRestored), 1);
 }
 
 /// Also when another mode lay between the one that zeroed it and the position mode.
 void TestFamilyMotion::speedIsAlwaysRestored()
 {
-    DeviceFixture fixture(text("HLS"));
-    fixture.fake().poke(text("goal_speed"), 60);
+    DeviceFixture fixture(utf8("HLS"));
+    fixture.fake().poke(utf8("goal_speed"), 60);
     device::Servo servo = fixture.servo();
     for (const char* mode : {"speed", "current", "position"}) {
-        const auto there = device::switchMode(fixture.context(), servo, text(mode));
+        const auto there = device::switchMode(fixture.context(), servo, utf8(mode));
         QVERIFY(there && there->isSuccessful());
     }
-    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(60));
+    QCOMPARE(fixture.fake().raw(utf8("goal_speed")), std::int64_t(60));
     QCOMPARE(fixture.noticeCount(NoticeCode::SpeedRestored), 1);
 }
 
 void TestFamilyMotion::staleReadingsAreNoAlarm()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("temperature"), 99);
-    fixture.fake().poke(text("vin"), 7400);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("temperature"), 99);
+    fixture.fake().poke(utf8("vin"), 7400);
     device::Servo servo = fixture.servo();
     device::addAlarmNotices(fixture.context(), servo);
     QCOMPARE(fixture.noticeCount(NoticeCode::DerivedTemperature), 1);
@@ -331,35 +328,35 @@ void TestFamilyMotion::staleReadingsAreNoAlarm()
 
 void TestFamilyMotion::modbusModesTakeEffect()
 {
-    DeviceFixture fixture(text("SMSMB"));
-    fixture.fake().poke(text("goal_speed"), 60);
-    fixture.fake().poke(text("torque_switch"), 1);
+    DeviceFixture fixture(utf8("SMSMB"));
+    fixture.fake().poke(utf8("goal_speed"), 60);
+    fixture.fake().poke(utf8("torque_switch"), 1);
     device::Servo servo = fixture.servo();
-    const auto speed = device::switchMode(fixture.context(), servo, text("speed"));
+    const auto speed = device::switchMode(fixture.context(), servo, utf8("speed"));
     QVERIFY(speed && speed->isSuccessful());
-    QCOMPARE(fixture.fake().persistentRaw(text("operating_mode")), std::int64_t(1));
-    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(0));
-    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
-    const auto back = device::switchMode(fixture.context(), servo, text("position"));
+    QCOMPARE(fixture.fake().persistentRaw(utf8("operating_mode")), std::int64_t(1));
+    QCOMPARE(fixture.fake().raw(utf8("goal_speed")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(utf8("torque_switch")), std::int64_t(0));
+    const auto back = device::switchMode(fixture.context(), servo, utf8("position"));
     QVERIFY(back && back->isSuccessful());
-    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(60));
-    const auto turns = device::switchMode(fixture.context(), servo, text("multiturn"));
+    QCOMPARE(fixture.fake().raw(utf8("goal_speed")), std::int64_t(60));
+    const auto turns = device::switchMode(fixture.context(), servo, utf8("multiturn"));
     QVERIFY(turns && turns->isSuccessful());
-    QCOMPARE(fixture.fake().raw(text("max_angle_limit")), std::int64_t(0));
-    QVERIFY(device::switchMode(fixture.context(), servo, text("position")));
-    QCOMPARE(fixture.fake().raw(text("max_angle_limit")), std::int64_t(4095));
+    QCOMPARE(fixture.fake().raw(utf8("max_angle_limit")), std::int64_t(0));
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("position")));
+    QCOMPARE(fixture.fake().raw(utf8("max_angle_limit")), std::int64_t(4095));
 }
 
 /// No notice about torque that is still on.
 void TestFamilyMotion::refusedTorqueOffIsReported()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     fake::Servo& servo = fixture.fake();
     const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
     servo.poke(torque.key, 1);
     device::Servo known = fixture.servo();
     servo.exceptions[torque.writeOffset] = 3;
-    const auto report = device::switchMode(fixture.context(), known, text("speed"));
+    const auto report = device::switchMode(fixture.context(), known, utf8("speed"));
     QVERIFY(report);
     QVERIFY(!report->isSuccessful());
     QCOMPARE(servo.raw(torque.key), 1);
@@ -368,23 +365,23 @@ void TestFamilyMotion::refusedTorqueOffIsReported()
 
 void TestFamilyMotion::lxModeSwitchesDoNotMove()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("load"), 1);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("load"), 1);
     device::Servo servo = fixture.servo();
-    const auto motor = device::switchMode(fixture.context(), servo, text("motor"));
+    const auto motor = device::switchMode(fixture.context(), servo, utf8("motor"));
     QVERIFY(motor && motor->isSuccessful());
-    QCOMPARE(requests(fixture), (QStringList{text("W248:00"), text("W232:01 00 00 00")}));
-    fixture.fake().poke(text("motor_speed"), 500);
-    fixture.fake().poke(text("load"), 1);
+    QCOMPARE(requests(fixture), (QStringList{utf8("W248:00"), utf8("W232:01 00 00 00")}));
+    fixture.fake().poke(utf8("motor_speed"), 500);
+    fixture.fake().poke(utf8("load"), 1);
     fixture.bus.requests.clear();
-    const auto position = device::switchMode(fixture.context(), servo, text("position"));
+    const auto position = device::switchMode(fixture.context(), servo, utf8("position"));
     QVERIFY(position && position->isSuccessful());
-    QCOMPARE(requests(fixture), (QStringList{text("W248:00"), text("W232:00 00 00 00")}));
+    QCOMPARE(requests(fixture), (QStringList{utf8("W248:00"), utf8("W232:00 00 00 00")}));
     QCOMPARE(fixture.openIntents(), std::size_t(0));
-    const auto none = device::switchMode(fixture.context(), servo, text("step"));
+    const auto none = device::switchMode(fixture.context(), servo, utf8("step"));
     QVERIFY(!none);
     QCOMPARE(none.error().code, ErrorCode::NotSupported);
-    QCOMPARE(none.error().detail, text("position, motor"));
+    QCOMPARE(none.error().detail, utf8("position, motor"));
 }
 
 void TestFamilyMotion::framesOfAMove_data()
@@ -398,14 +395,14 @@ void TestFamilyMotion::framesOfAMove_data()
                         const char* acceleration, const char* time, QStringList frames) {
         QTest::newRow(name) << family << speed << acceleration << time << frames;
     };
-    row("Modbus, one register", "SMSMB", "", "", "", {text("W256:01 F4")});
+    row("Modbus, one register", "SMSMB", "", "", "", {utf8("W256:01 F4")});
     row("Modbus, neighbours in one", "SMSMB", "50", "10", "",
-        {text("W260:00 0A 00 32"), text("W256:01 F4")});
-    row("LX, as fast as it can", "LX", "", "", "", {text("W8:F4 01 00 00")});
-    row("LX in a second", "LX", "", "", "1000", {text("W8:F4 01 E8 03")});
-    row("HLS, goal only", "HLS", "", "", "", {text("W42:F4 01")});
-    row("SMCL with speed", "SMCL", "50", "", "", {text("W46:32 00"), text("W42:F4 01")});
-    row("SCS-2, high byte first", "SCS2", "50", "", "", {text("W46:00 32"), text("W42:01 F4")});
+        {utf8("W260:00 0A 00 32"), utf8("W256:01 F4")});
+    row("LX, as fast as it can", "LX", "", "", "", {utf8("W8:F4 01 00 00")});
+    row("LX in a second", "LX", "", "", "1000", {utf8("W8:F4 01 E8 03")});
+    row("HLS, goal only", "HLS", "", "", "", {utf8("W42:F4 01")});
+    row("SMCL with speed", "SMCL", "50", "", "", {utf8("W46:32 00"), utf8("W42:F4 01")});
+    row("SCS-2, high byte first", "SCS2", "50", "", "", {utf8("W46:00 32"), utf8("W42:01 F4")});
 }
 
 void TestFamilyMotion::framesOfAMove()
@@ -432,14 +429,14 @@ void TestFamilyMotion::framesOfAMove()
 
 void TestFamilyMotion::aMoveSwitchesTorqueOnFirst()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("position"), 300);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("position"), 300);
     device::Servo servo = fixture.servo();
     QVERIFY(moved(fixture, {order(servo, "120deg")}));
-    QCOMPARE(requests(fixture), (QStringList{text("W8:2C 01 00 00"), text("W248:01"),
-                                             text("W8:2C 01 00 00"), text("W8:F4 01 00 00")}));
+    QCOMPARE(requests(fixture), (QStringList{utf8("W8:2C 01 00 00"), utf8("W248:01"),
+                                             utf8("W8:2C 01 00 00"), utf8("W8:F4 01 00 00")}));
     QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOn), 1);
-    QCOMPARE(fixture.fake().raw(text("load")), std::int64_t(1));
+    QCOMPARE(fixture.fake().raw(utf8("load")), std::int64_t(1));
 }
 
 void TestFamilyMotion::motorSpeeds_data()
@@ -459,9 +456,9 @@ void TestFamilyMotion::motorSpeeds()
 {
     QFETCH(QString, goal);
     QFETCH(QString, frame);
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("mode"), 1);
-    fixture.fake().poke(text("load"), 1);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("mode"), 1);
+    fixture.fake().poke(utf8("load"), 1);
     device::Servo servo = fixture.servo();
     QVERIFY(moved(fixture, {{&servo, goal}}));
     QCOMPARE(requests(fixture), QStringList{frame});
@@ -508,11 +505,11 @@ void TestFamilyMotion::refusedMoves()
     device::Servo servo = fixture.servo();
     MoveCommand go{&servo, goal};
     const QString value = extra.section(QLatin1Char('='), 1);
-    if (extra.startsWith(text("speed")))
+    if (extra.startsWith(utf8("speed")))
         go.speed = value;
-    else if (extra.startsWith(text("acc")))
+    else if (extra.startsWith(utf8("acc")))
         go.acceleration = value;
-    else if (extra.startsWith(text("time")))
+    else if (extra.startsWith(utf8("time")))
         go.time = value;
     const auto plan = device::planMove(fixture.context(), go);
     QVERIFY(!plan);
@@ -528,17 +525,17 @@ void TestFamilyMotion::storedMovesStartTogether()
         for (const MoveMethod how : {MoveMethod::Sync, MoveMethod::Async}) {
             DeviceFixture fixture{{"LX", 1}, {"LX", 2}};
             for (fake::Servo& servo : fixture.bus.servos) {
-                servo.poke(text("load"), 1);
+                servo.poke(utf8("load"), 1);
                 servo.repliesStoredMove = tells;
             }
             device::Servo first = fixture.servo(0);
             device::Servo second = fixture.servo(1);
             MoveCommand slow = order(second, "1000");
-            slow.time = text("30000");
+            slow.time = utf8("30000");
             QVERIFY(moved(fixture, {order(first, "500"), slow}, how));
             QCOMPARE(requests(fixture),
-                     (QStringList{text("W56:F4 01 00 00"), text("W56:E8 03 30 75"), text("A1"),
-                                  text("A2"), text("A1"), text("A2"), text("A1"), text("A2")}));
+                     (QStringList{utf8("W56:F4 01 00 00"), utf8("W56:E8 03 30 75"), utf8("A1"),
+                                  utf8("A2"), utf8("A1"), utf8("A2"), utf8("A1"), utf8("A2")}));
         }
     }
 }
@@ -546,11 +543,11 @@ void TestFamilyMotion::storedMovesStartTogether()
 void TestFamilyMotion::oneStoredMoveStartsAlone()
 {
     DeviceFixture fixture{{"LX", 1}, {"LX", 2}};
-    fixture.fake(0).poke(text("load"), 1);
+    fixture.fake(0).poke(utf8("load"), 1);
     device::Servo servo = fixture.servo(0);
     QVERIFY(moved(fixture, {order(servo, "500")}, MoveMethod::Async));
     QCOMPARE(requests(fixture),
-             (QStringList{text("W56:F4 01 00 00"), text("A1"), text("A1"), text("A1")}));
+             (QStringList{utf8("W56:F4 01 00 00"), utf8("A1"), utf8("A1"), utf8("A1")}));
 }
 
 /// An emergency stop before the start: no later start command may find the move.
@@ -558,8 +555,8 @@ void TestFamilyMotion::aCanceledMoveIsCleared()
 {
     DeviceFixture fixture{{"LX", 1}, {"LX", 2}};
     for (fake::Servo& servo : fixture.bus.servos) {
-        servo.poke(text("load"), 1);
-        servo.poke(text("position"), 300);
+        servo.poke(utf8("load"), 1);
+        servo.poke(utf8("position"), 300);
     }
     device::Servo first = fixture.servo(0);
     device::Servo second = fixture.servo(1);
@@ -573,21 +570,21 @@ void TestFamilyMotion::aCanceledMoveIsCleared()
     const auto sent = device::sendMoves(fixture.context(), *plans, MoveMethod::Sync);
     QVERIFY(!sent);
     QCOMPARE(sent.error().code, ErrorCode::Preempted);
-    QVERIFY(requests(fixture).filter(text("A")).isEmpty());
+    QVERIFY(requests(fixture).filter(utf8("A")).isEmpty());
     for (const fake::Servo& servo : fixture.bus.servos)
-        QCOMPARE(servo.raw(text("wait_angle")), std::int64_t(300));
+        QCOMPARE(servo.raw(utf8("wait_angle")), std::int64_t(300));
 }
 
 void TestFamilyMotion::aTornStoredMoveIsStoredAgain()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("load"), 1);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("load"), 1);
     device::Servo servo = fixture.servo();
     auto plans = planned(fixture, {order(servo, "500")});
     QVERIFY(plans);
     fixture.bus.lostWrites = 1;
     QVERIFY(device::sendMoves(fixture.context(), *plans, MoveMethod::Async));
-    QCOMPARE(fixture.fake().raw(text("wait_angle")), std::int64_t(500));
+    QCOMPARE(fixture.fake().raw(utf8("wait_angle")), std::int64_t(500));
     QCOMPARE(fixture.noticeCount(NoticeCode::Resent), 1);
 }
 
@@ -602,16 +599,16 @@ void TestFamilyMotion::syncMoveOnlyWhereSupported()
         const auto sent = moved(modbus, {order(first, "500"), order(second, "500")}, how);
         QVERIFY(!sent);
         QCOMPARE(sent.error().code, ErrorCode::NotSupported);
-        QCOMPARE(sent.error().detail, text(detail));
+        QCOMPARE(sent.error().detail, utf8(detail));
         QCOMPARE(sent.error().id, 2);
         QVERIFY(modbus.bus.requests.empty());
         // A speed cannot be stored.
-        DeviceFixture motor(text("LX"));
-        motor.fake().poke(text("mode"), 1);
+        DeviceFixture motor(utf8("LX"));
+        motor.fake().poke(utf8("mode"), 1);
         device::Servo servo = motor.servo();
         const auto stored = moved(motor, {order(servo, "500")}, how);
         QVERIFY(!stored);
-        QCOMPARE(stored.error().detail, text(detail));
+        QCOMPARE(stored.error().detail, utf8(detail));
         QCOMPARE(motor.bus.writes(), 0);
     }
 }
@@ -621,7 +618,7 @@ void TestFamilyMotion::familiesMoveTogether()
 {
     DeviceFixture fixture{{"STS", 1}, {"HLS", 2}, {"SMCL", 3}, {"SCS2", 4},
                           {"SCS", 5}, {"STS", 6}, {"LX", 1}};
-    fixture.fake(6).poke(text("load"), 1);
+    fixture.fake(6).poke(utf8("load"), 1);
     std::deque<device::Servo> servos;
     std::vector<MoveCommand> orders;
     for (std::size_t i = 0; i < fixture.bus.servos.size(); ++i) {
@@ -636,8 +633,8 @@ void TestFamilyMotion::familiesMoveTogether()
                                ->key),
                  std::int64_t(500));
     const QStringList frames = requests(fixture);
-    QCOMPARE(frames.filter(text("S42")).size(), 5);
-    QCOMPARE(frames.filter(text("S42x2")).size(), 1);
+    QCOMPARE(frames.filter(utf8("S42")).size(), 5);
+    QCOMPARE(frames.filter(utf8("S42x2")).size(), 1);
     for (const protocol::Request& request : fixture.bus.requests) {
         if (request.op != Op::SyncWrite)
             continue;
@@ -674,15 +671,15 @@ void TestFamilyMotion::haltEndsTheMotion_data()
     QTest::addColumn<QString>("family");
     QTest::addColumn<int>("mode");
     QTest::addColumn<QStringList>("frames");
-    QTest::newRow("STS") << "STS" << 0 << QStringList{text("W42:2C 01")};
-    QTest::newRow("STS speed") << "STS" << 1 << QStringList{text("W46:00 00")};
-    QTest::newRow("SCS-2") << "SCS2" << 0 << QStringList{text("W42:01 2C")};
-    QTest::newRow("HLS current") << "HLS" << 2 << QStringList{text("W44:00 00")};
-    QTest::newRow("Modbus") << "SMSMB" << 0 << QStringList{text("W256:01 2C")};
-    QTest::newRow("Modbus speed") << "SMSMB" << 1 << QStringList{text("W262:00 00")};
-    QTest::newRow("LX") << "LX" << 0 << QStringList{text("H"), text("H"), text("H")};
+    QTest::newRow("STS") << "STS" << 0 << QStringList{utf8("W42:2C 01")};
+    QTest::newRow("STS speed") << "STS" << 1 << QStringList{utf8("W46:00 00")};
+    QTest::newRow("SCS-2") << "SCS2" << 0 << QStringList{utf8("W42:01 2C")};
+    QTest::newRow("HLS current") << "HLS" << 2 << QStringList{utf8("W44:00 00")};
+    QTest::newRow("Modbus") << "SMSMB" << 0 << QStringList{utf8("W256:01 2C")};
+    QTest::newRow("Modbus speed") << "SMSMB" << 1 << QStringList{utf8("W262:00 00")};
+    QTest::newRow("LX") << "LX" << 0 << QStringList{utf8("H"), utf8("H"), utf8("H")};
     // The stop command does not end motor mode.
-    QTest::newRow("LX motor") << "LX" << 1 << QStringList{text("W232:01 00 00 00")};
+    QTest::newRow("LX motor") << "LX" << 1 << QStringList{utf8("W232:01 00 00 00")};
 }
 
 void TestFamilyMotion::haltEndsTheMotion()
@@ -708,17 +705,17 @@ void TestFamilyMotion::haltEndsTheMotion()
 /// The stop command is not acknowledged; the shaft shows that it was lost.
 void TestFamilyMotion::aMovingShaftIsHeld()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("load"), 1);
-    fixture.fake().poke(text("move_angle"), 900);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("load"), 1);
+    fixture.fake().poke(utf8("move_angle"), 900);
     device::Servo servo = fixture.servo();
     fixture.bus.onRequest = [&](const protocol::Request& request) {
         const int place = int((fixture.bus.time.now() / 1ms) % 1000);
-        if (request.op == Op::Read && fixture.fake().raw(text("move_angle")) == 900)
-            fixture.fake().poke(text("position"), place);
+        if (request.op == Op::Read && fixture.fake().raw(utf8("move_angle")) == 900)
+            fixture.fake().poke(utf8("position"), place);
     };
     QVERIFY(device::halt(fixture.context(), servo));
-    QCOMPARE(fixture.fake().raw(text("move_angle")), fixture.fake().raw(text("position")));
+    QCOMPARE(fixture.fake().raw(utf8("move_angle")), fixture.fake().raw(utf8("position")));
     QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 1);
 }
 
@@ -735,14 +732,14 @@ void TestFamilyMotion::haltOfAnUnloadedServoSendsNothing()
 
 void TestFamilyMotion::haltInStepModeReleasesTorque()
 {
-    DeviceFixture fixture(text("STS"));
-    fixture.fake().poke(text("operating_mode"), 3);
-    fixture.fake().poke(text("min_angle_limit"), 0);
-    fixture.fake().poke(text("max_angle_limit"), 0);
-    fixture.fake().poke(text("torque_switch"), 1);
+    DeviceFixture fixture(utf8("STS"));
+    fixture.fake().poke(utf8("operating_mode"), 3);
+    fixture.fake().poke(utf8("min_angle_limit"), 0);
+    fixture.fake().poke(utf8("max_angle_limit"), 0);
+    fixture.fake().poke(utf8("torque_switch"), 1);
     device::Servo servo = fixture.servo();
     QVERIFY(device::halt(fixture.context(), servo));
-    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(utf8("torque_switch")), std::int64_t(0));
     QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOff), 1);
 }
 
@@ -768,10 +765,10 @@ void TestFamilyMotion::arrivalWithoutAFlag()
     QFETCH(int, startsAfter);
     QFETCH(int, travelTime);
     QFETCH(int, sticksAt);
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("position"), from);
-    fixture.fake().poke(text("load"), 1);
-    fixture.fake().poke(text("vin"), 7400);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("position"), from);
+    fixture.fake().poke(utf8("load"), 1);
+    fixture.fake().poke(utf8("vin"), 7400);
     device::Servo servo = fixture.servo();
     MoveCommand go{&servo, QString::number(to)};
     if (travelTime > 0)
@@ -786,7 +783,7 @@ void TestFamilyMotion::arrivalWithoutAFlag()
             std::max(0.0, double((fixture.bus.time.now() - begin) / 1us) / 1000.0);
         const double share = std::min(1.0, passed / whole);
         const int place = from + int(std::lround((to - from) * share));
-        fixture.fake().poke(text("position"), sticksAt >= 0 ? std::min(place, sticksAt) : place);
+        fixture.fake().poke(utf8("position"), sticksAt >= 0 ? std::min(place, sticksAt) : place);
     };
     bool movedSeen = false;
     const auto arrived = device::waitForArrival(
@@ -794,7 +791,7 @@ void TestFamilyMotion::arrivalWithoutAFlag()
         [&](const device::MoveProgress& seen) { movedSeen = movedSeen || seen.moving; });
     QCOMPARE(arrived.has_value(), sticksAt < 0);
     if (arrived)
-        QCOMPARE(fixture.fake().raw(text("position")), std::int64_t(to));
+        QCOMPARE(fixture.fake().raw(utf8("position")), std::int64_t(to));
     else
         QCOMPARE(arrived.error().detail, QString::number(sticksAt - to));
     QCOMPARE(movedSeen, std::abs(to - from) > 1);
@@ -802,11 +799,11 @@ void TestFamilyMotion::arrivalWithoutAFlag()
 
 void TestFamilyMotion::cancelingTheWaitReportsPendingMoves()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("load"), 1);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("load"), 1);
     device::Servo servo = fixture.servo();
     MoveCommand go = order(servo, "500");
-    go.time = text("30000");
+    go.time = utf8("30000");
     auto plans = planned(fixture, {go});
     QVERIFY(plans);
     QVERIFY(device::sendMoves(fixture.context(), *plans, MoveMethod::Write));

@@ -3,6 +3,7 @@
 // block never changes, the lock ends closed, and what cannot be right is refused before the wire.
 #include "device/writer.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QTest>
 
@@ -15,13 +16,9 @@ using device::NoticeCode;
 using device::WriteItem;
 using device::WriteOutcome;
 using fake::DeviceFixture;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 /// Values written to this register, in order; blocks count by their first register.
 std::vector<int> hasWriteTo(const DeviceFixture& fixture, const catalog::Register& reg)
 {
@@ -117,13 +114,13 @@ void TestFamilyWrites::savedSurvivesPowerOff()
                                       {false, device::Consent::confirmed()});
     QVERIFY(report);
     QCOMPARE(report->writes.size(), std::size_t(1));
-    QCOMPARE(device::outcomeName(report->writes[0].outcome), text("kept"));
+    QCOMPARE(device::outcomeName(report->writes[0].outcome), utf8("kept"));
     QCOMPARE(*report->writes[0].readBack, std::int64_t(value));
     QCOMPARE(report->lock, fixture.fake().has(Role::Lock) ? LockState::Closed : LockState::None);
     QVERIFY(report->isSuccessful());
     QVERIFY(fixture.fake().isLockClosed());
     QCOMPARE(fixture.openIntents(), std::size_t(0));
-    QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), key == text("angle_offset") ? 1 : 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), key == utf8("angle_offset") ? 1 : 0);
     fixture.fake().powerCycle();
     QCOMPARE(fixture.fake().raw(key), std::int64_t(value));
 }
@@ -143,7 +140,7 @@ void TestFamilyWrites::lostAcknowledgments()
     QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
     QVERIFY(fixture.fake().isLockClosed());
     // Where nothing is ever acknowledged, nothing is lost.
-    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostButWritten), family == text("LX") ? 0 : 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostButWritten), family == utf8("LX") ? 0 : 1);
     QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), 0);
     QCOMPARE(fixture.noticeCount(NoticeCode::Resent), 0);
 }
@@ -159,13 +156,13 @@ void TestFamilyWrites::responseLevelZero()
 {
     QFETCH(QString, family);
     DeviceFixture fixture(family);
-    fixture.fake().setPersistent(text("response_level"), 0);
+    fixture.fake().setPersistent(utf8("response_level"), 0);
     device::Servo servo = fixture.servo();
     const auto report =
-        device::write(fixture.context(), servo, {{text("max_temperature"), 61}}, {});
+        device::write(fixture.context(), servo, {{utf8("max_temperature"), 61}}, {});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
-    QCOMPARE(fixture.fake().persistentRaw(text("max_temperature")), std::int64_t(61));
+    QCOMPARE(fixture.fake().persistentRaw(utf8("max_temperature")), std::int64_t(61));
     QVERIFY(fixture.fake().isLockClosed());
     QVERIFY(fixture.notices.empty());
 }
@@ -192,7 +189,7 @@ void TestFamilyWrites::writesThatNeverArrive()
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
-    const bool lx = family == text("LX");
+    const bool lx = family == utf8("LX");
     QCOMPARE(fixture.noticeCount(NoticeCode::Resent), lx ? 1 : 0);
     QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), lx ? 0 : 1);
 }
@@ -258,7 +255,7 @@ void TestFamilyWrites::temporaryIsLost()
     const auto report = device::write(fixture.context(), servo, {{key, value}},
                                       {true, device::Consent::confirmed()});
     QVERIFY(report);
-    QCOMPARE(device::outcomeName(report->writes[0].outcome), text("temporary"));
+    QCOMPARE(device::outcomeName(report->writes[0].outcome), utf8("temporary"));
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.fake().raw(key), std::int64_t(value));
     QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), 0);
@@ -268,22 +265,22 @@ void TestFamilyWrites::temporaryIsLost()
 
 void TestFamilyWrites::temporaryWhereEveryWriteIsPermanent()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
     const auto report =
-        device::write(fixture.context(), servo, {{text("temp_limit"), 71}}, {true, {}});
+        device::write(fixture.context(), servo, {{utf8("temp_limit"), 71}}, {true, {}});
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
-    QCOMPARE(report.error().detail, text("always-kept"));
-    QCOMPARE(report.error().registerKey, text("temp_limit"));
+    QCOMPARE(report.error().detail, utf8("always-kept"));
+    QCOMPARE(report.error().registerKey, utf8("temp_limit"));
     QVERIFY(fixture.bus.requests.empty());
 }
 
 void TestFamilyWrites::undocumentedPersistence()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
-    const auto report = device::write(fixture.context(), servo, {{text("led_error"), 7}}, {});
+    const auto report = device::write(fixture.context(), servo, {{utf8("led_error"), 7}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
     QCOMPARE(fixture.noticeCount(NoticeCode::PersistenceUndocumented), 1);
@@ -310,7 +307,7 @@ void TestFamilyWrites::neighborsInABlockAreKept()
     QFETCH(int, value);
     QFETCH(QString, neighbor);
     QFETCH(int, stays);
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
     // Changed behind the program's back: what counts is what is read for the write.
     fixture.fake().setPersistent(neighbor, stays);
@@ -323,11 +320,11 @@ void TestFamilyWrites::neighborsInABlockAreKept()
 
 void TestFamilyWrites::aBlockGoesInOneFrame()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
     const auto report =
         device::write(fixture.context(), servo,
-                      {{text("angle_limit_max"), 900}, {text("angle_limit_min"), 100}}, {});
+                      {{utf8("angle_limit_max"), 900}, {utf8("angle_limit_min"), 100}}, {});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.bus.writes(), 1);
@@ -336,7 +333,7 @@ void TestFamilyWrites::aBlockGoesInOneFrame()
         [](const protocol::Request& request) { return request.op == protocol::Op::Write; });
     // The worked frame of the sheet: angle limits 100–900.
     QCOMPARE(base::toHex(protocol::lxCodec().encode(*frame).value()),
-             text("55 55 01 07 14 64 00 84 03 F8"));
+             utf8("55 55 01 07 14 64 00 84 03 F8"));
 }
 
 void TestFamilyWrites::refusedBeforeSending_data()
@@ -395,10 +392,10 @@ void TestFamilyWrites::refusedBeforeSending()
 
 void TestFamilyWrites::unusualVoltages()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
     const auto report =
-        device::write(fixture.context(), servo, {{text("vin_limit_max"), 13000}}, {});
+        device::write(fixture.context(), servo, {{utf8("vin_limit_max"), 13000}}, {});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.noticeCount(NoticeCode::AboveRecommended), 1);
@@ -408,35 +405,35 @@ void TestFamilyWrites::unusualVoltages()
 void TestFamilyWrites::eachAreaHasItsKey()
 {
     for (const auto& [key, opens] :
-         {std::pair{text("position_p"), 0}, std::pair{text("max_temperature"), 128}}) {
-        DeviceFixture fixture(text("SMSMB"));
+         {std::pair{utf8("position_p"), 0}, std::pair{utf8("max_temperature"), 128}}) {
+        DeviceFixture fixture(utf8("SMSMB"));
         device::Servo servo = fixture.servo();
         QVERIFY(device::write(fixture.context(), servo, {{key, 62}},
                               {false, device::Consent::confirmed()}));
-        QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("lock"))),
+        QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(utf8("lock"))),
                  (std::vector<int>{opens, 1}));
     }
 }
 
 void TestFamilyWrites::bothAreasInOneWrite()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     device::Servo servo = fixture.servo();
     const auto report = device::write(
         fixture.context(), servo,
-        {{text("max_temperature"), 61}, {text("torque_limit"), 500}, {text("position_p"), 21}},
+        {{utf8("max_temperature"), 61}, {utf8("torque_limit"), 500}, {utf8("position_p"), 21}},
         {false, device::Consent::confirmed()});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("lock"))),
+    QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(utf8("lock"))),
              (std::vector<int>{0, 1, 128, 1}));
     fixture.fake().powerCycle();
-    QCOMPARE(fixture.fake().raw(text("max_temperature")), std::int64_t(61));
-    QCOMPARE(fixture.fake().raw(text("position_p")), std::int64_t(21));
+    QCOMPARE(fixture.fake().raw(utf8("max_temperature")), std::int64_t(61));
+    QCOMPARE(fixture.fake().raw(utf8("position_p")), std::int64_t(21));
     for (const device::WriteResult& result : report->writes)
         QCOMPARE(device::outcomeName(result.outcome),
-                 result.key == text("torque_limit") ? text("temporary") : text("kept"));
+                 result.key == utf8("torque_limit") ? utf8("temporary") : utf8("kept"));
 }
 
 void TestFamilyWrites::theLockAddressComesFromTheMap_data()
@@ -454,7 +451,7 @@ void TestFamilyWrites::theLockAddressComesFromTheMap()
     QFETCH(int, address);
     DeviceFixture fixture(family);
     device::Servo servo = fixture.servo();
-    QVERIFY(device::write(fixture.context(), servo, {{text("max_temperature"), 61}}, {}));
+    QVERIFY(device::write(fixture.context(), servo, {{utf8("max_temperature"), 61}}, {}));
     const int other = address == 48 ? 55 : 48;
     int opened = 0;
     for (const protocol::Request& request : fixture.bus.requests) {
@@ -467,26 +464,26 @@ void TestFamilyWrites::theLockAddressComesFromTheMap()
 
 void TestFamilyWrites::exceptionsAreRefusals()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     device::Servo servo = fixture.servo();
-    fixture.fake().exceptions[fixture.fake().reg(text("position_p")).writeOffset] = 3;
-    const auto report = device::write(fixture.context(), servo, {{text("position_p"), 21}}, {});
+    fixture.fake().exceptions[fixture.fake().reg(utf8("position_p")).writeOffset] = 3;
+    const auto report = device::write(fixture.context(), servo, {{utf8("position_p"), 21}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Refused);
-    QCOMPARE(report->writes[0].error->detail, text("illegal-value"));
+    QCOMPARE(report->writes[0].error->detail, utf8("illegal-value"));
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(fixture.openIntents(), std::size_t(0));
     // An explicit refusal: a second write changes nothing.
-    QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("position_p"))).size(), std::size_t(1));
+    QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(utf8("position_p"))).size(), std::size_t(1));
 }
 
 void TestFamilyWrites::offsetNeedsConsentEvenForATrial()
 {
     for (const bool temporary : {false, true}) {
-        DeviceFixture fixture(text("LX"));
+        DeviceFixture fixture(utf8("LX"));
         device::Servo servo = fixture.servo();
         const auto report =
-            device::write(fixture.context(), servo, {{text("angle_offset"), 20}}, {temporary, {}});
+            device::write(fixture.context(), servo, {{utf8("angle_offset"), 20}}, {temporary, {}});
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::NeedsConsent);
         QVERIFY(fixture.bus.requests.empty());
@@ -495,65 +492,65 @@ void TestFamilyWrites::offsetNeedsConsentEvenForATrial()
 
 void TestFamilyWrites::anUnreadableMoveIsNotWrittenDirectly()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     fixture.fake().repliesStoredMove = false;
     device::Servo servo = fixture.servo();
-    const auto stored = device::write(fixture.context(), servo, {{text("wait_angle"), 500}}, {});
+    const auto stored = device::write(fixture.context(), servo, {{utf8("wait_angle"), 500}}, {});
     QVERIFY(!stored);
     QCOMPARE(stored.error().code, ErrorCode::NotSupported);
-    QCOMPARE(stored.error().detail, text("not-readable"));
+    QCOMPARE(stored.error().detail, utf8("not-readable"));
     QCOMPARE(fixture.bus.writes(), 0);
     // A time alone would repeat the latest move.
-    const auto timed = device::write(fixture.context(), servo, {{text("move_time"), 500}}, {});
+    const auto timed = device::write(fixture.context(), servo, {{utf8("move_time"), 500}}, {});
     QVERIFY(!timed);
-    QCOMPARE(timed.error().detail, text("with-goal"));
+    QCOMPARE(timed.error().detail, utf8("with-goal"));
 }
 
 void TestFamilyWrites::switchingTheModeStopsTheMotor()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("motor_speed"), 400);
-    fixture.fake().poke(text("load"), 1);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("motor_speed"), 400);
+    fixture.fake().poke(utf8("load"), 1);
     device::Servo servo = fixture.servo();
     const auto both = device::write(fixture.context(), servo,
-                                    {{text("mode"), 1}, {text("motor_speed"), 300}}, {});
+                                    {{utf8("mode"), 1}, {utf8("motor_speed"), 300}}, {});
     QVERIFY(!both);
-    QCOMPARE(both.error().detail, text("mode-first"));
+    QCOMPARE(both.error().detail, utf8("mode-first"));
     QCOMPARE(fixture.bus.writes(), 0);
-    const auto report = device::write(fixture.context(), servo, {{text("mode"), 1}}, {});
+    const auto report = device::write(fixture.context(), servo, {{utf8("mode"), 1}}, {});
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
-    QCOMPARE(fixture.fake().raw(text("mode")), std::int64_t(1));
-    QCOMPARE(fixture.fake().raw(text("motor_speed")), std::int64_t(0));
-    QCOMPARE(fixture.fake().raw(text("load")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(utf8("mode")), std::int64_t(1));
+    QCOMPARE(fixture.fake().raw(utf8("motor_speed")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(utf8("load")), std::int64_t(0));
     // Never for a moment in motor mode with a speed.
     for (const protocol::Request& request : fixture.bus.requests) {
         if (request.op == protocol::Op::Write && request.address == 8 * 29)
-            QCOMPARE(base::toHex(request.data), text("01 00 00 00"));
+            QCOMPARE(base::toHex(request.data), utf8("01 00 00 00"));
     }
 }
 
 void TestFamilyWrites::faultResetClearsItself()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     device::Servo servo = fixture.servo();
-    const auto report = device::write(fixture.context(), servo, {{text("fault_reset"), 1}}, {});
+    const auto report = device::write(fixture.context(), servo, {{utf8("fault_reset"), 1}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
     QVERIFY(report->isSuccessful());
-    const auto center = device::write(fixture.context(), servo, {{text("fault_reset"), 5}}, {});
+    const auto center = device::write(fixture.context(), servo, {{utf8("fault_reset"), 5}}, {});
     QVERIFY(!center);
-    QCOMPARE(center.error().detail, text("center"));
+    QCOMPARE(center.error().detail, utf8("center"));
 }
 
 void TestFamilyWrites::aLostFaultResetIsNotRefused()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     device::Servo servo = fixture.servo();
     fixture.bus.dropAcknowledgments = true;
-    const auto report = device::write(fixture.context(), servo, {{text("fault_reset"), 1}}, {});
+    const auto report = device::write(fixture.context(), servo, {{utf8("fault_reset"), 1}}, {});
     QVERIFY(report);
-    QCOMPARE(device::outcomeName(report->writes[0].outcome), text("unknown"));
+    QCOMPARE(device::outcomeName(report->writes[0].outcome), utf8("unknown"));
     QCOMPARE(base::errorName(report->writes[0].error->code), base::errorName(ErrorCode::Uncertain));
     QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), 0);
 }
@@ -563,9 +560,9 @@ void TestFamilyWrites::aLostFaultResetIsNotRefused()
 void TestFamilyWrites::anEmergencyEndsTheWrite()
 {
     for (int passed = 0;; ++passed) {
-        DeviceFixture fixture(text("STS"));
-        fixture.fake().poke(text("goal_speed"), 500);
-        fixture.fake().poke(text("torque_switch"), 1);
+        DeviceFixture fixture(utf8("STS"));
+        fixture.fake().poke(utf8("goal_speed"), 500);
+        fixture.fake().poke(utf8("torque_switch"), 1);
         device::Servo servo = fixture.servo();
         int left = passed;
         bool met = false;
@@ -577,7 +574,7 @@ void TestFamilyWrites::anEmergencyEndsTheWrite()
             met |= fixture.bus.emergencyPending;
         };
         const auto report = device::write(
-            fixture.context(), servo, {{text("max_temperature"), 61}, {text("operating_mode"), 1}},
+            fixture.context(), servo, {{utf8("max_temperature"), 61}, {utf8("operating_mode"), 1}},
             {false, device::Consent::confirmed()});
         if (!met) {
             QVERIFY(report && report->isSuccessful());
@@ -586,10 +583,10 @@ void TestFamilyWrites::anEmergencyEndsTheWrite()
         QVERIFY(fixture.fake().isLockClosed());
         if (report && report->isSuccessful())
             continue;
-        after.removeAll(QString::number(fixture.fake().reg(text("lock")).writeOffset));
+        after.removeAll(QString::number(fixture.fake().reg(utf8("lock")).writeOffset));
         QCOMPARE(after, QStringList());
-        const bool unsettled = fixture.fake().raw(text("operating_mode")) == 1 &&
-                               fixture.fake().raw(text("goal_speed")) != 0;
+        const bool unsettled = fixture.fake().raw(utf8("operating_mode")) == 1 &&
+                               fixture.fake().raw(utf8("goal_speed")) != 0;
         QVERIFY(!unsettled || fixture.openIntents() == 1);
     }
 }
@@ -599,11 +596,11 @@ void TestFamilyWrites::anEmergencyEndsTheWrite()
 void TestFamilyWrites::aWrittenModeIsRecovered()
 {
     for (const bool stopped : {true, false}) {
-        DeviceFixture fixture(text("SMSMB"));
-        fixture.fake().poke(text("goal_speed"), 500);
+        DeviceFixture fixture(utf8("SMSMB"));
+        fixture.fake().poke(utf8("goal_speed"), 500);
         device::Servo servo = fixture.servo();
-        const catalog::Register& mode = fixture.fake().reg(text("operating_mode"));
-        const int factory = fixture.fake().reg(text("lock")).writeOffset;
+        const catalog::Register& mode = fixture.fake().reg(utf8("operating_mode"));
+        const int factory = fixture.fake().reg(utf8("lock")).writeOffset;
         fixture.bus.onRequest = [&](const protocol::Request& request) {
             if (request.op != protocol::Op::Write)
                 return;
@@ -616,12 +613,12 @@ void TestFamilyWrites::aWrittenModeIsRecovered()
                 fixture.fake().exceptions.clear();
         };
         const auto report = device::write(
-            fixture.context(), servo, {{text("operating_mode"), 1}, {text("max_temperature"), 61}},
+            fixture.context(), servo, {{utf8("operating_mode"), 1}, {utf8("max_temperature"), 61}},
             {false, device::Consent::confirmed()});
         QVERIFY(report);
         QVERIFY(!report->isSuccessful());
-        QCOMPARE(fixture.fake().raw(text("operating_mode")), std::int64_t(1));
-        QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(0));
+        QCOMPARE(fixture.fake().raw(utf8("operating_mode")), std::int64_t(1));
+        QCOMPARE(fixture.fake().raw(utf8("goal_speed")), std::int64_t(0));
         QVERIFY(fixture.fake().isLockClosed());
     }
 }
@@ -632,8 +629,8 @@ void TestFamilyWrites::duplicateIdsAreNotWritten()
         DeviceFixture fixture{{family, 1}, {family, 1}};
         device::Servo servo = fixture.servo();
         fixture.fake(1).poke(
-            text(fixture.fake().has(Role::PositionP) ? "position_p" : "temp_limit"), 77);
-        const auto key = fixture.fake().has(Role::PositionP) ? text("position_d") : text("led");
+            utf8(fixture.fake().has(Role::PositionP) ? "position_p" : "temp_limit"), 77);
+        const auto key = fixture.fake().has(Role::PositionP) ? utf8("position_d") : utf8("led");
         const auto report = device::write(fixture.context(), servo, {{key, 1}}, {});
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::Garbled);

@@ -3,6 +3,7 @@
 #include "device/alarms.h"
 #include "device/motion/stop_frames.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QTest>
 
@@ -13,14 +14,10 @@ using base::Protocol;
 using catalog::Role;
 using device::NoticeCode;
 using fake::DeviceFixture;
+using support::utf8;
 
 namespace {
 const std::vector<Protocol> all(base::allProtocols.begin(), base::allProtocols.end());
-
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
 } // namespace
 
 class TestIdentify : public QObject {
@@ -85,7 +82,7 @@ void TestIdentify::everyFamilyIsIdentified()
 
 void TestIdentify::noServoAnswers()
 {
-    DeviceFixture fixture(text("LX"), 7);
+    DeviceFixture fixture(utf8("LX"), 7);
     const auto servo = device::identifyAmong(fixture.context(), 8, all);
     QVERIFY(!servo);
     QCOMPARE(servo.error().code, ErrorCode::NoReply);
@@ -98,19 +95,19 @@ void TestIdentify::twoProtocolsUnderOneId()
     const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(!servo);
     QCOMPARE(servo.error().code, ErrorCode::AmbiguousProtocol);
-    QCOMPARE(servo.error().detail, text("modbus, lx"));
+    QCOMPARE(servo.error().detail, utf8("modbus, lx"));
     // Said which, each is its own.
     QCOMPARE(device::identifyAmong(fixture.context(), 3, {Protocol::Lx})->profile->series,
-             text("LX"));
+             utf8("LX"));
     QCOMPARE(device::identifyAmong(fixture.context(), 3, {Protocol::Modbus})->profile->series,
-             text("SMSMB"));
+             utf8("SMSMB"));
 }
 
 void TestIdentify::otherErrorsDoNotHideAServo()
 {
     // Two stations disagree about themselves; the LX servo of that number is sound.
     DeviceFixture fixture{{"SMSMB", 3}, {"SMSMB", 3}, {"LX", 3}};
-    fixture.fake(1).poke(text("servo_version"), 99);
+    fixture.fake(1).poke(utf8("servo_version"), 99);
     const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(servo);
     QCOMPARE(servo->protocol, Protocol::Lx);
@@ -119,7 +116,7 @@ void TestIdentify::otherErrorsDoNotHideAServo()
 void TestIdentify::garbledIsNotSilent()
 {
     DeviceFixture fixture{{"SMSMB", 3}, {"SMSMB", 3}};
-    fixture.fake(1).poke(text("servo_version"), 99);
+    fixture.fake(1).poke(utf8("servo_version"), 99);
     const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(!servo);
     QCOMPARE(servo.error().code, ErrorCode::Garbled);
@@ -138,7 +135,7 @@ void TestIdentify::aLostLinkEndsTheRequest()
 void TestIdentify::idsUnsupportedByAProtocol()
 {
     for (const int id : {0, 250}) {
-        DeviceFixture fixture(text("LX"), id);
+        DeviceFixture fixture(utf8("LX"), id);
         const auto servo = device::identifyAmong(fixture.context(), id, all);
         QVERIFY(servo);
         QCOMPARE(servo->protocol, Protocol::Lx);
@@ -167,13 +164,13 @@ void TestIdentify::wholeTable()
 
 void TestIdentify::aSilentStoredMoveIsNoError()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     fixture.fake().repliesStoredMove = false;
     device::Servo servo = fixture.servo();
     QVERIFY(device::readAll(fixture.context(), servo));
-    QVERIFY(!servo.raw(text("wait_angle")));
-    QVERIFY(!servo.raw(text("wait_time")));
-    QCOMPARE(servo.raw(text("angle_limit_max")), std::optional<std::int64_t>(1000));
+    QVERIFY(!servo.raw(utf8("wait_angle")));
+    QVERIFY(!servo.raw(utf8("wait_time")));
+    QCOMPARE(servo.raw(utf8("angle_limit_max")), std::optional<std::int64_t>(1000));
     int asked = 0;
     for (const protocol::Request& request : fixture.bus.requests)
         asked += request.address == 8 * 8 ? 1 : 0;
@@ -187,32 +184,32 @@ void TestIdentify::aSilentStoredMoveIsNoError()
 
 void TestIdentify::requestedSilentReadIsReported()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     fixture.fake().repliesStoredMove = false;
     device::Servo servo = fixture.servo();
-    const auto read = device::readKeys(fixture.context(), servo, {text("wait_time")});
+    const auto read = device::readKeys(fixture.context(), servo, {utf8("wait_time")});
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::NotSupported);
-    QCOMPARE(read.error().detail, text("not-readable"));
+    QCOMPARE(read.error().detail, utf8("not-readable"));
 }
 
 /// Bit 4 means that torque is on, which is no fault.
 void TestIdentify::statusComesFromItsRegister()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     device::Servo servo = fixture.servo();
-    fixture.fake().poke(text("servo_status"), 0x10);
+    fixture.fake().poke(utf8("servo_status"), 0x10);
     device::addAlarmNotices(fixture.context(), servo);
     QCOMPARE(int(servo.status), 0);
     QVERIFY(fixture.notices.empty());
-    fixture.fake().poke(text("servo_status"), 0x10 | 0x20 | 0x04);
+    fixture.fake().poke(utf8("servo_status"), 0x10 | 0x20 | 0x04);
     device::addAlarmNotices(fixture.context(), servo);
     QCOMPARE(int(servo.status), 0x24);
     QCOMPARE(fixture.noticeCount(NoticeCode::OverloadActive), 1);
     QCOMPARE(fixture.noticeCount(NoticeCode::TemperatureAlarmActive), 1);
     QCOMPARE(fixture.notices.size(), std::size_t(2));
     // Other reads do not wipe it.
-    QVERIFY(device::readKeys(fixture.context(), servo, {text("present_position")}));
+    QVERIFY(device::readKeys(fixture.context(), servo, {utf8("present_position")}));
     QCOMPARE(int(servo.status), 0x24);
     QVERIFY(device::derivedAlarms(servo).empty());
 }
@@ -237,9 +234,9 @@ void TestIdentify::derivedAlarms()
     QFETCH(int, millivolts);
     QFETCH(int, hot);
     QFETCH(int, voltage);
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().poke(text("temperature"), celsius);
-    fixture.fake().poke(text("vin"), millivolts);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().poke(utf8("temperature"), celsius);
+    fixture.fake().poke(utf8("vin"), millivolts);
     auto servo = device::identify(fixture.context(), 1, Protocol::Lx);
     QVERIFY(servo);
     QVERIFY(device::derivedAlarms(*servo).empty()); // nothing read, nothing derived
@@ -264,13 +261,13 @@ void TestIdentify::stopFramesInEachProtocol()
     QCOMPARE(shown.size(), 6);
     QCOMPARE(languages, (std::vector<Protocol>{Protocol::Feetech, Protocol::Modbus, Protocol::Lx,
                                                Protocol::Lx, Protocol::Modbus, Protocol::Feetech}));
-    QCOMPARE(shown[0], text("FF FF FE 04 03 28 00 D2"));
-    QVERIFY(shown[1].startsWith(text("00 06 00 81 00 00")));
+    QCOMPARE(shown[0], utf8("FF FF FE 04 03 28 00 D2"));
+    QVERIFY(shown[1].startsWith(utf8("00 06 00 81 00 00")));
     // NOT(FE + 4 + 1F + 0) = DE
-    QCOMPARE(shown[2], text("55 55 FE 04 1F 00 DE"));
-    QCOMPARE(shown[3], text("55 55 01 04 1F 00 DB")); // the sheet's worked frame
-    QVERIFY(shown[4].startsWith(text("01 06 00 81 00 00")));
-    QVERIFY(shown[5].startsWith(text("FF FF 04 04 03 28 00")));
+    QCOMPARE(shown[2], utf8("55 55 FE 04 1F 00 DE"));
+    QCOMPARE(shown[3], utf8("55 55 01 04 1F 00 DB")); // the sheet's worked frame
+    QVERIFY(shown[4].startsWith(utf8("01 06 00 81 00 00")));
+    QVERIFY(shown[5].startsWith(utf8("FF FF 04 04 03 28 00")));
 }
 
 SERVODESK_GUILESS_TEST(TestIdentify)

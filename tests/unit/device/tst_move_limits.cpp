@@ -3,6 +3,7 @@
 // started apart; a mode switch that is only planned.
 #include "device/motion/move_limits.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QTest>
 
@@ -15,13 +16,9 @@ using device::MoveMethod;
 using device::ZeroSpeed;
 using fake::DeviceFixture;
 using protocol::Op;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-
 bool hasNoWrites(const DeviceFixture& fixture)
 {
     return std::all_of(
@@ -66,7 +63,7 @@ void TestMoveLimits::fieldsOfAMode_data()
     QTest::addColumn<QString>("fields"); // speed, acceleration, time, current
     const auto row = [](const char* family, const char* mode, GoalKind kind, const char* fields) {
         QTest::addRow("%s %s", family, mode)
-            << text(family) << text(mode) << int(kind) << text(fields);
+            << utf8(family) << utf8(mode) << int(kind) << utf8(fields);
     };
     row("STS", "position", GoalKind::Position, "sa");
     row("STS", "multiturn", GoalKind::Turns, "sa");
@@ -96,44 +93,44 @@ void TestMoveLimits::fieldsOfAMode()
     QCOMPARE(int(device::goalKind(servo).value()), kind);
     const MoveFieldSet set = device::moveFields(servo);
     QString has;
-    has += set.speed ? text("s") : QString();
-    has += set.acceleration ? text("a") : QString();
-    has += set.time ? text("t") : QString();
-    has += set.current ? text("c") : QString();
+    has += set.speed ? utf8("s") : QString();
+    has += set.acceleration ? utf8("a") : QString();
+    has += set.time ? utf8("t") : QString();
+    has += set.current ? utf8("c") : QString();
     QCOMPARE(has, fields);
 }
 
 void TestMoveLimits::zeroSpeedFollowsThePhase()
 {
     constexpr int zeroIsMaximum = 8;
-    DeviceFixture fixture(text("STS"));
-    fixture.fake().poke(text("phase"), 4);
+    DeviceFixture fixture(utf8("STS"));
+    fixture.fake().poke(utf8("phase"), 4);
     QCOMPARE(device::zeroSpeed(fixture.servo()), ZeroSpeed::Stops);
-    fixture.fake().poke(text("phase"), 4 | zeroIsMaximum);
+    fixture.fake().poke(utf8("phase"), 4 | zeroIsMaximum);
     QCOMPARE(device::zeroSpeed(fixture.servo()), ZeroSpeed::Fastest);
-    DeviceFixture hls(text("HLS"));
+    DeviceFixture hls(utf8("HLS"));
     QCOMPARE(device::zeroSpeed(hls.servo()), ZeroSpeed::Stops);
-    DeviceFixture scs(text("SCS"));
-    scs.fake().poke(text("goal_time"), 1000);
+    DeviceFixture scs(utf8("SCS"));
+    scs.fake().poke(utf8("goal_time"), 1000);
     QCOMPARE(device::zeroSpeed(scs.servo()), ZeroSpeed::ByTime);
 }
 
 void TestMoveLimits::spans()
 {
-    DeviceFixture fixture(text("STS"));
-    fixture.fake().poke(text("min_angle_limit"), 1001);
-    fixture.fake().poke(text("max_angle_limit"), 3001);
-    fixture.fake().poke(text("angle_resolution"), 2);
+    DeviceFixture fixture(utf8("STS"));
+    fixture.fake().poke(utf8("min_angle_limit"), 1001);
+    fixture.fake().poke(utf8("max_angle_limit"), 3001);
+    fixture.fake().poke(utf8("angle_resolution"), 2);
     device::Servo servo = fixture.servo();
     QCOMPARE(device::goalSliderRange(servo)->min, std::int64_t(501)); // whole counts inside
     QCOMPARE(device::goalSliderRange(servo)->max, std::int64_t(1500));
     QCOMPARE(device::goalScaleRange(servo)->max, std::int64_t(2047));
-    servo = inMode(fixture, text("multiturn"));
+    servo = inMode(fixture, utf8("multiturn"));
     QCOMPARE(device::goalSliderRange(servo)->min, std::int64_t(-30719));
     QCOMPARE(device::goalSliderRange(servo)->max, std::int64_t(30719));
-    servo = inMode(fixture, text("pwm"));
+    servo = inMode(fixture, utf8("pwm"));
     QCOMPARE(device::goalSliderRange(servo)->max, std::int64_t(1000));
-    DeviceFixture lx(text("LX"));
+    DeviceFixture lx(utf8("LX"));
     QCOMPARE(device::goalScaleRange(lx.servo())->max, std::int64_t(1000));
 }
 
@@ -151,7 +148,7 @@ void TestMoveLimits::exactTextRoundTrips_data()
     QTest::addColumn<int>("role");
     for (const char* family : {"STS", "SMS", "SCS", "HLS", "LX", "SMSMB", "SMCL", "SCS2"}) {
         for (const Role role : {Role::GoalPosition, Role::GoalSpeed})
-            QTest::addRow("%s %d", family, int(role)) << text(family) << int(role);
+            QTest::addRow("%s %d", family, int(role)) << utf8(family) << int(role);
     }
 }
 
@@ -172,38 +169,38 @@ void TestMoveLimits::exactTextRoundTrips()
 
 void TestMoveLimits::planningAModeWritesNothing()
 {
-    DeviceFixture fixture(text("STS"));
-    fixture.fake().poke(text("min_angle_limit"), 300);
-    fixture.fake().poke(text("max_angle_limit"), 3333);
-    fixture.fake().poke(text("torque_switch"), 1);
+    DeviceFixture fixture(utf8("STS"));
+    fixture.fake().poke(utf8("min_angle_limit"), 300);
+    fixture.fake().poke(utf8("max_angle_limit"), 3333);
+    fixture.fake().poke(utf8("torque_switch"), 1);
     device::Servo servo = fixture.servo();
     fixture.bus.requests.clear();
-    const auto plan = device::planMode(fixture.context(), servo, text("step"));
+    const auto plan = device::planMode(fixture.context(), servo, utf8("step"));
     QVERIFY(plan.has_value());
     QVERIFY(hasNoWrites(fixture));
-    QCOMPARE(plan->from, text("position"));
-    QCOMPARE(plan->to, text("step"));
+    QCOMPARE(plan->from, utf8("position"));
+    QCOMPARE(plan->to, utf8("step"));
     QVERIFY(plan->torqueGoesOff && plan->limitsSaved);
     QCOMPARE(plan->writes.size(), std::size_t(3));
     QCOMPARE(plan->writes[0].oldRaw, std::int64_t(300));
     QCOMPARE(plan->writes[1].newRaw, std::int64_t(0));
-    QCOMPARE(plan->writes[2].key, text("operating_mode"));
+    QCOMPARE(plan->writes[2].key, utf8("operating_mode"));
     // And it is what is done, and how one gets back.
-    QVERIFY(device::switchMode(fixture.context(), servo, text("step")));
-    const auto back = device::planMode(fixture.context(), servo, text("position"));
+    QVERIFY(device::switchMode(fixture.context(), servo, utf8("step")));
+    const auto back = device::planMode(fixture.context(), servo, utf8("position"));
     QVERIFY(back && back->limitsRestored && !back->torqueGoesOff);
     QCOMPARE(back->writes[1].newRaw, std::int64_t(3333));
-    const auto speed = device::planMode(fixture.context(), servo, text("speed"));
-    QCOMPARE(speed->zeroed, text("goal_speed"));
+    const auto speed = device::planMode(fixture.context(), servo, utf8("speed"));
+    QCOMPARE(speed->zeroed, utf8("goal_speed"));
 }
 
 void TestMoveLimits::knownSettingsAreNotReadAgain()
 {
-    DeviceFixture fixture(text("STS"));
+    DeviceFixture fixture(utf8("STS"));
     device::Servo servo = fixture.servo();
     QVERIFY(device::readSettings(fixture.context(), servo));
     fixture.bus.requests.clear();
-    device::MoveCommand order{&servo, text("2000")};
+    device::MoveCommand order{&servo, utf8("2000")};
     order.maxSettingsAge = std::chrono::seconds(1);
     QVERIFY(device::planMove(fixture.context(), order));
     QVERIFY(fixture.bus.requests.empty());
@@ -214,33 +211,33 @@ void TestMoveLimits::knownSettingsAreNotReadAgain()
 
 void TestMoveLimits::anotherModeIsRefused()
 {
-    DeviceFixture fixture(text("STS"));
-    device::Servo servo = inMode(fixture, text("step"));
-    device::MoveCommand order{&servo, text("2000")};
-    order.mode = text("position");
+    DeviceFixture fixture(utf8("STS"));
+    device::Servo servo = inMode(fixture, utf8("step"));
+    device::MoveCommand order{&servo, utf8("2000")};
+    order.mode = utf8("position");
     const auto plan = device::planMove(fixture.context(), order);
     QVERIFY(!plan);
     QCOMPARE(plan.error().code, base::ErrorCode::Refused);
-    QCOMPARE(plan.error().detail, text("mode-changed"));
+    QCOMPARE(plan.error().detail, utf8("mode-changed"));
 }
 
 void TestMoveLimits::currentOfAMove()
 {
-    DeviceFixture fixture(text("HLS"));
+    DeviceFixture fixture(utf8("HLS"));
     device::Servo servo = fixture.servo();
-    device::MoveCommand order{&servo, text("2000")};
-    order.current = text("80");
+    device::MoveCommand order{&servo, utf8("2000")};
+    order.current = utf8("80");
     std::vector<device::MovePlan> plans;
     auto plan = device::planMove(fixture.context(), order);
     QVERIFY(plan.has_value());
     plans.push_back(*plan);
     QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
     QCOMPARE(fixture.fake().raw(Role::GoalCurrent), std::int64_t(80));
-    order.current = text("-80");
+    order.current = utf8("-80");
     plan = device::planMove(fixture.context(), order);
     QVERIFY(!plan);
     QCOMPARE(plan.error().code, base::ErrorCode::OutOfRange);
-    DeviceFixture sts(text("STS"));
+    DeviceFixture sts(utf8("STS"));
     device::Servo other = sts.servo();
     order.servo = &other;
     plan = device::planMove(sts.context(), order);
@@ -251,7 +248,7 @@ void TestMoveLimits::currentOfAMove()
 void TestMoveLimits::torqueLimits()
 {
     const auto of = [](const char* family) {
-        return device::torqueLimit(*DeviceFixture(text(family)).fake().profile);
+        return device::torqueLimit(*DeviceFixture(utf8(family)).fake().profile);
     };
     QVERIFY(of("STS").reg != nullptr && !of("STS").temporary);
     QVERIFY(of("SCS").reg != nullptr && of("SCS").temporary);

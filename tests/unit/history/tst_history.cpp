@@ -5,6 +5,7 @@
 #include "history/history_file.h"
 #include "results/sweep_json.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QDir>
@@ -18,21 +19,17 @@ using history::History;
 using history::RunFilter;
 using results::Grade;
 using results::SweepRun;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromUtf8(latin);
-}
-
 /// `daysLater`: than the example.
 SweepRun runOf(const char* model, int id, int daysLater = 0)
 {
     SweepRun run = sweep_example::finishedRun();
     run.spec.note.clear();
     run.servos.resize(1);
-    run.servos[0].parameters.servo.model = text(model);
+    run.servos[0].parameters.servo.model = utf8(model);
     run.servos[0].parameters.servo.id = id;
     run.at = run.at.addDays(daysLater);
     return run;
@@ -79,9 +76,9 @@ private:
 private Q_SLOTS:
     void init()
     {
-        QTest::failOnWarning(QRegularExpression(text(".*")));
+        QTest::failOnWarning(QRegularExpression(utf8(".*")));
         m_dir = std::make_unique<QTemporaryDir>();
-        m_path = m_dir->filePath(text("sub/folder/history.sqlite"));
+        m_path = m_dir->filePath(utf8("sub/folder/history.sqlite"));
     }
 
     void runsRoundTrip();
@@ -110,27 +107,27 @@ void TestHistory::runsRoundTrip()
     {
         const auto history = open();
         QVERIFY(history);
-        number = history->add(run, {text("/tmp/r.html"), text("/tmp/r.readings.csv")}).value();
+        number = history->add(run, {utf8("/tmp/r.html"), utf8("/tmp/r.readings.csv")}).value();
     }
     const auto history = open();
     const history::TestRun head = history->run(number).value();
     QCOMPARE(head.number, number);
-    QCOMPARE(head.kind, text("sweep"));
+    QCOMPARE(head.kind, utf8("sweep"));
     QCOMPARE(head.at, run.at);
     QCOMPARE(head.program, run.program);
     QCOMPARE(head.port, run.port);
     QVERIFY(head.simulated);
     QCOMPARE(head.verdict, Grade::Fail);
-    QCOMPARE(head.end, text("stall"));
+    QCOMPARE(head.end, utf8("stall"));
     QCOMPARE(head.operatorName, sweep_example::hostileOperator);
     QCOMPARE(head.note, sweep_example::hostileNote);
     QCOMPARE(head.length, run.length);
-    QCOMPARE(head.files, QStringList({text("/tmp/r.html"), text("/tmp/r.readings.csv")}));
+    QCOMPARE(head.files, QStringList({utf8("/tmp/r.html"), utf8("/tmp/r.readings.csv")}));
     QCOMPARE(head.servos.size(), std::size_t(2));
     const history::TestServo first{5,
-                                   text("STS3215"),
-                                   text("sts-sms"),
-                                   text("3.10"),
+                                   utf8("STS3215"),
+                                   utf8("sts-sms"),
+                                   utf8("3.10"),
                                    Grade::NotMeasured,
                                    sweep_example::hostileLabel,
                                    false};
@@ -153,22 +150,22 @@ void TestHistory::runsAreFound()
 {
     const auto history = open();
     SweepRun labeled = runOf("SCS15", 2, 2);
-    labeled.servos[0].parameters.label = text("左膝 100%_x");
-    labeled.spec.operatorName = text("Anna");
+    labeled.servos[0].parameters.label = utf8("左膝 100%_x");
+    labeled.spec.operatorName = utf8("Anna");
     const auto first = history->add(runOf("STS3215", 1, 1)).value();
     const auto second = history->add(labeled).value();
     const auto early = history->add(runOf("STS3215", 2, -1)).value();
     using Numbers = std::vector<std::int64_t>;
     QVERIFY(numbers(*history, {}) == (Numbers{second, first, early})); // newest first
-    QVERIFY(numbers(*history, {.model = text("sts3215")}) == (Numbers{first, early}));
+    QVERIFY(numbers(*history, {.model = utf8("sts3215")}) == (Numbers{first, early}));
     QVERIFY(numbers(*history, {.id = 2}) == (Numbers{second, early}));
-    QVERIFY(numbers(*history, {.model = text("STS3215"), .id = 2}) == Numbers{early});
-    QVERIFY(numbers(*history, {.text = text("左膝")}) == Numbers{second});
-    QVERIFY(numbers(*history, {.text = text("0%_X")}) == Numbers{second});
-    QVERIFY(numbers(*history, {.text = text("0x_x")}).empty()); // no wildcards of SQL
-    QVERIFY(numbers(*history, {.text = text("anna")}) == Numbers{second});
-    QVERIFY(numbers(*history, {.text = text("'; DROP TABLE runs; --")}).empty());
-    QVERIFY(numbers(*history, {.kind = text("step")}).empty());
+    QVERIFY(numbers(*history, {.model = utf8("STS3215"), .id = 2}) == Numbers{early});
+    QVERIFY(numbers(*history, {.text = utf8("左膝")}) == Numbers{second});
+    QVERIFY(numbers(*history, {.text = utf8("0%_X")}) == Numbers{second});
+    QVERIFY(numbers(*history, {.text = utf8("0x_x")}).empty()); // no wildcards of SQL
+    QVERIFY(numbers(*history, {.text = utf8("anna")}) == Numbers{second});
+    QVERIFY(numbers(*history, {.text = utf8("'; DROP TABLE runs; --")}).empty());
+    QVERIFY(numbers(*history, {.kind = utf8("step")}).empty());
     QVERIFY(numbers(*history, {.limit = 1}) == Numbers{second});
 }
 
@@ -176,15 +173,15 @@ void TestHistory::labelsAndNotesBelongToTheRun()
 {
     const auto history = open();
     const auto number = history->add(sweep_example::run()).value();
-    QVERIFY(history->setLabel(number, 6, text("right \"knee\"")));
-    QVERIFY(history->setNote(number, text("after repair")));
+    QVERIFY(history->setLabel(number, 6, utf8("right \"knee\"")));
+    QVERIFY(history->setNote(number, utf8("after repair")));
     const history::TestRun head = history->run(number).value();
     QCOMPARE(head.servos[0].label, sweep_example::hostileLabel);
-    QCOMPARE(head.servos[1].label, text("right \"knee\""));
-    QCOMPARE(head.note, text("after repair"));
+    QCOMPARE(head.servos[1].label, utf8("right \"knee\""));
+    QCOMPARE(head.note, utf8("after repair"));
     const SweepRun run = history->sweep(number).value(); // a report made of it says so too
-    QCOMPARE(run.servos[1].parameters.label, text("right \"knee\""));
-    QCOMPARE(run.spec.note, text("after repair"));
+    QCOMPARE(run.servos[1].parameters.label, utf8("right \"knee\""));
+    QCOMPARE(run.spec.note, utf8("after repair"));
 }
 
 void TestHistory::oneReferenceAModel()
@@ -193,24 +190,24 @@ void TestHistory::oneReferenceAModel()
     const auto a = history->add(runOf("STS3215", 1)).value();
     const auto b = history->add(runOf("STS3215", 7)).value();
     const auto other = history->add(runOf("SCS15", 1)).value();
-    QVERIFY(!history->reference(text("STS3215")).value());
+    QVERIFY(!history->reference(utf8("STS3215")).value());
     QVERIFY(history->setReference(a, 1, true));
     QVERIFY(history->setReference(other, 1, true));
     QVERIFY(history->setReference(b, 7, true));
-    const auto found = history->reference(text("STS3215")).value();
+    const auto found = history->reference(utf8("STS3215")).value();
     QVERIFY(found);
     QCOMPARE(found->run.number, b);
     QCOMPARE(found->servo.id, 7);
     QVERIFY(!history->run(a).value().servos[0].reference);
-    QCOMPARE(history->reference(text("SCS15")).value()->run.number, other);
+    QCOMPARE(history->reference(utf8("SCS15")).value()->run.number, other);
     QVERIFY(history->setReference(b, 7, false));
-    QVERIFY(!history->reference(text("STS3215")).value());
+    QVERIFY(!history->reference(utf8("STS3215")).value());
 }
 
 void TestHistory::removedRunsAreGoneAndNumbersAreNotReused()
 {
     const auto history = open();
-    const auto number = history->add(sweep_example::run(), {text("/tmp/x.csv")}).value();
+    const auto number = history->add(sweep_example::run(), {utf8("/tmp/x.csv")}).value();
     QVERIFY(history->remove(number));
     QVERIFY(!history->sweep(number));
     QVERIFY(history->runs().value().empty());
@@ -218,7 +215,7 @@ void TestHistory::removedRunsAreGoneAndNumbersAreNotReused()
     const auto file = history::HistoryFile::open(m_path, 1s).value();
     for (const char* table : {"run_servos", "run_texts", "run_files"}) {
         const auto answer =
-            file->run(text("SELECT count(*) FROM %1 WHERE run = ?").arg(text(table)),
+            file->run(utf8("SELECT count(*) FROM %1 WHERE run = ?").arg(utf8(table)),
                       {qint64(number)})
                 .value();
         QCOMPARE(answer.rows[0][0].toInt(), 0);
@@ -239,7 +236,7 @@ void TestHistory::missingRunsAreReported()
     const auto none = history->setReference(number, 9, true); // no such servo in the run
     QCOMPARE(code(none), ErrorCode::BadArgument);
     QVERIFY(none.error().detail.contains(QString::number(number)));
-    QVERIFY(history->reference(text("STS3215")).value()); // nothing of it was done
+    QVERIFY(history->reference(utf8("STS3215")).value()); // nothing of it was done
 }
 
 /// Each thread with a connection of its own, as two programs have.
@@ -254,7 +251,7 @@ void TestHistory::twoWritersLoseNothing()
         auto history = History::open(m_path, 60s);
         for (int i = 0; i < each && history; ++i) {
             const auto number = (*history)->add(runOf("STS3215", id, i));
-            failures += !number || !(*history)->setLabel(*number, id, text("x"));
+            failures += !number || !(*history)->setLabel(*number, id, utf8("x"));
             reads +=
                 (*history)->runs({.id = id}).value_or(std::vector<history::TestRun>()).size() ==
                 std::size_t(i + 1);
@@ -268,20 +265,20 @@ void TestHistory::twoWritersLoseNothing()
     QCOMPARE(failures.load(), 0);
     QCOMPARE(reads.load(), 2 * each);
     const auto history = open();
-    QCOMPARE(history->runs({.text = text("x")}).value().size(), std::size_t(2 * each));
+    QCOMPARE(history->runs({.text = utf8("x")}).value().size(), std::size_t(2 * each));
     const auto mode =
-        history::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA journal_mode")).value();
-    QCOMPARE(mode.rows[0][0].toString(), text("wal"));
+        history::HistoryFile::open(m_path, 1s).value()->run(utf8("PRAGMA journal_mode")).value();
+    QCOMPARE(mode.rows[0][0].toString(), utf8("wal"));
 }
 
 void TestHistory::aFileOfANewerVersionIsNotChanged()
 {
     open()->add(sweep_example::run()).value();
-    history::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA user_version = 4711")).value();
+    history::HistoryFile::open(m_path, 1s).value()->run(utf8("PRAGMA user_version = 4711")).value();
     const auto history = History::open(m_path);
     QVERIFY(!history);
     QCOMPARE(history.error().code, ErrorCode::FileFormat);
-    QVERIFY2(history.error().detail.contains(text("newer version")),
+    QVERIFY2(history.error().detail.contains(utf8("newer version")),
              qPrintable(history.error().detail));
     QVERIFY(history.error().detail.startsWith(m_path));
     const auto kept = history::saveRun(m_path, sweep_example::run());
@@ -300,7 +297,7 @@ void TestHistory::noDatabase_data()
 void TestHistory::noDatabase()
 {
     QFETCH(QByteArray, bytes);
-    m_path = m_dir->filePath(text("history.sqlite"));
+    m_path = m_dir->filePath(utf8("history.sqlite"));
     write(m_path, bytes);
     const auto kept = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.number, 0);
@@ -339,7 +336,7 @@ void TestHistory::aDatabaseWithOtherTablesIsAnError()
     const auto history = open();
     history::HistoryFile::open(m_path, 1s)
         .value()
-        ->run(text("ALTER TABLE runs RENAME COLUMN operator TO somebody"))
+        ->run(utf8("ALTER TABLE runs RENAME COLUMN operator TO somebody"))
         .value();
     const auto runs = history->runs({});
     QVERIFY(!runs);
@@ -366,26 +363,26 @@ void TestHistory::aLockedDatabaseDelaysButKeepsTheRun()
 {
     const auto before = open()->add(sweep_example::run()).value();
     const auto holder = history::HistoryFile::open(m_path, 1s).value();
-    holder->run(text("BEGIN EXCLUSIVE")).value();
+    holder->run(utf8("BEGIN EXCLUSIVE")).value();
     const auto kept = history::saveRun(m_path, sweep_example::run(), {}, 50ms);
     QCOMPARE(kept.number, 0);
     QCOMPARE(kept.trouble->code, ErrorCode::FileUnwritable);
-    QVERIFY2(kept.trouble->detail.contains(text("locked")), qPrintable(kept.trouble->detail));
+    QVERIFY2(kept.trouble->detail.contains(utf8("locked")), qPrintable(kept.trouble->detail));
     QVERIFY(results::loadSweepRun(kept.file).value() == sweep_example::run());
     QVERIFY(open()->sweep(before)); // reading goes on meanwhile
-    holder->run(text("COMMIT")).value();
+    holder->run(utf8("COMMIT")).value();
     QVERIFY(history::saveRun(m_path, sweep_example::run(), {}, 50ms).number > before);
 }
 
 void TestHistory::anInvalidFolder()
 {
-    write(m_dir->filePath(text("file")), "x");
-    m_path = m_dir->filePath(text("file/history.sqlite"));
+    write(m_dir->filePath(utf8("file")), "x");
+    m_path = m_dir->filePath(utf8("file/history.sqlite"));
     const auto kept = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY(kept.file.isEmpty()); // it says that there is none
     // A folder in the place of the file.
-    m_path = m_dir->filePath(text("history.sqlite"));
+    m_path = m_dir->filePath(utf8("history.sqlite"));
     QVERIFY(QDir().mkpath(m_path));
     const auto beside = history::saveRun(m_path, sweep_example::run());
     QCOMPARE(beside.trouble->code, ErrorCode::FileUnwritable);
@@ -400,7 +397,7 @@ void TestHistory::closedConnectionsLeaveNothing()
         one->add(sweep_example::run()).value();
         QVERIFY(!History::open(m_dir->path()));
     }
-    QVERIFY(!QFile::exists(m_path + text("-wal"))); // all of it is in the file
+    QVERIFY(!QFile::exists(m_path + utf8("-wal"))); // all of it is in the file
 }
 
 SERVODESK_GUILESS_TEST(TestHistory)

@@ -569,7 +569,7 @@ private:
     QString m_path;
 };
 
-static int run(int argc, char** argv)
+static int runTestHistoryJournal(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
@@ -582,6 +582,6 @@ static int run(int argc, char** argv)
     TestHistoryJournal test;
     return QTest::qExec(&test, argc, argv);
 }
-SERVODESK_TEST_RUN(run)
+SERVODESK_TEST_RUN(runTestHistoryJournal)
 
 #include "tst_history_journal.moc"

@@ -11,6 +11,7 @@
 #include "history/history_table.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
+#include "support/text.h"
 #include "unit/history/intent_example.h"
 #include "unit/results/sweep_example.h"
 
@@ -28,34 +29,30 @@ using history::HistoryFilter;
 using history::HistoryWrite;
 using history::SnapshotReason;
 using intent_example::exampleServo;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-const QString program = QStringLiteral("servodesk test");
+const QString writer = QStringLiteral("servodesk test");
 
 snapshot::Snapshot snapshotOf(int id, std::int64_t p = 32, std::int64_t minimum = 0)
 {
     using catalog::Access;
     using catalog::Area;
     snapshot::Snapshot snapshot;
-    snapshot.program = program;
+    snapshot.program = writer;
     snapshot.at = QDateTime::currentDateTimeUtc();
-    snapshot.port = text("/dev/ttyUSB0");
+    snapshot.port = utf8("/dev/ttyUSB0");
     snapshot.baud = 1000000;
-    snapshot.servo = {id,           text("STS3215"), text("9.3"),
-                      text("3.10"), text("sts-sms"), text("feetech")};
+    snapshot.servo = {id,           utf8("STS3215"), utf8("9.3"),
+                      utf8("3.10"), utf8("sts-sms"), utf8("feetech")};
     snapshot.registers = {
-        {text("id"), 5, id, double(id), {}, Area::Eprom, Access::ReadWrite},
-        {text("min_angle_limit"), 9, minimum, 360.0 * double(minimum) / 4096, text("deg"),
+        {utf8("id"), 5, id, double(id), {}, Area::Eprom, Access::ReadWrite},
+        {utf8("min_angle_limit"), 9, minimum, 360.0 * double(minimum) / 4096, utf8("deg"),
          Area::Eprom, Access::ReadWrite},
-        {text("position_p"), 21, p, double(p), {}, Area::Eprom, Access::ReadWrite},
-        {text("position_offset"), 31, 85, 7.47, text("deg"), Area::Eprom, Access::ReadWrite},
-        {text("present_voltage"), 62, 120, 12.0, text("V"), Area::Feedback, Access::ReadOnly}};
+        {utf8("position_p"), 21, p, double(p), {}, Area::Eprom, Access::ReadWrite},
+        {utf8("position_offset"), 31, 85, 7.47, utf8("deg"), Area::Eprom, Access::ReadWrite},
+        {utf8("present_voltage"), 62, 120, 12.0, utf8("V"), Area::Feedback, Access::ReadOnly}};
     return snapshot;
 }
 
@@ -65,8 +62,8 @@ base::Intent intentOf(int id, const char* key, std::int64_t from, std::int64_t t
     base::Intent intent;
     intent.kind = kind;
     intent.servo = exampleServo(id);
-    intent.servo.model = text("STS3215");
-    intent.items = {{text(key), 21, from, to}};
+    intent.servo.model = utf8("STS3215");
+    intent.items = {{utf8(key), 21, from, to}};
     return intent;
 }
 
@@ -82,7 +79,7 @@ using Values = std::vector<std::int64_t>;
 const snapshot::SnapshotRegister& rowOf(const snapshot::Snapshot& table, const char* key)
 {
     return *std::find_if(table.registers.begin(), table.registers.end(),
-                         [&](const auto& row) { return row.key == text(key); });
+                         [&](const auto& row) { return row.key == utf8(key); });
 }
 
 /// A servo whose table was saved once, and what the history says of it at a moment.
@@ -119,12 +116,12 @@ private:
     void write(int id, const char* key, std::int64_t from, std::int64_t to,
                const char* outcome = "kept", IntentKind kind = IntentKind::Write)
     {
-        history::HistoryJournal journal(m_path, program);
+        history::HistoryJournal journal(m_path, writer);
         const QString uuid = journal.begin(intentOf(id, key, from, to, kind)).value();
         const bool good = qstrcmp(outcome, "kept") == 0;
-        QVERIFY(journal.end(uuid, {good ? text("done") : text("failed"),
+        QVERIFY(journal.end(uuid, {good ? utf8("done") : utf8("failed"),
                                    {},
-                                   {{text(key), good ? to : from, text(outcome)}}}));
+                                   {{utf8(key), good ? to : from, utf8(outcome)}}}));
     }
     /// So that what follows is later.
     static QDateTime pass()
@@ -140,9 +137,9 @@ private:
 private Q_SLOTS:
     void init()
     {
-        QTest::failOnWarning(QRegularExpression(text(".*")));
+        QTest::failOnWarning(QRegularExpression(utf8(".*")));
         m_dir = std::make_unique<QTemporaryDir>();
-        m_path = m_dir->filePath(text("history.sqlite"));
+        m_path = m_dir->filePath(utf8("history.sqlite"));
     }
 
     void writesAreFound();
@@ -181,7 +178,7 @@ void TestHistoryLog::writesAreFound()
     HistoryFilter one;
     one.id = 1;
     QCOMPARE(newValues(log.writes(one).value()), (Values{4, 3, 1}));
-    one.key = text("position_p");
+    one.key = utf8("position_p");
     QCOMPARE(newValues(log.writes(one).value()), (Values{4, 1}));
     one.until = middle;
     QCOMPARE(newValues(log.writes(one).value()), (Values{1}));
@@ -192,31 +189,31 @@ void TestHistoryLog::writesAreFound()
     trouble.onlyProblems = true;
     QCOMPARE(newValues(log.writes(trouble).value()), (Values{4}));
     HistoryFilter model;
-    model.model = text("sts3215");
+    model.model = utf8("sts3215");
     QCOMPARE(log.countWrites(model).value(), 4);
-    model.model = text("SCS15");
+    model.model = utf8("SCS15");
     QVERIFY(log.writes(model).value().empty());
-    QCOMPARE(log.writtenKeys().value(), QStringList({text("min_angle_limit"), text("position_p")}));
+    QCOMPARE(log.writtenKeys().value(), QStringList({utf8("min_angle_limit"), utf8("position_p")}));
     const auto two = log.of(exampleServo(2)).value();
     QVERIFY(two);
-    QCOMPARE(log.writtenKeys(two->number).value(), QStringList{text("position_p")});
-    QCOMPARE(two->identity.port, text("/dev/ttyUSB0"));
+    QCOMPARE(log.writtenKeys(two->number).value(), QStringList{utf8("position_p")});
+    QCOMPARE(two->identity.port, utf8("/dev/ttyUSB0"));
     QVERIFY(two->lastWrite.isValid());
     QVERIFY(!log.of(exampleServo(9)).value());
-    QCOMPARE(log.write(3).value().key, text("min_angle_limit"));
+    QCOMPARE(log.write(3).value().key, utf8("min_angle_limit"));
     QCOMPARE(int(log.write(99).error().code), int(base::ErrorCode::BadArgument));
 }
 
 /// Whatever the filter: all pages together are the list, each row once.
 void TestHistoryLog::servoChosenValuesAreThoseRead()
 {
-    history::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, writer);
     const auto end = [&](std::int64_t old, IntentKind kind, std::optional<std::int64_t> readBack) {
         const char* key = kind == IntentKind::Calibrate ? "position_offset" : "position_p";
         const QString uuid = journal.begin(intentOf(1, key, old, old, kind)).value();
-        base::IntentResult done{text("done"), {}, {}};
+        base::IntentResult done{utf8("done"), {}, {}};
         if (readBack)
-            done.items = {{text(key), readBack, text("done")}};
+            done.items = {{utf8(key), readBack, utf8("done")}};
         QVERIFY(journal.end(uuid, done));
     };
     end(0, IntentKind::Calibrate, -549);
@@ -242,8 +239,8 @@ void TestHistoryLog::pagesAreContiguous()
     HistoryFilter two;
     two.id = 2;
     HistoryFilter model;
-    model.model = text("STS3215");
-    model.key = text("min_angle_limit");
+    model.model = utf8("STS3215");
+    model.key = utf8("min_angle_limit");
     for (HistoryFilter filter : {all, two, model}) {
         const auto whole = newValues(history->log().writes(filter).value());
         Values joined;
@@ -263,18 +260,18 @@ void TestHistoryLog::pagesAreContiguous()
 
 void TestHistoryLog::aServoIsIdentifiedByItsLabel()
 {
-    history::HistoryJournal journal(m_path, program);
-    const QString limits = text("limits");
+    history::HistoryJournal journal(m_path, writer);
+    const QString limits = utf8("limits");
     write(1, "position_p", 32, 1);
     QVERIFY(journal.saveServoValues(exampleServo(1), limits, {5, 6}));
     const auto history = open();
     const auto log = history->log();
     const auto left = log.of(exampleServo(1)).value().value();
     QVERIFY(left.label.isEmpty());
-    QVERIFY(log.setLabel(left.number, text("left")));
+    QVERIFY(log.setLabel(left.number, utf8("left")));
 
     // Another of the kind is plugged in under the same ID, and the user says so.
-    const auto right = log.assignToOther(left.number, text("right")).value();
+    const auto right = log.assignToOther(left.number, utf8("right")).value();
     QVERIFY(right.number != left.number);
     write(1, "position_p", 32, 2);
     HistoryFilter filter;
@@ -286,14 +283,14 @@ void TestHistoryLog::aServoIsIdentifiedByItsLabel()
     QCOMPARE(journal.entriesFor(exampleServo(1), 10).value().size(), std::size_t(1));
 
     // The first one again.
-    QCOMPARE(log.assignToOther(right.number, text("left")).value().number, left.number);
-    QCOMPARE(log.of(exampleServo(1)).value()->label, text("left"));
+    QCOMPARE(log.assignToOther(right.number, utf8("left")).value().number, left.number);
+    QCOMPARE(log.of(exampleServo(1)).value()->label, utf8("left"));
     QVERIFY(journal.servoValues(exampleServo(1), limits).value());
-    QCOMPARE(log.setLabel(left.number, text("right")).error().detail, text("label-in-use"));
-    QVERIFY(log.setLabel(left.number, text("left")));
-    QCOMPARE(int(log.setLabel(99, text("x")).error().code), int(base::ErrorCode::BadArgument));
+    QCOMPARE(log.setLabel(left.number, utf8("right")).error().detail, utf8("label-in-use"));
+    QVERIFY(log.setLabel(left.number, utf8("left")));
+    QCOMPARE(int(log.setLabel(99, utf8("x")).error().code), int(base::ErrorCode::BadArgument));
     HistoryFilter named;
-    named.label = text("right");
+    named.label = utf8("right");
     QCOMPARE(log.servos(named).value().size(), std::size_t(1));
 }
 
@@ -302,19 +299,19 @@ void TestHistoryLog::theLabelFollowsTheNewId()
     const auto history = open();
     const auto log = history->log();
     const auto before = log.findOrAdd(exampleServo(1)).value();
-    QVERIFY(log.setLabel(before.number, text("wrist")));
+    QVERIFY(log.setLabel(before.number, utf8("wrist")));
     write(1, "id", 1, 7, "kept", IntentKind::SetId);
-    QCOMPARE(log.of(exampleServo(7)).value()->label, text("wrist"));
+    QCOMPARE(log.of(exampleServo(7)).value()->label, utf8("wrist"));
     write(7, "id", 7, 9, "mismatch", IntentKind::SetId);
     QVERIFY(!log.of(exampleServo(9)).value());
 }
 
 void TestHistoryLog::simulatedServosAreSeparate()
 {
-    const QString limits = text("limits");
+    const QString limits = utf8("limits");
     base::ServoIdentity played = exampleServo(1);
-    played.port = text("sim:demo");
-    history::HistoryJournal journal(m_path, program);
+    played.port = utf8("sim:demo");
+    history::HistoryJournal journal(m_path, writer);
     QVERIFY(journal.saveServoValues(played, limits, {1, 2}));
     QVERIFY(!journal.servoValues(exampleServo(1), limits).value());
     base::Intent intent = intentOf(1, "position_p", 32, 40);
@@ -327,17 +324,17 @@ void TestHistoryLog::simulatedServosAreSeparate()
     const auto one = log.of(played).value().value();
     const auto other = log.of(exampleServo(1)).value().value();
     QVERIFY(one.number != other.number);
-    QVERIFY(log.setLabel(one.number, text("same")));
-    QVERIFY(log.setLabel(other.number, text("same")));
+    QVERIFY(log.setLabel(one.number, utf8("same")));
+    QVERIFY(log.setLabel(other.number, utf8("same")));
     snapshot::Snapshot snapshot = snapshotOf(1);
-    snapshot.port = text("sim:demo");
+    snapshot.port = utf8("sim:demo");
     log.addSnapshot(snapshot, SnapshotReason::Automatic).value();
     const auto catalog = catalog::Catalog::load().catalog;
     QVERIFY(history::tableAt(history->file(), catalog, one.number, pass()));
     QVERIFY(!history::tableAt(history->file(), catalog, other.number, pass()));
-    QVERIFY(log.assignToOther(one.number, text("new")));
-    QCOMPARE(log.of(played).value()->label, text("new"));
-    QCOMPARE(log.of(exampleServo(1)).value()->label, text("same"));
+    QVERIFY(log.assignToOther(one.number, utf8("new")));
+    QCOMPARE(log.of(played).value()->label, utf8("new"));
+    QCOMPARE(log.of(exampleServo(1)).value()->label, utf8("same"));
 }
 
 void TestHistoryLog::snapshotsRoundTrip()
@@ -345,9 +342,9 @@ void TestHistoryLog::snapshotsRoundTrip()
     const auto history = open();
     const auto log = history->log();
     snapshot::Snapshot snapshot = snapshotOf(1);
-    snapshot.note = text("before the repair\n左膝");
+    snapshot.note = utf8("before the repair\n左膝");
     const auto number =
-        log.addSnapshot(snapshot, SnapshotReason::Automatic, text("/tmp/a.servo.json")).value();
+        log.addSnapshot(snapshot, SnapshotReason::Automatic, utf8("/tmp/a.servo.json")).value();
     log.addSnapshot(snapshotOf(2), SnapshotReason::Manual).value();
     QCOMPARE(snapshot::encodeSnapshot(log.snapshot(number).value()),
              snapshot::encodeSnapshot(snapshot));
@@ -355,17 +352,17 @@ void TestHistoryLog::snapshotsRoundTrip()
     one.id = 1;
     const auto rows = log.snapshots(one).value();
     QCOMPARE(rows.size(), std::size_t(1));
-    QCOMPARE(rows[0].model, text("STS3215"));
-    QCOMPARE(rows[0].firmware, text("3.10"));
+    QCOMPARE(rows[0].model, utf8("STS3215"));
+    QCOMPARE(rows[0].firmware, utf8("3.10"));
     QCOMPARE(int(rows[0].reason), int(SnapshotReason::Automatic));
-    QCOMPARE(rows[0].file, text("/tmp/a.servo.json"));
+    QCOMPARE(rows[0].file, utf8("/tmp/a.servo.json"));
     QCOMPARE(rows[0].registers, 5);
     HistoryFilter asked;
     asked.reason = SnapshotReason::Manual;
     QCOMPARE(log.snapshots(asked).value().size(), std::size_t(1));
-    QVERIFY(log.setSnapshotNote(number, text("knee"), text("good")));
-    QCOMPARE(log.snapshot(number)->label, text("knee"));
-    QCOMPARE(log.snapshotRow(number)->note, text("good"));
+    QVERIFY(log.setSnapshotNote(number, utf8("knee"), utf8("good")));
+    QCOMPARE(log.snapshot(number)->label, utf8("knee"));
+    QCOMPARE(log.snapshotRow(number)->note, utf8("good"));
     // The same servo to the journal and to a snapshot.
     write(1, "position_p", 32, 1);
     QCOMPARE(log.servos().value().size(), std::size_t(2));
@@ -379,7 +376,7 @@ void TestHistoryLog::alarmsAreRaisedAndCleared()
     const auto history = open();
     const auto log = history->log();
     const QDateTime at = QDateTime::currentDateTimeUtc();
-    const QString overload = text("overload");
+    const QString overload = utf8("overload");
     QVERIFY(log.recordAlarmStart(exampleServo(1), overload, false, at));
     QVERIFY(log.recordAlarmStart(exampleServo(1), overload, false, at.addSecs(1))); // still there
     QVERIFY(log.recordAlarmStart(exampleServo(2), overload, true, at.addSecs(2)));
@@ -404,7 +401,7 @@ void TestHistoryLog::recordingsAreFound()
     history::HistoryRecording recording;
     recording.at = QDateTime::currentDateTimeUtc();
     recording.length = 90s;
-    recording.file = text("/tmp/运行.csv");
+    recording.file = utf8("/tmp/运行.csv");
     recording.rows = 18000;
     const auto number = log.addRecording(recording, {exampleServo(1), exampleServo(2)}).value();
     recording.at = recording.at.addSecs(1);
@@ -423,12 +420,12 @@ void TestHistoryLog::recordingsAreFound()
 void TestHistoryLog::stepRunsAreStored()
 {
     results::StepRun run;
-    run.program = program;
+    run.program = writer;
     run.at = QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC);
-    run.port = text("sim:demo");
+    run.port = utf8("sim:demo");
     run.simulated = true;
     run.parameters = snapshotOf(3);
-    run.spec.note = text("stiff");
+    run.spec.note = utf8("stiff");
     results::StepResponse response;
     response.number = 1;
     response.samples = {{0us, 100.0, {}, {}, {}}, {500ms, 300.0, {}, {}, {}}};
@@ -437,15 +434,15 @@ void TestHistoryLog::stepRunsAreStored()
     QVERIFY(!kept.trouble);
     const auto history = open();
     history::RunFilter steps;
-    steps.kind = text("step");
+    steps.kind = utf8("step");
     const auto heads = history->runs(steps).value();
     QCOMPARE(heads.size(), std::size_t(1));
     QCOMPARE(heads[0].servos[0].id, 3);
     QCOMPARE(heads[0].length, base::Duration(500ms));
-    QCOMPARE(heads[0].note, text("stiff"));
-    QVERIFY(history->setNote(kept.number, text("soft")));
+    QCOMPARE(heads[0].note, utf8("stiff"));
+    QVERIFY(history->setNote(kept.number, utf8("soft")));
     const auto back = history->step(kept.number).value();
-    QCOMPARE(back.spec.note, text("soft"));
+    QCOMPARE(back.spec.note, utf8("soft"));
     QVERIFY(back.responses == run.responses);
     QVERIFY(!history->sweep(kept.number));
 }
@@ -470,11 +467,11 @@ void TestHistoryLog::theTableAtAnyTime()
     const auto at = [&](const QDateTime& when) {
         return history::tableAt(history->file(), catalog, servo, when);
     };
-    QCOMPARE(at(atFirst.addDays(-1)).error().detail, text("no-snapshot"));
+    QCOMPARE(at(atFirst.addDays(-1)).error().detail, utf8("no-snapshot"));
     QVERIFY(at(atFirst)->replayed.isEmpty());
     QCOMPARE(rowOf(at(atFirst)->table, "position_p").raw, std::int64_t(32));
     const auto two = at(afterTwo).value();
-    QCOMPARE(two.replayed, QStringList({text("position_p"), text("min_angle_limit")}));
+    QCOMPARE(two.replayed, QStringList({utf8("position_p"), utf8("min_angle_limit")}));
     QCOMPARE(rowOf(two.table, "position_p").raw, std::int64_t(40));
     QCOMPARE(rowOf(two.table, "min_angle_limit").raw, std::int64_t(1024));
     QCOMPARE(rowOf(two.table, "min_angle_limit").value.value_or(-1), 90.0); // in its unit
@@ -491,14 +488,14 @@ void TestHistoryLog::unrecordedRegistersHaveNoValue()
 {
     const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
-    history::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, writer);
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 40)).value();
-    QCOMPARE(now().unknown, QStringList{text("position_p")});
+    QCOMPARE(now().unknown, QStringList{utf8("position_p")});
     QVERIFY(!rowOf(now().table, "position_p").raw);
-    QVERIFY(journal.end(cut, {text("undone"), {}}));
+    QVERIFY(journal.end(cut, {utf8("undone"), {}}));
     QCOMPARE(rowOf(now().table, "position_p").raw, std::int64_t(32));
     write(1, "position_offset", 85, 85, "kept", IntentKind::Calibrate);
-    QCOMPARE(now().unknown, QStringList{text("position_offset")});
+    QCOMPARE(now().unknown, QStringList{utf8("position_offset")});
     write(1, "position_offset", 12, 20); // written since: known again
     QCOMPARE(rowOf(now().table, "position_offset").raw, std::int64_t(20));
     write(1, "position_p", 32, 48, "kept",
@@ -508,7 +505,7 @@ void TestHistoryLog::unrecordedRegistersHaveNoValue()
     write(1, "position_p", 48, 48, "kept", IntentKind::Restore); // what it had stored itself
     const auto restored = now();
     for (const char* key : {"id", "min_angle_limit", "position_p", "position_offset"})
-        QVERIFY(restored.unknown.contains(text(key)));
+        QVERIFY(restored.unknown.contains(utf8(key)));
     QVERIFY(rowOf(restored.table, "present_voltage").raw); // as it was read
 }
 
@@ -517,7 +514,7 @@ void TestHistoryLog::pastEntriesAreUnchanged()
 {
     const ServoHistoryFixture past(open());
     const auto at = [&](const QDateTime& when) { return past.at(when); };
-    history::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, writer);
     pass();
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 90)).value();
     const QDateTime open = pass();
@@ -525,10 +522,10 @@ void TestHistoryLog::pastEntriesAreUnchanged()
     pass();
     past.log.addSnapshot(snapshotOf(1, 90), SnapshotReason::Manual).value();
     const QDateTime read = pass();
-    QVERIFY(journal.end(cut, {text("undone"), {}}));
-    QVERIFY(journal.end(forgotten, {text("abandoned"), {}}));
+    QVERIFY(journal.end(cut, {utf8("undone"), {}}));
+    QVERIFY(journal.end(forgotten, {utf8("abandoned"), {}}));
     const QDateTime after = pass();
-    QCOMPARE(at(open).unknown, QStringList{text("position_p")});
+    QCOMPARE(at(open).unknown, QStringList{utf8("position_p")});
     QVERIFY(at(open).replayed.isEmpty());
     QCOMPARE(rowOf(at(read).table, "position_p").raw, std::int64_t(90)); // as it was read
     QCOMPARE(rowOf(at(after).table, "position_p").raw, std::int64_t(32));
@@ -536,7 +533,7 @@ void TestHistoryLog::pastEntriesAreUnchanged()
     const QString old = journal.begin(intentOf(1, "position_p", 32, 40)).value();
     pass();
     write(1, "position_p", 40, 50);
-    QVERIFY(journal.end(old, {text("undone"), {}}));
+    QVERIFY(journal.end(old, {utf8("undone"), {}}));
     QCOMPARE(rowOf(at(pass()).table, "position_p").raw, std::int64_t(50));
     QVERIFY(at(after).unknown.isEmpty()); // given up after it was read: nothing was written
 }
@@ -545,14 +542,14 @@ void TestHistoryLog::missingRegistersAreReported()
 {
     const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
-    history::HistoryJournal journal(m_path, program);
+    history::HistoryJournal journal(m_path, writer);
     base::Intent trial = intentOf(1, "position_p", 32, 50, IntentKind::Trial);
     trial.temporary = true;
     QVERIFY(journal.end(journal.begin(trial).value(),
-                        {text("failed"), {}, {{text("position_p"), {}, text("not-sent")}}}));
+                        {utf8("failed"), {}, {{utf8("position_p"), {}, utf8("not-sent")}}}));
     QVERIFY(now().temporary.isEmpty());
     write(1, "position_p", 32, 50, "temporary");
-    QCOMPARE(now().temporary, QStringList{text("position_p")});
+    QCOMPARE(now().temporary, QStringList{utf8("position_p")});
     QVERIFY(!now().changedId);
     write(1, "position_p", 32, 60);
     QVERIFY(now().temporary.isEmpty());
@@ -605,41 +602,41 @@ void TestHistoryLog::changesForACopy()
     QVERIFY(changes.after(0).value().empty());
 
     write(1, "position_p", 32, 40);
-    const auto run = history->add(sweep_example::run(), {text("/tmp/r.html")}).value();
+    const auto run = history->add(sweep_example::run(), {utf8("/tmp/r.html")}).value();
     const auto snapshot = history->log().addSnapshot(snapshotOf(1), SnapshotReason::Manual).value();
     const auto first = changes.after(0).value();
     QStringList tables;
     for (const ChangedRow& row : first)
         tables << row.table;
     QCOMPARE(tables,
-             QStringList({text("servos"), text("intents"), text("runs"), text("snapshots")}));
+             QStringList({utf8("servos"), utf8("intents"), utf8("runs"), utf8("snapshots")}));
     QCOMPARE(changes.pendingCount(0).value(), 4);
     const ChangedRow& intent = first[1];
-    QCOMPARE(intent.values[text("servo_uuid")].toString(), first[0].uuid);
-    QCOMPARE(intent.values[text("outcome")].toString(), text("done"));
-    const auto writes = intent.children[text("writes")];
+    QCOMPARE(intent.values[utf8("servo_uuid")].toString(), first[0].uuid);
+    QCOMPARE(intent.values[utf8("outcome")].toString(), utf8("done"));
+    const auto writes = intent.children[utf8("writes")];
     QCOMPARE(writes.size(), 1);
-    QCOMPARE(writes[0][text("key")].toString(), text("position_p"));
-    QCOMPARE(writes[0][text("servo_uuid")].toString(), first[0].uuid);
-    QCOMPARE(first[2].children[text("run_servos")].size(), 2);
-    QCOMPARE(first[2].children[text("run_files")].size(), 1);
-    QVERIFY(!first[2].children[text("run_texts")].isEmpty());
-    QVERIFY(!first[3].values[text("data")].toByteArray().isEmpty());
+    QCOMPARE(writes[0][utf8("key")].toString(), utf8("position_p"));
+    QCOMPARE(writes[0][utf8("servo_uuid")].toString(), first[0].uuid);
+    QCOMPARE(first[2].children[utf8("run_servos")].size(), 2);
+    QCOMPARE(first[2].children[utf8("run_files")].size(), 1);
+    QVERIFY(!first[2].children[utf8("run_texts")].isEmpty());
+    QVERIFY(!first[3].values[utf8("data")].toByteArray().isEmpty());
 
     // Only what changed since, and what was deleted as such.
     const std::int64_t seen = changes.revision().value();
     QCOMPARE(first.back().revision, seen);
-    QVERIFY(history->log().setLabel(1, text("left")));
-    QVERIFY(history->setLabel(run, 5, text("knee")));
+    QVERIFY(history->log().setLabel(1, utf8("left")));
+    QVERIFY(history->setLabel(run, 5, utf8("knee")));
     QVERIFY(history->log().removeSnapshot(snapshot));
     const auto next = changes.after(seen).value();
     QCOMPARE(next.size(), std::size_t(3));
-    QCOMPARE(next[0].values[text("label")].toString(), text("left"));
+    QCOMPARE(next[0].values[utf8("label")].toString(), utf8("left"));
     QCOMPARE(next[1].uuid, first[2].uuid);
-    QCOMPARE(next[1].children[text("run_servos")][0][text("label")].toString(), text("knee"));
+    QCOMPARE(next[1].children[utf8("run_servos")][0][utf8("label")].toString(), utf8("knee"));
     QVERIFY(next[2].removed);
     QCOMPARE(next[2].uuid, first[3].uuid);
-    QCOMPARE(next[2].table, text("snapshots"));
+    QCOMPARE(next[2].table, utf8("snapshots"));
     // From the beginning: each row once, as it is now; what is gone is not there.
     QCOMPARE(changes.after(0).value().size(), std::size_t(4));
     QCOMPARE(changes.after(0, 2).value().size(), std::size_t(2));
@@ -656,11 +653,11 @@ void TestHistoryLog::concurrentChangesAreCopied()
     for (int i = 0; i < 2; ++i) {
         writers.emplace_back([this, i] {
             // Both write without a pause: that is about loss, not about patience.
-            history::HistoryJournal journal(m_path, program, std::chrono::seconds(5));
+            history::HistoryJournal journal(m_path, writer, std::chrono::seconds(5));
             for (int n = 0; n < each; ++n) {
                 const auto uuid = journal.begin(intentOf(1 + i, "position_p", 0, n));
                 if (uuid)
-                    (void)journal.end(*uuid, {text("done"), {}});
+                    (void)journal.end(*uuid, {utf8("done"), {}});
             }
         });
     }
@@ -684,8 +681,8 @@ void TestHistoryLog::concurrentChangesAreCopied()
         follow();
     QCOMPARE(copy.size(), qsizetype(2 * each + 2)); // and two servos
     for (const ChangedRow& row : std::as_const(copy)) {
-        if (row.table == text("intents"))
-            QCOMPARE(row.values[text("outcome")].toString(), text("done"));
+        if (row.table == utf8("intents"))
+            QCOMPARE(row.values[utf8("outcome")].toString(), utf8("done"));
     }
 }
 
@@ -694,8 +691,8 @@ void TestHistoryLog::exportedAsCsv()
     write(1, "position_p", 32, 40);
     write(2, "min_angle_limit", -5, 7);
     const auto history = open();
-    QVERIFY(history->log().setLabel(1, text("=left, \"upper\"")));
-    const QString path = m_dir->filePath(text("w.csv"));
+    QVERIFY(history->log().setLabel(1, utf8("=left, \"upper\"")));
+    const QString path = m_dir->filePath(utf8("w.csv"));
     HistoryFilter filter;
     filter.limit = 1; // no limit for a file
     QCOMPARE(
@@ -713,7 +710,7 @@ void TestHistoryLog::exportedAsCsv()
                             history::HistoryKind::Runs})
         QVERIFY(history::exportHistoryCsv(*history, kind, {}, path));
     QVERIFY(!history::exportHistoryCsv(*history, history::HistoryKind::Runs, {},
-                                       m_dir->filePath(text("no/such/folder.csv"))));
+                                       m_dir->filePath(utf8("no/such/folder.csv"))));
 }
 
 void TestHistoryLog::exportedAsJson()
@@ -723,7 +720,7 @@ void TestHistoryLog::exportedAsJson()
     const auto history = open();
     history->log().addSnapshot(snapshotOf(1), SnapshotReason::Manual).value();
     history->add(sweep_example::run()).value();
-    const QString path = m_dir->filePath(text("all.json"));
+    const QString path = m_dir->filePath(utf8("all.json"));
     HistoryFilter one;
     one.id = 1;
     const auto rows =
@@ -735,18 +732,18 @@ void TestHistoryLog::exportedAsJson()
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
-    QCOMPARE(document[text("format")].toString(), text("servodesk-history"));
-    QCOMPARE(document[text("servos")].toArray().size(), 1);
-    QCOMPARE(document[text("writes")].toArray().size(), 3);
-    QCOMPARE(document[text("writes")][0][text("new")].toInt(), 4);
-    QCOMPARE(document[text("snapshots")].toArray().size(), 1);
-    QVERIFY(document[text("runs")].toArray().isEmpty()); // of servos 5 and 6
+    QCOMPARE(document[utf8("format")].toString(), utf8("servodesk-history"));
+    QCOMPARE(document[utf8("servos")].toArray().size(), 1);
+    QCOMPARE(document[utf8("writes")].toArray().size(), 3);
+    QCOMPARE(document[utf8("writes")][0][utf8("new")].toInt(), 4);
+    QCOMPARE(document[utf8("snapshots")].toArray().size(), 1);
+    QVERIFY(document[utf8("runs")].toArray().isEmpty()); // of servos 5 and 6
 }
 
 /// The statements by which the first published version made its file, and rows it had put in.
 void TestHistoryLog::theFirstSchemaIsMigrated()
 {
-    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/history/history-1.sqlite"), m_path));
+    QVERIFY(QFile::copy(utf8(TEST_DATA_DIR "/history/history-1.sqlite"), m_path));
     QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
     // Several at once.
     std::vector<std::thread> starters;
@@ -773,13 +770,13 @@ void TestHistoryLog::theFirstSchemaIsMigrated()
 /// No room half-way: the file is of the first schema still, with all that is in it.
 void TestHistoryLog::aMigrationThatFailsChangesNothing()
 {
-    QVERIFY(QFile::copy(text(TEST_DATA_DIR "/history/history-1.sqlite"), m_path));
+    QVERIFY(QFile::copy(utf8(TEST_DATA_DIR "/history/history-1.sqlite"), m_path));
     QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
     const auto holder = QDir(m_dir->path()).entryList(QDir::Files);
     QCOMPARE(holder.size(), 1);
     {
         // Somebody else has it to himself: it is not migrated, and nobody waits for ever.
-        const auto first = history::HistoryFile::open(m_dir->filePath(text("other.sqlite")), 1s);
+        const auto first = history::HistoryFile::open(m_dir->filePath(utf8("other.sqlite")), 1s);
         QVERIFY(first);
         const auto attached = (*first)->run(QStringLiteral("ATTACH DATABASE ? AS held"), {m_path});
         QVERIFY(attached);

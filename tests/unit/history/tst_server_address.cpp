@@ -3,23 +3,18 @@
 // (section 34.1.1). What is shown of one never has the password.
 #include "history/server/server_address.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QtTest>
 
 using history::ServerAddress;
-
-namespace {
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-} // namespace
+using support::utf8;
 
 class TestServerAddress : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void validAddresses_data()
     {
@@ -97,8 +92,8 @@ private Q_SLOTS:
         const auto address = ServerAddress::parse(string);
         QVERIFY2(address, address ? "" : qPrintable(address.error().detail));
         QTEST(address->displayText(), "shown");
-        QTEST(address->value(text("user")), "user");
-        QTEST(address->value(text("dbname")), "dbname");
+        QTEST(address->value(utf8("user")), "user");
+        QTEST(address->value(utf8("dbname")), "dbname");
         QTEST(address->options(), "options");
     }
 
@@ -110,7 +105,7 @@ private Q_SLOTS:
               "postgresql://u:secret@[::1/db", "postgresql://h/db?secret", "host=a;b",
               "host ="
               "x y"})
-            QTest::newRow(string) << text(string);
+            QTest::newRow(string) << utf8(string);
     }
 
     /// What is wrong may be the password itself, so it is not said again.
@@ -120,8 +115,8 @@ private Q_SLOTS:
         const auto address = ServerAddress::parse(string);
         QVERIFY(!address);
         QCOMPARE(address.error().code, base::ErrorCode::BadArgument);
-        QVERIFY(address.error().detail.startsWith(text("string: ")));
-        QVERIFY(!address.error().detail.contains(text("secret")));
+        QVERIFY(address.error().detail.startsWith(utf8("string: ")));
+        QVERIFY(!address.error().detail.contains(utf8("secret")));
     }
 
     void secretsAreRefused_data()
@@ -150,9 +145,9 @@ private Q_SLOTS:
         QFETCH(QString, string);
         const auto address = ServerAddress::parse(string);
         QVERIFY(!address);
-        QVERIFY(!address.error().detail.contains(text("swordfish")));
+        QVERIFY(!address.error().detail.contains(utf8("swordfish")));
         const QString displayText = ServerAddress::masked(string);
-        QVERIFY2(!displayText.contains(text("swordfish")), qPrintable(displayText));
+        QVERIFY2(!displayText.contains(utf8("swordfish")), qPrintable(displayText));
     }
 
     void onlyHarmlessParametersPass_data()
@@ -172,10 +167,10 @@ private Q_SLOTS:
     void onlyHarmlessParametersPass()
     {
         QFETCH(bool, accepted);
-        const auto address = ServerAddress::parse(text(QTest::currentDataTag()));
+        const auto address = ServerAddress::parse(utf8(QTest::currentDataTag()));
         QCOMPARE(address.has_value(), accepted);
         if (!accepted)
-            QCOMPARE(address.error().detail, text("parameter"));
+            QCOMPARE(address.error().detail, utf8("parameter"));
     }
 
     /// Where there is nothing to hide, nothing changes.
@@ -185,7 +180,7 @@ private Q_SLOTS:
              {"postgresql://user@h:5433/db?sslmode=require", "host=h passfile=/home/u/.pgpass",
               "postgresql://u:@h/db", "tcp://10.0.0.2:9000", "--timeout 200", "host='h"}) {
             if (QByteArray(string) != "postgresql://u:@h/db")
-                QCOMPARE(ServerAddress::masked(text(string)), text(string));
+                QCOMPARE(ServerAddress::masked(utf8(string)), utf8(string));
         }
     }
 
@@ -206,15 +201,15 @@ private Q_SLOTS:
     void localHostIsDetected()
     {
         QFETCH(bool, isLocal);
-        QCOMPARE(ServerAddress::parse(text(QTest::currentDataTag())).value().isLocal(), isLocal);
+        QCOMPARE(ServerAddress::parse(utf8(QTest::currentDataTag())).value().isLocal(), isLocal);
     }
 
     void explicitValuesOverrideDefaults()
     {
-        auto address = ServerAddress::parse(text("host=h connect_timeout=9")).value();
-        address.setDefault(text("connect_timeout"), text("3"));
-        address.setDefault(text("sslmode"), text("prefer"));
-        QCOMPARE(address.options(), text("host='h' connect_timeout='9' sslmode='prefer'"));
+        auto address = ServerAddress::parse(utf8("host=h connect_timeout=9")).value();
+        address.setDefault(utf8("connect_timeout"), utf8("3"));
+        address.setDefault(utf8("sslmode"), utf8("prefer"));
+        QCOMPARE(address.options(), utf8("host='h' connect_timeout='9' sslmode='prefer'"));
     }
 };
 

@@ -6,6 +6,7 @@
 #include "results/sweep_json.h"
 #include "results/sweep_verdict.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
@@ -16,14 +17,10 @@ using history::History;
 using results::Grade;
 using results::SweepEnd;
 using results::SweepRun;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
-
 /// One servo, all of whose lines passed, and how the run ended.
 SweepRun runEndingWith(SweepEnd end, int endedBy = -1)
 {
@@ -58,9 +55,9 @@ private Q_SLOTS:
 
 void TestStoredVerdict::init()
 {
-    QTest::failOnWarning(QRegularExpression(text(".*")));
+    QTest::failOnWarning(QRegularExpression(utf8(".*")));
     m_dir = std::make_unique<QTemporaryDir>();
-    m_path = m_dir->filePath(text("history.sqlite"));
+    m_path = m_dir->filePath(utf8("history.sqlite"));
 }
 
 void TestStoredVerdict::theEndDecides_data()
@@ -96,11 +93,11 @@ void TestStoredVerdict::theEndDecides()
     QCOMPARE(int(run.servos[0].verdict), verdict);
     // What it failed by itself before stays failed; errors on the wire are nobody's.
     run.servos[0].lines.push_back(
-        {{text("communication_errors"), QString(), {}, 0.0}, 7.0, Grade::Fail});
+        {{utf8("communication_errors"), QString(), {}, 0.0}, 7.0, Grade::Fail});
     results::assignVerdicts(run);
     const bool finished = SweepEnd(end) == SweepEnd::Finished;
     QCOMPARE(int(run.servos[0].verdict), finished ? int(Grade::Fail) : verdict);
-    run.servos[0].lines.push_back({{text("overshoot"), text("%"), {}, 5.0}, 9.0, Grade::Fail});
+    run.servos[0].lines.push_back({{utf8("overshoot"), utf8("%"), {}, 5.0}, 9.0, Grade::Fail});
     results::assignVerdicts(run);
     QCOMPARE(run.servos[0].verdict, Grade::Fail);
 }
@@ -128,7 +125,7 @@ void TestStoredVerdict::listsUseTheEndOnly()
 {
     const auto number = open()->add(runEndingWith(SweepEnd::Stopped)).value();
     const auto history = open();
-    QVERIFY(history->file().run(text("UPDATE run_servos SET verdict = 'pass'")));
+    QVERIFY(history->file().run(utf8("UPDATE run_servos SET verdict = 'pass'")));
     QCOMPARE(history->run(number).value().servos[0].verdict, Grade::NotMeasured);
     QCOMPARE(history->runs().value()[0].servos[0].verdict, Grade::NotMeasured);
 }
@@ -141,22 +138,22 @@ void TestStoredVerdict::anUnfinishedRunIsNoReference()
     const auto refused = history->setReference(stopped, 5, true);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, base::ErrorCode::Refused);
-    QCOMPARE(refused.error().detail, text("unfinished-reference"));
+    QCOMPARE(refused.error().detail, utf8("unfinished-reference"));
     QVERIFY(!history->run(stopped).value().servos[0].reference);
     QVERIFY(history->setReference(good, 5, true));
-    QVERIFY(history->reference(text("STS3215")).value()->isUsable());
+    QVERIFY(history->reference(utf8("STS3215")).value()->isUsable());
     // One that stands in the database all the same.
-    QVERIFY(history->file().run(text("UPDATE run_servos SET reference = (run = ?)"),
+    QVERIFY(history->file().run(utf8("UPDATE run_servos SET reference = (run = ?)"),
                                 {qint64(stopped)}));
-    QVERIFY(!history->reference(text("STS3215")).value()->isUsable());
+    QVERIFY(!history->reference(utf8("STS3215")).value()->isUsable());
     QVERIFY(history->setReference(stopped, 5, false)); // the mark can be taken away
-    QVERIFY(!history->reference(text("STS3215")).value());
+    QVERIFY(!history->reference(utf8("STS3215")).value());
     // A servo that failed is none either.
-    QVERIFY(history->file().run(text("UPDATE run_servos SET verdict = 'fail' WHERE run = ?"),
+    QVERIFY(history->file().run(utf8("UPDATE run_servos SET verdict = 'fail' WHERE run = ?"),
                                 {qint64(good)}));
     const auto failed = history->setReference(good, 5, true);
     QVERIFY(!failed);
-    QCOMPARE(failed.error().detail, text("failed-reference"));
+    QCOMPARE(failed.error().detail, utf8("failed-reference"));
 }
 
 SERVODESK_GUILESS_TEST(TestStoredVerdict)

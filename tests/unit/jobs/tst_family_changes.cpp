@@ -7,6 +7,7 @@
 #include "jobs/restore/take_snapshot.h"
 #include "jobs/scan/scan_plan.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/device/fake_bus.h"
 
 #include <QTest>
@@ -18,13 +19,7 @@ using device::NoticeCode;
 using device::WriteOutcome;
 using fake::DeviceFixture;
 using protocol::Op;
-
-namespace {
-QString text(const char* word)
-{
-    return QString::fromLatin1(word);
-}
-} // namespace
+using support::utf8;
 
 class TestFamilyChanges : public QObject {
     Q_OBJECT
@@ -123,7 +118,7 @@ void TestFamilyChanges::newIdThatNeverArrives()
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
     QCOMPARE(fixture.fake().id, 9);
-    const bool lx = family == text("LX");
+    const bool lx = family == utf8("LX");
     QCOMPARE(fixture.noticeCount(NoticeCode::Resent), lx ? 1 : 0);
     QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), lx ? 0 : 1);
 }
@@ -131,7 +126,7 @@ void TestFamilyChanges::newIdThatNeverArrives()
 /// Acknowledged, so no acknowledgement was lost.
 void TestFamilyChanges::newIdThatIsIgnored()
 {
-    DeviceFixture fixture(text("STS"));
+    DeviceFixture fixture(utf8("STS"));
     device::Servo servo = fixture.servo();
     const int place = servo.profile->byRole(Role::Id)->writeOffset;
     fixture.bus.onRequest = [&](const protocol::Request& request) {
@@ -147,8 +142,8 @@ void TestFamilyChanges::newIdThatIsIgnored()
 
 void TestFamilyChanges::factoryResetWithoutVisibleEffect()
 {
-    DeviceFixture fixture(text("STS"));
-    fixture.fake().setPersistent(text("position_p"), 60);
+    DeviceFixture fixture(utf8("STS"));
+    fixture.fake().setPersistent(utf8("position_p"), 60);
     device::Servo servo = fixture.servo();
     fixture.bus.onRequest = [&](const protocol::Request& request) {
         if (request.op == Op::Restore)
@@ -157,7 +152,7 @@ void TestFamilyChanges::factoryResetWithoutVisibleEffect()
     const auto report = jobs::restoreDefaults(fixture.context(), servo);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::Uncertain);
-    QCOMPARE(report.error().detail, text("nothing-changed"));
+    QCOMPARE(report.error().detail, utf8("nothing-changed"));
     QVERIFY(fixture.fake().isLockClosed());
     QCOMPARE(fixture.openIntents(), std::size_t(1));
 }
@@ -212,7 +207,7 @@ void TestFamilyChanges::invalidIds()
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::OutOfRange);
     QCOMPARE(report.error().detail, range);
-    QCOMPARE(report.error().registerKey, text("id"));
+    QCOMPARE(report.error().registerKey, utf8("id"));
     QVERIFY(fixture.bus.requests.empty());
 }
 
@@ -235,12 +230,12 @@ void TestFamilyChanges::idInUse()
 
 void TestFamilyChanges::newRate()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     device::Servo servo = fixture.servo();
     const auto report = jobs::changeBaud(fixture.context(), servo, 256'000);
     QVERIFY(report);
     QVERIFY(report->isSuccessful());
-    QCOMPARE(fixture.fake().persistentRaw(text("baud_rate")),
+    QCOMPARE(fixture.fake().persistentRaw(utf8("baud_rate")),
              std::int64_t(0)); // its own table of codes
     QCOMPARE(fixture.bus.baud(), 256'000);
     QCOMPARE(fixture.noticeCount(NoticeCode::RateChanged), 1);
@@ -252,7 +247,7 @@ void TestFamilyChanges::newRate()
 
 void TestFamilyChanges::newRateAfterARestart()
 {
-    DeviceFixture fixture(text("SMSMB"));
+    DeviceFixture fixture(utf8("SMSMB"));
     fixture.fake().baudNeedsRestart = true;
     device::Servo servo = fixture.servo();
     const auto report = jobs::changeBaud(fixture.context(), servo, 9600);
@@ -266,12 +261,12 @@ void TestFamilyChanges::newRateAfterARestart()
 
 void TestFamilyChanges::onlyOneRate()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
     const auto report = jobs::changeBaud(fixture.context(), servo, 57'600);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
-    QCOMPARE(report.error().detail, text("fixed-rate"));
+    QCOMPARE(report.error().detail, utf8("fixed-rate"));
     QVERIFY(fixture.bus.requests.empty());
 }
 
@@ -290,8 +285,8 @@ void TestFamilyChanges::centering()
     QFETCH(QString, family);
     QFETCH(bool, acksLost);
     DeviceFixture fixture(family);
-    fixture.fake().poke(text("present_position"), 1000);
-    fixture.fake().poke(text("torque_switch"), 1);
+    fixture.fake().poke(utf8("present_position"), 1000);
+    fixture.fake().poke(utf8("torque_switch"), 1);
     device::Servo servo = fixture.servo();
     fixture.bus.dropAcknowledgments = acksLost;
     const auto report = jobs::center(fixture.context(), servo);
@@ -301,7 +296,7 @@ void TestFamilyChanges::centering()
     QCOMPARE(*report->offsetAfter, std::int64_t(1000 - 2048));
     QCOMPARE(report->lock, LockState::Closed);
     QVERIFY(fixture.fake().isLockClosed());
-    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(utf8("torque_switch")), std::int64_t(0));
     // HLS takes the instruction only, Modbus the fault reset only; neither gets 128 in its switch.
     int ways = 0;
     for (const protocol::Request& request : fixture.bus.requests) {
@@ -313,7 +308,7 @@ void TestFamilyChanges::centering()
     }
     QCOMPARE(ways, 1);
     fixture.fake().powerCycle();
-    QCOMPARE(fixture.fake().raw(text("position_offset")), std::int64_t(1000 - 2048));
+    QCOMPARE(fixture.fake().raw(utf8("position_offset")), std::int64_t(1000 - 2048));
 }
 
 void TestFamilyChanges::centerUnsupported_data()
@@ -446,38 +441,38 @@ void TestFamilyChanges::recovery()
 void TestFamilyChanges::recoveryClosesEitherLock()
 {
     for (const int open : {0, 128}) {
-        DeviceFixture fixture(text("SMSMB"));
+        DeviceFixture fixture(utf8("SMSMB"));
         device::Servo servo = fixture.servo();
         base::Intent intent;
         intent.servo = servo.identity();
         intent.lockOpened = true;
-        intent.items = {{text("position_p"), 17, 0, 21}};
+        intent.items = {{utf8("position_p"), 17, 0, 21}};
         QVERIFY(fixture.journal.begin(intent));
-        fixture.fake().poke(text("lock"), open);
+        fixture.fake().poke(utf8("lock"), open);
         const auto preview = jobs::recover(fixture.context(), jobs::RecoveryAction::Preview);
         QVERIFY(preview);
         QCOMPARE(preview->at(0).before.lockOpen, std::optional(true));
         QCOMPARE(fixture.bus.writes(), 0);
         QVERIFY(jobs::recover(fixture.context(), jobs::RecoveryAction::Undo));
-        QCOMPARE(fixture.fake().raw(text("lock")), std::int64_t(1));
+        QCOMPARE(fixture.fake().raw(utf8("lock")), std::int64_t(1));
     }
 }
 
 /// 17 came through, 18 did not: it reads right, and would be gone at power-off.
 void TestFamilyChanges::recoveryOfATrialOffset()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     device::Servo servo = fixture.servo();
     base::Intent intent;
     intent.servo = servo.identity();
-    intent.items = {{text("angle_offset"), 19, 0, 20}};
+    intent.items = {{utf8("angle_offset"), 19, 0, 20}};
     QVERIFY(fixture.journal.begin(intent));
-    fixture.fake().poke(text("angle_offset"), 20);
+    fixture.fake().poke(utf8("angle_offset"), 20);
     const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Finish);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
     QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), 1);
-    QCOMPARE(fixture.fake().persistentRaw(text("angle_offset")), std::int64_t(20));
+    QCOMPARE(fixture.fake().persistentRaw(utf8("angle_offset")), std::int64_t(20));
 }
 
 void TestFamilyChanges::recoveryUsesTheRightProtocol()
@@ -486,12 +481,12 @@ void TestFamilyChanges::recoveryUsesTheRightProtocol()
     device::Servo servo = fixture.servo(2);
     base::Intent intent;
     intent.servo = servo.identity();
-    intent.items = {{text("temp_limit"), 25, 85, 71}};
+    intent.items = {{utf8("temp_limit"), 25, 85, 71}};
     QVERIFY(fixture.journal.begin(intent));
     const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Finish);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
-    QCOMPARE(fixture.fake(2).persistentRaw(text("temp_limit")), std::int64_t(71));
+    QCOMPARE(fixture.fake(2).persistentRaw(utf8("temp_limit")), std::int64_t(71));
     for (const protocol::Request& request : fixture.bus.requests)
         QCOMPARE(request.protocol, base::Protocol::Lx);
 }
@@ -507,7 +502,7 @@ void TestFamilyChanges::snapshots()
     DeviceFixture fixture(family, 3);
     fixture.fake().repliesStoredMove = false;
     device::Servo servo = fixture.servo();
-    const auto taken = jobs::takeSnapshot(fixture.context(), servo, text("test"));
+    const auto taken = jobs::takeSnapshot(fixture.context(), servo, utf8("test"));
     QVERIFY(taken);
     QCOMPARE(fixture.bus.writes(), 0);
     QCOMPARE(taken->servo.map, servo.profile->mapKey);
@@ -527,23 +522,23 @@ void TestFamilyChanges::snapshots()
 /// LX: 4 V were set with other software; the program itself refuses that.
 void TestFamilyChanges::undoRestoresTheServosValue()
 {
-    DeviceFixture fixture(text("LX"));
-    fixture.fake().setPersistent(text("vin_limit_min"), 5000);
+    DeviceFixture fixture(utf8("LX"));
+    fixture.fake().setPersistent(utf8("vin_limit_min"), 5000);
     device::Servo servo = fixture.servo();
     base::Intent intent;
     intent.servo = servo.identity();
-    intent.items = {{text("vin_limit_min"), 23, 4000, 5000}};
+    intent.items = {{utf8("vin_limit_min"), 23, 4000, 5000}};
     QVERIFY(fixture.journal.begin(intent));
     const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Undo);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
-    QCOMPARE(fixture.fake().persistentRaw(text("vin_limit_min")), std::int64_t(4000));
+    QCOMPARE(fixture.fake().persistentRaw(utf8("vin_limit_min")), std::int64_t(4000));
     QCOMPARE(fixture.openIntents(), std::size_t(0));
 }
 
 void TestFamilyChanges::anyProtocolBehindABridge()
 {
-    DeviceFixture fixture(text("LX"));
+    DeviceFixture fixture(utf8("LX"));
     QCOMPARE(jobs::protocolsToScan(fixture.context(), {}, 1'000'000).size(), std::size_t(1));
     fixture.bus.bridge = true;
     QCOMPARE(jobs::protocolsToScan(fixture.context(), {}, 1'000'000).size(), std::size_t(3));

@@ -16,6 +16,12 @@ inline base::Bytes hex(const char* text)
     return hex(QString::fromLatin1(text));
 }
 
+inline protocol::Request unacknowledged(protocol::Request request)
+{
+    request.acknowledged = false;
+    return request;
+}
+
 inline QString kindName(protocol::ScanKind kind)
 {
     switch (kind) {

@@ -3,6 +3,7 @@
 // published rules; they were not produced by this code.
 #include "protocol/codec.h"
 #include "support/test_main.h"
+#include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -12,11 +13,6 @@ using base::ByteOrder;
 using base::Bytes;
 
 namespace {
-Bytes hex(const char* text)
-{
-    return base::fromHex(QString::fromLatin1(text)).value();
-}
-
 Request syncWrite6(std::initializer_list<int> ids)
 {
     std::vector<Target> targets;
@@ -24,16 +20,7 @@ Request syncWrite6(std::initializer_list<int> ids)
         targets.push_back({id, hex("00 08 00 00 E8 03")});
     return Request::syncWrite(42, std::move(targets));
 }
-
-Request unacknowledged(Request request)
-{
-    request.acknowledged = false;
-    return request;
-}
 } // namespace
-
-Q_DECLARE_METATYPE(protocol::Request)
-Q_DECLARE_METATYPE(std::vector<int>)
 
 class TestFeetechEncode : public QObject {
     Q_OBJECT

@@ -26,8 +26,6 @@ const auto reply1 = QStringLiteral("FF FF 01 04 00 18 05 DD ");
 const auto reply1Text = QStringLiteral("reply 1 00 [18 05]");
 } // namespace
 
-Q_DECLARE_METATYPE(protocol::Expectation)
-
 class TestFeetechScan : public QObject {
     Q_OBJECT
 

@@ -17,7 +17,7 @@ constexpr int command(int code)
     return 8 * code;
 }
 
-Request write(int id, int code, const char* data)
+Request lxWrite(int id, int code, const char* data)
 {
     return Request::write(id, command(code), hex(data), Repeat::Safe);
 }
@@ -27,9 +27,6 @@ Request read(int id, int code, int count)
     return Request::read(id, command(code), count);
 }
 } // namespace
-
-Q_DECLARE_METATYPE(protocol::Request)
-Q_DECLARE_METATYPE(std::vector<int>)
 
 class TestLxEncode : public QObject {
     Q_OBJECT
@@ -44,27 +41,27 @@ private Q_SLOTS:
         const auto row = [](const char* name, const Request& request, const char* frame) {
             QTest::newRow(name) << request << QString::fromLatin1(frame);
         };
-        row("move", write(1, 1, "F4 01 E8 03"), "55 55 01 07 01 F4 01 E8 03 16");
-        row("stored move", write(2, 7, "E8 03 30 75"), "55 55 02 07 07 E8 03 30 75 5F");
+        row("move", lxWrite(1, 1, "F4 01 E8 03"), "55 55 01 07 01 F4 01 E8 03 16");
+        row("stored move", lxWrite(2, 7, "E8 03 30 75"), "55 55 02 07 07 E8 03 30 75 5F");
         row("start all", Request::action(), "55 55 FE 03 0B F3");
         row("stop all", Request::halt(254), "55 55 FE 03 0C F2");
-        row("ID 1 to 7", write(1, 13, "07"), "55 55 01 04 0D 07 E6");
+        row("ID 1 to 7", lxWrite(1, 13, "07"), "55 55 01 04 0D 07 E6");
         row("who is there", Request::ping(254), "55 55 FE 03 0E F0");
-        row("offset -30", write(1, 17, "E2"), "55 55 01 04 11 E2 07");
-        row("save the offset", write(1, 18, ""), "55 55 01 03 12 E9");
+        row("offset -30", lxWrite(1, 17, "E2"), "55 55 01 04 11 E2 07");
+        row("save the offset", lxWrite(1, 18, ""), "55 55 01 03 12 E9");
         row("read the offset", read(1, 19, 1), "55 55 01 03 13 E8");
-        row("angle limits", write(1, 20, "64 00 84 03"), "55 55 01 07 14 64 00 84 03 F8");
-        row("voltage limits", write(1, 22, "64 19 E0 2E"), "55 55 01 07 16 64 19 E0 2E 56");
-        row("temperature limit", write(1, 24, "55"), "55 55 01 04 18 55 8D");
+        row("angle limits", lxWrite(1, 20, "64 00 84 03"), "55 55 01 07 14 64 00 84 03 F8");
+        row("voltage limits", lxWrite(1, 22, "64 19 E0 2E"), "55 55 01 07 16 64 19 E0 2E 56");
+        row("temperature limit", lxWrite(1, 24, "55"), "55 55 01 04 18 55 8D");
         row("read temperature", read(1, 26, 1), "55 55 01 03 1A E1");
         row("read voltage", read(1, 27, 2), "55 55 01 03 1B E0");
         row("read position", read(1, 28, 2), "55 55 01 03 1C DF");
-        row("motor -500", write(1, 29, "01 00 0C FE"), "55 55 01 07 1D 01 00 0C FE CF");
-        row("position mode", write(1, 29, "00 00 00 00"), "55 55 01 07 1D 00 00 00 00 DA");
-        row("load", write(1, 31, "01"), "55 55 01 04 1F 01 DA");
-        row("unload", write(1, 31, "00"), "55 55 01 04 1F 00 DB");
-        row("LED off", write(1, 33, "01"), "55 55 01 04 21 01 D8");
-        row("LED fault mask", write(1, 35, "07"), "55 55 01 04 23 07 D0");
+        row("motor -500", lxWrite(1, 29, "01 00 0C FE"), "55 55 01 07 1D 01 00 0C FE CF");
+        row("position mode", lxWrite(1, 29, "00 00 00 00"), "55 55 01 07 1D 00 00 00 00 DA");
+        row("load", lxWrite(1, 31, "01"), "55 55 01 04 1F 01 DA");
+        row("unload", lxWrite(1, 31, "00"), "55 55 01 04 1F 00 DB");
+        row("LED off", lxWrite(1, 33, "01"), "55 55 01 04 21 01 D8");
+        row("LED fault mask", lxWrite(1, 35, "07"), "55 55 01 04 23 07 D0");
         row("raw goes out as it is", Request::raw(hex("55 55 00")), "55 55 00");
     }
 
@@ -142,7 +139,7 @@ private Q_SLOTS:
         row("who is there", Request::ping(254), {254}, 7, 14);
         row("read position", read(7, 28, 2), {7}, 8, 28);
         row("read limits", read(7, 21, 4), {7}, 10, 21);
-        row("writes are not acknowledged", write(7, 1, "F4 01 E8 03"), {}, 0, -1);
+        row("writes are not acknowledged", lxWrite(7, 1, "F4 01 E8 03"), {}, 0, -1);
         row("start", Request::action(7), {}, 0, -1);
         row("stop", Request::halt(7), {}, 0, -1);
         row("raw", Request::raw(hex("55 55 01 03 1C DF")), {}, 0, -1);

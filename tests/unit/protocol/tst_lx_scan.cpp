@@ -18,11 +18,9 @@ Expectation reading(int id, int code, int count)
     return lxCodec().expect(Request::read(id, 8 * code, count));
 }
 
-const auto reply1 = QStringLiteral("55 55 01 05 1C FD FF E1 ");
-const auto reply1Text = QStringLiteral("reply 1 00 [FD FF]");
+const auto lxReply1 = QStringLiteral("55 55 01 05 1C FD FF E1 ");
+const auto lxReply1Text = QStringLiteral("reply 1 00 [FD FF]");
 } // namespace
-
-Q_DECLARE_METATYPE(protocol::Expectation)
 
 class TestLxScan : public QObject {
     Q_OBJECT
@@ -43,7 +41,7 @@ private Q_SLOTS:
         const Expectation position = reading(1, 28, 2);
         const Expectation broadcastPing = lxCodec().expect(Request::ping(254));
 
-        row("position -3", position, reply1, {reply1Text});
+        row("position -3", position, lxReply1, {lxReply1Text});
         row("voltage 7400 mV", reading(1, 27, 2), text("55 55 01 05 1B E8 1C DA"),
             {text("reply 1 00 [E8 1C]")});
         row("offset -125", reading(1, 19, 1), text("55 55 01 04 13 83 64"),
@@ -52,44 +50,44 @@ private Q_SLOTS:
         row("ping", lxCodec().expect(Request::ping(7)), text("55 55 07 04 0E 07 DF"),
             {text("reply 7 00 [07]")});
 
-        row("late reply of another command, same length", reading(1, 27, 2), reply1,
+        row("late reply of another command, same length", reading(1, 27, 2), lxReply1,
             {text("foreign 1 00 [FD FF]")});
-        row("late reply, then the answer", position, text("55 55 01 05 1B E8 1C DA ") + reply1,
-            {text("foreign 1 00 [E8 1C]"), reply1Text});
+        row("late reply, then the answer", position, text("55 55 01 05 1B E8 1C DA ") + lxReply1,
+            {text("foreign 1 00 [E8 1C]"), lxReply1Text});
         row("short reply", position, text("55 55 01 04 1C FD E1"), {text("foreign 1 00 [FD]")});
         row("long reply", position, text("55 55 01 06 1C FD FF 00 E0"),
             {text("foreign 1 00 [FD FF 00]")});
         row("foreign ID", position, text("55 55 02 05 1C FD FF E0"),
             {text("foreign 2 00 [FD FF]")});
-        row("foreign, then the reply", position, text("55 55 02 05 1C FD FF E0 ") + reply1,
-            {text("foreign 2 00 [FD FF]"), reply1Text});
-        row("echo of the request", position, text("55 55 01 03 1C DF ") + reply1,
-            {text("foreign 1 00 []"), reply1Text});
+        row("foreign, then the reply", position, text("55 55 02 05 1C FD FF E0 ") + lxReply1,
+            {text("foreign 2 00 [FD FF]"), lxReply1Text});
+        row("echo of the request", position, text("55 55 01 03 1C DF ") + lxReply1,
+            {text("foreign 1 00 []"), lxReply1Text});
         row("echo of who is there", broadcastPing, text("55 55 FE 03 0E F0 55 55 07 04 0E 07 DF"),
             {text("foreign 254 00 []"), text("reply 7 00 [07]")});
 
         row("bad sum", position, text("55 55 01 05 1C FD FF E2"), {text("bad 8")});
-        row("bad sum, then good", position, text("55 55 01 05 1C FC FF E1 ") + reply1,
-            {text("bad 8"), reply1Text});
+        row("bad sum, then good", position, text("55 55 01 05 1C FC FF E1 ") + lxReply1,
+            {text("bad 8"), lxReply1Text});
         row("bad sum of a foreign frame", position, text("55 55 02 05 1C FD FF E1"),
             {text("noise 8")});
-        row("noise before", position, text("00 AA ") + reply1, {text("noise 2"), reply1Text});
-        row("noise after", position, reply1 + text("00"), {reply1Text, text("noise 1")});
-        row("one 55 before", position, text("55 ") + reply1, {text("noise 1"), reply1Text});
-        row("many 55 before", position, text("55 55 55 55 55 ") + reply1,
-            {text("noise 5"), reply1Text});
-        row("false header", position, text("55 55 09 07 11 ") + reply1,
-            {text("noise 5"), reply1Text});
+        row("noise before", position, text("00 AA ") + lxReply1, {text("noise 2"), lxReply1Text});
+        row("noise after", position, lxReply1 + text("00"), {lxReply1Text, text("noise 1")});
+        row("one 55 before", position, text("55 ") + lxReply1, {text("noise 1"), lxReply1Text});
+        row("many 55 before", position, text("55 55 55 55 55 ") + lxReply1,
+            {text("noise 5"), lxReply1Text});
+        row("false header", position, text("55 55 09 07 11 ") + lxReply1,
+            {text("noise 5"), lxReply1Text});
         row("false header, reply not there yet", position, text("55 55 09 0B 11 55 55 01"),
             {text("wait 8")});
-        row("LEN too small", position, text("55 55 01 02 FC ") + reply1,
-            {text("noise 5"), reply1Text});
-        row("LEN too large", position, text("55 55 01 0C ") + reply1,
-            {text("noise 4"), reply1Text});
-        row("cut short, then the reply", position, text("55 55 01 05 1C FD ") + reply1,
-            {text("bad 6"), reply1Text});
-        row("two at once", position, reply1 + text("55 55 01 05 1B E8 1C DA"),
-            {reply1Text, text("foreign 1 00 [E8 1C]")});
+        row("LEN too small", position, text("55 55 01 02 FC ") + lxReply1,
+            {text("noise 5"), lxReply1Text});
+        row("LEN too large", position, text("55 55 01 0C ") + lxReply1,
+            {text("noise 4"), lxReply1Text});
+        row("cut short, then the reply", position, text("55 55 01 05 1C FD ") + lxReply1,
+            {text("bad 6"), lxReply1Text});
+        row("two at once", position, lxReply1 + text("55 55 01 05 1B E8 1C DA"),
+            {lxReply1Text, text("foreign 1 00 [E8 1C]")});
         row("data that look like a header", reading(1, 21, 4),
             text("55 55 01 07 15 55 55 01 07 30"), {text("reply 1 00 [55 55 01 07]")});
         row("both readings valid: the expected one counts", lxCodec().expect(Request::ping(1)),
@@ -101,9 +99,9 @@ private Q_SLOTS:
             text("55 55 02 05 1C 00 87 55"), {text("wait 8")});
         row("two servos of one ID: collision", position, text("55 55 01 05 1C FF FF E1"),
             {text("bad 8")});
-        row("Feetech frame before", position, text("FF FF 01 02 00 FC ") + reply1,
-            {text("noise 6"), reply1Text});
-        row("nothing expected: frames are foreign", Expectation{}, reply1 + text("00"),
+        row("Feetech frame before", position, text("FF FF 01 02 00 FC ") + lxReply1,
+            {text("noise 6"), lxReply1Text});
+        row("nothing expected: frames are foreign", Expectation{}, lxReply1 + text("00"),
             {text("foreign 1 00 [FD FF]"), text("noise 1")});
         row("half a frame", position, text("55 55 01 05 1C"), {text("wait 5")});
         row("half a header", position, text("55"), {text("wait 1")});
@@ -240,7 +238,7 @@ private Q_SLOTS:
 
     void repliesOfAServo()
     {
-        QCOMPARE(base::toHex(encodeLxReply(1, 28, hex("FD FF"))), reply1.trimmed());
+        QCOMPARE(base::toHex(encodeLxReply(1, 28, hex("FD FF"))), lxReply1.trimmed());
         QCOMPARE(base::toHex(encodeLxReply(7, 14, hex("07"))),
                  QStringLiteral("55 55 07 04 0E 07 DF"));
     }

@@ -18,20 +18,11 @@ constexpr int reg(int number)
     return 2 * number;
 }
 
-Request write(int station, int number, const char* data)
+Request modbusWrite(int station, int number, const char* data)
 {
     return Request::write(station, reg(number), hex(data), Repeat::Safe);
 }
-
-Request unacknowledged(Request request)
-{
-    request.acknowledged = false;
-    return request;
-}
 } // namespace
-
-Q_DECLARE_METATYPE(protocol::Request)
-Q_DECLARE_METATYPE(std::vector<int>)
 
 class TestModbusEncode : public QObject {
     Q_OBJECT
@@ -57,9 +48,9 @@ private Q_SLOTS:
         row("ping reads the identity", Request::ping(1), "01 03 00 00 00 04 44 09");
         row("read identity", Request::read(1, 0, 8), "01 03 00 00 00 04 44 09");
         row("read feedback", Request::read(1, reg(256), 16), "01 03 01 00 00 08 45 F0");
-        row("torque on", write(1, 129, "00 01"), "01 06 00 81 00 01 18 22");
-        row("unlock", write(1, 133, "00 00"), "01 06 00 85 00 00 98 23");
-        row("move", write(1, 128, "08 00 00 01 00 0A 00 32"),
+        row("torque on", modbusWrite(1, 129, "00 01"), "01 06 00 81 00 01 18 22");
+        row("unlock", modbusWrite(1, 133, "00 00"), "01 06 00 85 00 00 98 23");
+        row("move", modbusWrite(1, 128, "08 00 00 01 00 0A 00 32"),
             "01 10 00 80 00 04 08 08 00 00 01 00 0A 00 32 29 B5");
         row("who is there", Request::ping(254), "00 11 C1 BC");
         row("reboot", Request::reboot(1), "01 41 C0 10");
@@ -78,7 +69,7 @@ private Q_SLOTS:
 
     void broadcastWriteGoesToStation0()
     {
-        const auto bytes = modbusCodec().encode(write(254, 129, "00 00"));
+        const auto bytes = modbusCodec().encode(modbusWrite(254, 129, "00 00"));
         QVERIFY(bytes);
         QCOMPARE(base::toHex(base::ByteView(*bytes).first(6)), QStringLiteral("00 06 00 81 00 00"));
     }
@@ -117,7 +108,8 @@ private Q_SLOTS:
         bad("station 248", Request::ping(248), "ID 248: Modbus stations are 1 to 247");
         bad("station 253", Request::read(253, 0, 2), "ID 253: Modbus stations are 1 to 247");
         bad("station 255", Request::reboot(255), "ID 255: Modbus stations are 1 to 247");
-        bad("negative station", write(-1, 128, "00 00"), "ID -1: Modbus stations are 1 to 247");
+        bad("negative station", modbusWrite(-1, 128, "00 00"),
+            "ID -1: Modbus stations are 1 to 247");
         bad("read of 248", Request::read(248, 0, 2), "ID 248: Modbus stations are 1 to 247");
         bad("broadcast read other than the echo probe", Request::read(254, 0, 4),
             "ID 254: Modbus stations are 1 to 247");
@@ -172,10 +164,10 @@ private Q_SLOTS:
         row("ping", Request::ping(7), {7}, 13);
         row("who is there", Request::ping(254), {254}, 8);
         row("read feedback", Request::read(7, reg(256), 16), {7}, 21);
-        row("write one", write(7, 129, "00 01"), {7}, 8);
-        row("write four", write(7, 128, "08 00 00 01 00 0A 00 32"), {7}, 8);
-        row("broadcast write", write(254, 129, "00 00"), {}, 0);
-        row("silent servo", unacknowledged(write(7, 129, "00 00")), {}, 0);
+        row("write one", modbusWrite(7, 129, "00 01"), {7}, 8);
+        row("write four", modbusWrite(7, 128, "08 00 00 01 00 0A 00 32"), {7}, 8);
+        row("broadcast write", modbusWrite(254, 129, "00 00"), {}, 0);
+        row("silent servo", unacknowledged(modbusWrite(7, 129, "00 00")), {}, 0);
         row("silent servo answers reads", unacknowledged(Request::read(7, 0, 2)), {7}, 7);
         row("reboot is not answered", Request::reboot(7), {}, 0);
         row("reboot all", Request::reboot(254), {}, 0);

@@ -42,8 +42,6 @@ QString feedbackReply(int station = 1)
 const auto feedbackText = QStringLiteral("reply 1 00 [%1]").arg(QString::fromLatin1(feedbackData));
 } // namespace
 
-Q_DECLARE_METATYPE(protocol::Expectation)
-
 class TestModbusScan : public QObject {
     Q_OBJECT
 

@@ -4,6 +4,7 @@
 #include "recording/csv_writer.h"
 #include "support/file_size_limit.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -14,6 +15,7 @@
 using base::Duration;
 using base::ErrorCode;
 using recording::CsvWriter;
+using support::contentOf;
 
 namespace {
 using Row = std::vector<std::optional<double>>;
@@ -24,12 +26,6 @@ const std::vector<recording::CsvColumn> columns{
     {QStringLiteral("moving"), QString()},
 };
 const QByteArray header = "time_us,id,present_position[deg],present_temperature[°C],moving[]\n";
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 } // namespace
 
 class TestCsvWriter : public QObject {

@@ -4,6 +4,7 @@
 #include "recording/recorder.h"
 #include "support/file_size_limit.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -19,10 +20,11 @@ using recording::RecorderSpec;
 using recording::RecordingFormat;
 using recording::RecordingRow;
 using recording::SampleStore;
+using support::contentOf;
 
 namespace {
 constexpr Duration period{5000};
-constexpr recording::TimeSpan always{Duration(0), std::chrono::hours(1000)};
+constexpr recording::TimeSpan wholeSpan{Duration(0), std::chrono::hours(1000)};
 
 RecorderSpec specFor(const QString& path)
 {
@@ -59,12 +61,6 @@ void feed(Recorder& recorder, std::vector<RecordingRow> some, std::vector<Mark> 
         std::this_thread::yield();
 }
 
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 recording::LoadedRecording loaded(const QString& path, SampleStore& store)
 {
     const base::StopToken stop;
@@ -96,7 +92,7 @@ private:
                 expected[std::size_t(row.servo) * 2 + c].push_back({period * i, row.values[c]});
         }
         for (std::size_t c = 0; c < 4; ++c)
-            QCOMPARE(store.points(recording.ids[c], always), expected[c]);
+            QCOMPARE(store.points(recording.ids[c], wholeSpan), expected[c]);
     }
 
 private Q_SLOTS:

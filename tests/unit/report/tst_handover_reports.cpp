@@ -260,10 +260,10 @@ void TestHandoverReports::aBatchOpensInASpreadsheet()
     QVERIFY(csv.contains("关节 2"));
 }
 
-static int run(int argc, char** argv)
+static int runTestHandoverReports(int argc, char** argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     return support::runWithFonts<QGuiApplication, TestHandoverReports>(argc, argv, CJK_FONTS);
 }
-SERVODESK_TEST_RUN(run)
+SERVODESK_TEST_RUN(runTestHandoverReports)
 #include "tst_handover_reports.moc"

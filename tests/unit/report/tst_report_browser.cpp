@@ -5,6 +5,7 @@
 #include "report/sweep_compare_html.h"
 #include "report/sweep_html.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QImage>
@@ -18,16 +19,13 @@
 
 #include <cmath>
 
+using support::utf8;
+
 namespace {
 constexpr QRgb traceColor = 0xff0b57d0;
 constexpr int timeout = 120'000; ///< ms, for a browser that hangs
 
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-std::vector<report::SweepSeries> exampleSeries()
+std::vector<report::SweepSeries> longSeries()
 {
     report::SweepSeries series{5};
     for (int i = 0; i < 900; ++i)
@@ -87,11 +85,11 @@ private:
     {
         QProcess process;
         process.start(m_browser,
-                      QStringList{text("--headless=new"), text("--no-sandbox"),
-                                  text("--disable-gpu"), text("--disable-dev-shm-usage"),
-                                  text("--no-first-run"), text("--disable-background-networking"),
-                                  text("--hide-scrollbars"), text("--enable-logging=stderr"),
-                                  text("--user-data-dir=") + m_folder.filePath(text("profile"))} +
+                      QStringList{utf8("--headless=new"), utf8("--no-sandbox"),
+                                  utf8("--disable-gpu"), utf8("--disable-dev-shm-usage"),
+                                  utf8("--no-first-run"), utf8("--disable-background-networking"),
+                                  utf8("--hide-scrollbars"), utf8("--enable-logging=stderr"),
+                                  utf8("--user-data-dir=") + m_folder.filePath(utf8("profile"))} +
                           options);
         BrowserResult result;
         if (!process.waitForFinished(timeout)) {
@@ -107,7 +105,7 @@ private:
         }
         return result;
     }
-    QString page(const char* name) { return m_folder.filePath(text(name)); }
+    QString page(const char* name) { return m_folder.filePath(utf8(name)); }
 
     QTemporaryDir m_folder;
     QString m_browser;
@@ -115,20 +113,20 @@ private:
 private Q_SLOTS:
     void initTestCase()
     {
-        m_browser = QStandardPaths::findExecutable(text("chromium"));
+        m_browser = QStandardPaths::findExecutable(utf8("chromium"));
         if (m_browser.isEmpty())
             QFAIL("there is no chromium here (packaging/test-packages.txt)");
         const results::SweepRun run = sweep_example::run();
         results::SweepRun other = run;
         other.servos[0].axis.to = 2000;
-        const results::SweepSide a{text("12"), run, run.servos[0]};
-        const results::SweepSide b{text("13"), other, other.servos[0]};
-        QVERIFY(write(page("sweep.html"), report::sweepHtml(run, exampleSeries(), false)));
-        QVERIFY(write(page("sweep-zh.html"), report::sweepHtml(run, exampleSeries(), true)));
+        const results::SweepSide a{utf8("12"), run, run.servos[0]};
+        const results::SweepSide b{utf8("13"), other, other.servos[0]};
+        QVERIFY(write(page("sweep.html"), report::sweepHtml(run, longSeries(), false)));
+        QVERIFY(write(page("sweep-zh.html"), report::sweepHtml(run, longSeries(), true)));
         QVERIFY(write(page("compare.html"), report::sweepCompareHtml(a, b, false)));
     }
 
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void chartsAndLanguages();
     void theCurveIsVisible();
@@ -137,13 +135,13 @@ private Q_SLOTS:
 void TestReportBrowser::chartsAndLanguages()
 {
     QString frames;
-    const QStringList names{text("sweep.html"), text("sweep-zh.html"), text("compare.html")};
+    const QStringList names{utf8("sweep.html"), utf8("sweep-zh.html"), utf8("compare.html")};
     for (const QString& name : names)
-        frames += text("<iframe width=\"1000\" height=\"900\" src=\"%1\"></iframe>").arg(name);
-    QVERIFY(write(page("looker.html"), text(probeScript).arg(frames).toUtf8()));
+        frames += utf8("<iframe width=\"1000\" height=\"900\" src=\"%1\"></iframe>").arg(name);
+    QVERIFY(write(page("looker.html"), utf8(probeScript).arg(frames).toUtf8()));
     const BrowserResult result =
-        browse({text("--allow-file-access-from-files"), text("--dump-dom"),
-                text("--virtual-time-budget=60000"), text("file://") + page("looker.html")});
+        browse({utf8("--allow-file-access-from-files"), utf8("--dump-dom"),
+                utf8("--virtual-time-budget=60000"), utf8("file://") + page("looker.html")});
     QCOMPARE(result.exit, 0);
     QCOMPARE(result.complaints, QStringList());
     const int begin = result.out.indexOf("<pre id=\"found\">") + 16;
@@ -153,23 +151,23 @@ void TestReportBrowser::chartsAndLanguages()
     for (int i = 0; i < found.size(); ++i) {
         const QJsonValue one = found[i];
         const bool chineseFirst = i == 1;
-        QCOMPARE(one[text("first")][text("zh")].toBool(), chineseFirst);
-        QCOMPARE(one[text("first")][text("en")].toBool(), !chineseFirst);
-        QVERIFY(one[text("chinese")][text("zh")].toBool());
-        QVERIFY(!one[text("chinese")][text("en")].toBool());
-        QVERIFY(one[text("english")][text("en")].toBool());
-        QVERIFY(!one[text("english")][text("zh")].toBool());
-        QVERIFY(one[text("chinese")][text("title")].toString() !=
-                one[text("english")][text("title")].toString());
+        QCOMPARE(one[utf8("first")][utf8("zh")].toBool(), chineseFirst);
+        QCOMPARE(one[utf8("first")][utf8("en")].toBool(), !chineseFirst);
+        QVERIFY(one[utf8("chinese")][utf8("zh")].toBool());
+        QVERIFY(!one[utf8("chinese")][utf8("en")].toBool());
+        QVERIFY(one[utf8("english")][utf8("en")].toBool());
+        QVERIFY(!one[utf8("english")][utf8("zh")].toBool());
+        QVERIFY(one[utf8("chinese")][utf8("title")].toString() !=
+                one[utf8("english")][utf8("title")].toString());
         for (const char* font : {"ServoDesk Text 400", "ServoDesk Text 700", "ServoDesk Signs 400"})
-            QVERIFY2(one[text("fonts")].toArray().contains(text(font)), font);
-        QVERIFY(!one[text("wide")].toBool()); // nothing is cut off at the right
-        const QJsonArray charts = one[text("charts")].toArray();
+            QVERIFY2(one[utf8("fonts")].toArray().contains(utf8(font)), font);
+        QVERIFY(!one[utf8("wide")].toBool()); // nothing is cut off at the right
+        const QJsonArray charts = one[utf8("charts")].toArray();
         QCOMPARE(charts.size(), 2);
         for (const QJsonValue& chart : charts) {
-            QVERIFY(chart[text("width")].toDouble() > 500);
-            QVERIFY(chart[text("height")].toDouble() > 150);
-            QVERIFY(chart[text("shapes")].toInt() > 5);
+            QVERIFY(chart[utf8("width")].toDouble() > 500);
+            QVERIFY(chart[utf8("height")].toDouble() > 150);
+            QVERIFY(chart[utf8("shapes")].toInt() > 5);
         }
     }
 }
@@ -179,8 +177,8 @@ void TestReportBrowser::theCurveIsVisible()
 {
     const QString path = page("page.png");
     const BrowserResult result =
-        browse({text("--window-size=1100,5000"), text("--screenshot=") + path,
-                text("file://") + page("sweep.html")});
+        browse({utf8("--window-size=1100,5000"), utf8("--screenshot=") + path,
+                utf8("file://") + page("sweep.html")});
     QCOMPARE(result.exit, 0);
     QCOMPARE(result.complaints, QStringList());
     const QImage picture(path);

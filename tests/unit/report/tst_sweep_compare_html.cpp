@@ -5,6 +5,7 @@
 #include "report/sweep_compare_text.h"
 #include "report/sweep_text.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
@@ -13,31 +14,27 @@
 #include <QtTest>
 
 using results::SweepRun;
+using support::utf8;
 
 namespace {
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 QByteArray pageOf(const SweepRun& a, const SweepRun& b, bool chinese = false)
 {
-    return report::sweepCompareHtml({text("run <12>"), a, a.servos[0]},
-                                    {text("b.json"), b, b.servos[0]}, chinese);
+    return report::sweepCompareHtml({utf8("run <12>"), a, a.servos[0]},
+                                    {utf8("b.json"), b, b.servos[0]}, chinese);
 }
 
 /// All text of the page, or the error in its XML.
-QString read(const QByteArray& page, int* charts = nullptr)
+QString readPage(const QByteArray& page, int* charts = nullptr)
 {
     QXmlStreamReader xml(page);
     QString words;
     while (!xml.atEnd()) {
         xml.readNext();
-        if (xml.isStartElement() && charts && xml.name() == text("svg"))
+        if (xml.isStartElement() && charts && xml.name() == utf8("svg"))
             ++*charts;
         if (xml.isStartElement() &&
-            (xml.name() == text("script") || xml.attributes().hasAttribute(text("src"))))
-            return text("it would load something");
+            (xml.name() == utf8("script") || xml.attributes().hasAttribute(utf8("src"))))
+            return utf8("it would load something");
         if (xml.isCharacters())
             words += xml.text().toString() + QLatin1Char(' ');
     }
@@ -49,7 +46,7 @@ class TestSweepCompareHtml : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void onePageInTwoLanguages();
     void incomparableIsReported();
@@ -65,13 +62,13 @@ void TestSweepCompareHtml::onePageInTwoLanguages()
     b.servos[0].parameters.registers[0].raw = 600;
     b.servos[0].metrics[2].value = 2.5; // overshoot, 8.0625 before
     int charts = 0;
-    const QString words = read(pageOf(a, b), &charts);
-    QVERIFY2(words.contains(text("run <12>")), qPrintable(words));
+    const QString words = readPage(pageOf(a, b), &charts);
+    QVERIFY2(words.contains(utf8("run <12>")), qPrintable(words));
     QCOMPARE(charts, 2);
     for (const char* part :
          {"Comparison of two sweep tests", "两次扫描测试对比", "8.06", "2.5", "−5.56", "min_angle",
           "600", "512", "Both tests used the same settings."})
-        QVERIFY2(words.contains(text(part)), part);
+        QVERIFY2(words.contains(utf8(part)), part);
     QVERIFY(words.contains(sweep_example::hostileLabel));
     QVERIFY(pageOf(a, b, true).contains("id=\"lang-zh\" checked=\"checked\""));
     QVERIFY(pageOf(a, b, false).contains("id=\"lang-en\" checked=\"checked\""));
@@ -85,13 +82,13 @@ void TestSweepCompareHtml::incomparableIsReported()
     b.servos[0].limits.lines.clear();
     b.spec.shape = results::SweepShape::Sine;
     b.end = results::SweepEnd::Alarm;
-    const QString words = read(pageOf(a, b));
+    const QString words = readPage(pageOf(a, b));
     const report::CompareTexts& own = report::compareTexts();
     for (const report::Text& warning : {own.notComparable, own.someDiffer, own.gradesDiffer}) {
         QVERIFY(words.contains(warning.en));
         QVERIFY(words.contains(warning.zh));
     }
-    QVERIFY(words.contains(text("1000 … 2000")));
+    QVERIFY(words.contains(utf8("1000 … 2000")));
     QVERIFY(words.contains(report::shapeText(results::SweepShape::Sine).zh));
     QVERIFY(words.contains(report::endText(results::SweepEnd::Alarm).en));
 }
@@ -112,7 +109,7 @@ void TestSweepCompareHtml::theReferenceAsText()
     SweepRun run = reference;
     const auto set = [](SweepRun& into, const char* key, double value) {
         for (results::SweepMetric& metric : into.servos[0].metrics) {
-            if (metric.key == text(key))
+            if (metric.key == utf8(key))
                 metric.value = value;
         }
     };
@@ -126,17 +123,17 @@ void TestSweepCompareHtml::theReferenceAsText()
     const auto lines = report::referenceLines(
         results::compareSweeps({{}, before, before.servos[0]}, {{}, run, run.servos[0]}));
     QCOMPARE(lines.size(), std::size_t(2));
-    QCOMPARE(lines[0].en, text("Hysteresis, both directions +5 step (worse)"));
-    QCOMPARE(lines[0].zh, text("回差（双向） +5 步（更差）"));
-    QCOMPARE(lines[1].en, text("Time to goal −100 ms (better)"));
+    QCOMPARE(lines[0].en, utf8("Hysteresis, both directions +5 step (worse)"));
+    QCOMPARE(lines[0].zh, utf8("回差（双向） +5 步（更差）"));
+    QCOMPARE(lines[1].en, utf8("Time to goal −100 ms (better)"));
 }
 
 void TestSweepCompareHtml::saves()
 {
     const QTemporaryDir dir;
     const SweepRun run = sweep_example::run();
-    const results::SweepSide side{text("1"), run, run.servos[0]};
-    const QString path = dir.filePath(text("c.html"));
+    const results::SweepSide side{utf8("1"), run, run.servos[0]};
+    const QString path = dir.filePath(utf8("c.html"));
     QVERIFY(report::saveSweepCompareHtml(side, side, false, path));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));

@@ -3,6 +3,7 @@
 // settings differ.
 #include "results/sweep_compare.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QtTest>
@@ -15,23 +16,19 @@ using results::Grade;
 using results::SweepComparison;
 using results::SweepRun;
 using results::TestItem;
+using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 SweepComparison compared(const SweepRun& a, const SweepRun& b, std::size_t servoB = 0)
 {
-    return results::compareSweeps({text("1"), a, a.servos[0]}, {text("2"), b, b.servos[servoB]});
+    return results::compareSweeps({utf8("1"), a, a.servos[0]}, {utf8("2"), b, b.servos[servoB]});
 }
 
 results::FigureDifference figure(const SweepComparison& comparison, const char* key)
 {
     for (const auto& row : comparison.figures) {
-        if (row.key == text(key))
+        if (row.key == utf8(key))
             return row;
     }
     return {};
@@ -40,7 +37,7 @@ results::FigureDifference figure(const SweepComparison& comparison, const char* 
 void setValue(SweepRun& run, const char* key, std::optional<double> value)
 {
     for (results::SweepMetric& metric : run.servos[0].metrics) {
-        if (metric.key == text(key))
+        if (metric.key == utf8(key))
             metric.value = value;
     }
 }
@@ -52,17 +49,15 @@ void addRegister(SweepRun& run, const char* key, std::int64_t raw, double value,
                  catalog::Access access = catalog::Access::ReadWrite)
 {
     run.servos[0].parameters.registers.push_back(
-        {text(key), 100, raw, value, text("deg"), area, access});
+        {utf8(key), 100, raw, value, utf8("deg"), area, access});
 }
 } // namespace
-
-Q_DECLARE_METATYPE(Change)
 
 class TestSweepCompare : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void identicalRunsHaveNoDifference();
     void theBetterRunIsNamed();
@@ -103,7 +98,7 @@ void TestSweepCompare::theBetterRunIsNamed()
     setValue(b, "mean_speed", 2400);
     const SweepComparison found = compared(a, b);
     QCOMPARE(figure(found, "overshoot").difference.value(), 2.5);
-    QCOMPARE(figure(found, "overshoot").unit, text("%"));
+    QCOMPARE(figure(found, "overshoot").unit, utf8("%"));
     QVERIFY(figure(found, "overshoot").better == Better::A);
     QCOMPARE(figure(found, "hysteresis").difference.value(), -8.0);
     QVERIFY(figure(found, "hysteresis").better == Better::B);
@@ -132,7 +127,7 @@ void TestSweepCompare::gradesAreCompared()
 {
     SweepRun a = sweep_example::run();
     const auto line = [](const char* key, Grade grade) {
-        return results::VerdictLine{{text(key), text("%"), 1.0, 2.0, false}, 1.5, grade};
+        return results::VerdictLine{{utf8(key), utf8("%"), 1.0, 2.0, false}, 1.5, grade};
     };
     a.servos[0].lines = {line("overshoot", Grade::Pass)};
     SweepRun b = a;
@@ -152,12 +147,12 @@ void TestSweepCompare::differingTests_data()
     QTest::addColumn<QString>("b");
     const auto row = [](const char* name, TestItem item, DifferenceImpact weight, const char* b,
                         Change change) {
-        QTest::newRow(name) << change << int(item) << int(weight) << text(b);
+        QTest::newRow(name) << change << int(item) << int(weight) << utf8(b);
     };
     row("model", TestItem::Model, DifferenceImpact::Figure, "X",
-        [](SweepRun& run) { run.servos[0].parameters.servo.model = text("X"); });
+        [](SweepRun& run) { run.servos[0].parameters.servo.model = utf8("X"); });
     row("firmware", TestItem::Firmware, DifferenceImpact::Figure, "9.9",
-        [](SweepRun& run) { run.servos[0].parameters.servo.firmware = text("9.9"); });
+        [](SweepRun& run) { run.servos[0].parameters.servo.firmware = utf8("9.9"); });
     row("resolution", TestItem::Resolution, DifferenceImpact::Path, "1024",
         [](SweepRun& run) { run.servos[0].axis.stepsPerTurn = 1024; });
     row("simulated", TestItem::Simulated, DifferenceImpact::Figure, "false",
@@ -175,7 +170,7 @@ void TestSweepCompare::differingTests_data()
     row("acceleration", TestItem::Acceleration, DifferenceImpact::Path, "5000",
         [](SweepRun& run) { run.servos[0].axis.acceleration = 5000; });
     row("time", TestItem::MoveTime, DifferenceImpact::Path, "900",
-        [](SweepRun& run) { run.spec.time = text("900"); });
+        [](SweepRun& run) { run.spec.time = utf8("900"); });
     row("warm-up", TestItem::WarmUp, DifferenceImpact::Figure, "0",
         [](SweepRun& run) { run.spec.warmUp = {}; });
     row("tolerance", TestItem::Tolerance, DifferenceImpact::Figure, "4",
@@ -187,7 +182,7 @@ void TestSweepCompare::differingTests_data()
     row("end", TestItem::End, DifferenceImpact::Figure, "stopped",
         [](SweepRun& run) { run.end = results::SweepEnd::Stopped; });
     row("limits", TestItem::Limits, DifferenceImpact::Grade, "mine", [](SweepRun& run) {
-        run.servos[0].limits.name = text("mine");
+        run.servos[0].limits.name = utf8("mine");
         run.servos[0].limits.lines.pop_back();
     });
 }
@@ -228,10 +223,10 @@ void TestSweepCompare::stepShapeHasAStepAndSweepHasNone()
         return items;
     };
     QCOMPARE(itemsOf(results::SweepShape::Sweep), QStringList());
-    QCOMPARE(itemsOf(results::SweepShape::Stairs), QStringList(text("step")));
-    QCOMPARE(itemsOf(results::SweepShape::Random), QStringList(text("seed")));
-    QCOMPARE(itemsOf(results::SweepShape::Sine), QStringList(text("period")));
-    QCOMPARE(itemsOf(results::SweepShape::Points), QStringList(text("points")));
+    QCOMPARE(itemsOf(results::SweepShape::Stairs), QStringList(utf8("step")));
+    QCOMPARE(itemsOf(results::SweepShape::Random), QStringList(utf8("seed")));
+    QCOMPARE(itemsOf(results::SweepShape::Sine), QStringList(utf8("period")));
+    QCOMPARE(itemsOf(results::SweepShape::Points), QStringList(utf8("points")));
 }
 
 void TestSweepCompare::onlySettingsAreCompared()
@@ -257,8 +252,8 @@ void TestSweepCompare::onlySettingsAreCompared()
     QStringList keys;
     for (const auto& row : settings)
         keys.append(row.key);
-    QCOMPARE(keys, QStringList({text("min_angle"), text("position_p"), text("torque_limit"),
-                                text("only_a"), text("only_b")}));
+    QCOMPARE(keys, QStringList({utf8("min_angle"), utf8("position_p"), utf8("torque_limit"),
+                                utf8("only_a"), utf8("only_b")}));
     QCOMPARE(settings[1].rawA.value(), std::int64_t(32));
     QCOMPARE(settings[1].rawB.value(), std::int64_t(24));
     QCOMPARE(settings[2].b.value(), 50.0);
@@ -273,8 +268,8 @@ void TestSweepCompare::servosAreFoundByTheirId()
     QVERIFY(results::servoOf(run, 7) == nullptr);
     const SweepComparison found = compared(run, run, 1); // the good one with the bad one
     QVERIFY(!found.tests.empty());
-    QCOMPARE(found.tests[0].a, text("STS3215"));
-    QCOMPARE(found.tests[0].b, text("SCS15"));
+    QCOMPARE(found.tests[0].a, utf8("STS3215"));
+    QCOMPARE(found.tests[0].b, utf8("SCS15"));
 }
 
 SERVODESK_GUILESS_TEST(TestSweepCompare)

@@ -7,6 +7,7 @@
 #include "results/sweep_json.h"
 #include "support/file_size_limit.h"
 #include "support/test_main.h"
+#include "support/text.h"
 #include "unit/results/sweep_example.h"
 
 #include <QJsonArray>
@@ -19,6 +20,7 @@ using base::ErrorCode;
 using results::Grade;
 using results::SweepEnd;
 using results::SweepRun;
+using support::contentOf;
 
 namespace {
 QJsonObject parsed(const SweepRun& run)
@@ -29,12 +31,6 @@ QJsonObject parsed(const SweepRun& run)
 QJsonArray listOf(const QJsonObject& object, const char* key)
 {
     return object[QLatin1String(key)].toArray();
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 QByteArray legsText(const SweepRun& run)

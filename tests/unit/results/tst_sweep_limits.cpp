@@ -5,6 +5,7 @@
 #include "results/sweep_limits.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
+#include "support/text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,15 +16,10 @@
 using base::ErrorCode;
 using results::SweepLimit;
 using results::SweepLimits;
+using support::contentOf;
 
 namespace {
 const QString folder = QStringLiteral(SOURCE_DIR "/resources/limits/");
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 std::optional<SweepLimit> lineOf(const SweepLimits& limits, const QString& metric)
 {

@@ -13,6 +13,8 @@ using session::LinkState;
 using session::ServoRef;
 using session::Workbench;
 
+inline const QString position = QStringLiteral("present_position");
+
 struct SessionFixture {
     explicit SessionFixture(const QString& port = QStringLiteral("sim:demo"))
         : opened(open(port))

@@ -89,7 +89,7 @@ void TestDetachableWorker::detachedThreadsSkipStaticDestruction()
     QCOMPARE(program.exitCode(), expectedExitCode);
 }
 
-static int run(int argc, char** argv)
+static int runTestDetachableWorker(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     if (QCoreApplication::arguments().mid(1) == QStringList(detachedThreadMode))
@@ -97,5 +97,5 @@ static int run(int argc, char** argv)
     TestDetachableWorker test;
     return QTest::qExec(&test, argc, argv);
 }
-SERVODESK_TEST_RUN(run)
+SERVODESK_TEST_RUN(runTestDetachableWorker)
 #include "tst_detachable_worker.moc"

@@ -6,6 +6,7 @@
 #include "session/history/history_service.h"
 #include "support/history_example.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -14,13 +15,9 @@
 
 using session::HistoryService;
 using session::SharedRun;
+using support::utf8;
 
 namespace {
-QString text(const char* utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
 SharedRun example(int day = 0)
 {
     auto run = std::make_shared<results::SweepRun>(sweep_example::finishedRun());
@@ -48,9 +45,9 @@ private:
 private Q_SLOTS:
     void init()
     {
-        QTest::failOnWarning(QRegularExpression(text(".*")));
+        QTest::failOnWarning(QRegularExpression(utf8(".*")));
         m_dir = std::make_unique<QTemporaryDir>();
-        m_path = m_dir->filePath(text("history.sqlite"));
+        m_path = m_dir->filePath(utf8("history.sqlite"));
     }
 
     void savedRunsAreListedAndLoaded();
@@ -70,7 +67,7 @@ void TestHistoryService::savedRunsAreListedAndLoaded()
     HistoryService historyService(m_path);
     QSignalSpy kept(&historyService, &HistoryService::runSaved);
     QSignalSpy changed(&historyService, &HistoryService::changed);
-    historyService.saveRun(example(), {text("/tmp/x.html")});
+    historyService.saveRun(example(), {utf8("/tmp/x.html")});
     historyService.saveRun(example(1));
     std::vector<history::TestRun> runs;
     QThread* where = nullptr;
@@ -84,7 +81,7 @@ void TestHistoryService::savedRunsAreListedAndLoaded()
     QCOMPARE(kept.size(), 2);
     QCOMPARE(changed.size(), 2);
     QCOMPARE(kept[0][0].toLongLong(), 1);
-    QCOMPARE(runs[1].files, QStringList(text("/tmp/x.html")));
+    QCOMPARE(runs[1].files, QStringList(utf8("/tmp/x.html")));
     SharedRun loaded;
     historyService.load(1, this,
                         [&](const base::Result<SharedRun>& answer) { loaded = answer.value(); });
@@ -127,8 +124,8 @@ void TestHistoryService::changesAreSignaled()
     QSignalSpy changed(&historyService, &HistoryService::changed);
     QSignalSpy failed(&historyService, &HistoryService::failed);
     historyService.saveRun(example());
-    historyService.setLabel(1, 5, text("left"));
-    historyService.setNote(1, text("new"));
+    historyService.setLabel(1, 5, utf8("left"));
+    historyService.setNote(1, utf8("new"));
     historyService.setReference(1, 5, true);
     QTRY_COMPARE(changed.size(), 4);
     std::vector<history::TestRun> runs;
@@ -137,8 +134,8 @@ void TestHistoryService::changesAreSignaled()
     };
     historyService.list({}, this, take);
     QTRY_COMPARE(runs.size(), std::size_t(1));
-    QCOMPARE(runs[0].servos[0].label, text("left"));
-    QCOMPARE(runs[0].note, text("new"));
+    QCOMPARE(runs[0].servos[0].label, utf8("left"));
+    QCOMPARE(runs[0].note, utf8("new"));
     QVERIFY(runs[0].servos[0].reference);
     historyService.remove({1});
     QTRY_COMPARE(changed.size(), 5);
@@ -208,7 +205,7 @@ void TestHistoryService::aViewerIsNotifiedOfOtherWriters()
     auto viewer = std::make_unique<QObject>();
     historyService.setWatched(viewer.get(), true); // there is no history yet
     QVERIFY(isDone(historyService, this));         // it begins to watch on its thread
-    history::HistoryJournal other(m_path, text("servodesk-cli"));
+    history::HistoryJournal other(m_path, utf8("servodesk-cli"));
     history_example::write(other, 1, 1);
     QTRY_VERIFY(!changed.isEmpty());
     // What comes from now on is told each time.
@@ -229,7 +226,7 @@ void TestHistoryService::aViewerIsNotifiedOfOtherWriters()
 void TestHistoryService::aReplacedFileIsDetected()
 {
     {
-        history::HistoryJournal old(m_path, text("servodesk-cli"));
+        history::HistoryJournal old(m_path, utf8("servodesk-cli"));
         history_example::write(old, 1, 1);
     }
     HistoryService historyService(m_path);
@@ -237,7 +234,7 @@ void TestHistoryService::aReplacedFileIsDetected()
     historyService.setWatched(this, true);
     QVERIFY(isDone(historyService, this));
     {
-        history::HistoryJournal other(m_path, text("servodesk-cli"));
+        history::HistoryJournal other(m_path, utf8("servodesk-cli"));
         history_example::write(other, 1, 2);
     }
     QTRY_VERIFY(!changed.isEmpty());
@@ -245,7 +242,7 @@ void TestHistoryService::aReplacedFileIsDetected()
     QVERIFY(another.open());
     changed.clear();
     for (const char* part : {"", "-wal", "-shm"})
-        QFile::remove(m_path + text(part));
+        QFile::remove(m_path + utf8(part));
     QVERIFY(QFile::copy(another.path, m_path));
     QTRY_VERIFY(!changed.isEmpty());
     historyService.setWatched(this, false);
@@ -256,7 +253,7 @@ void TestHistoryService::theDetectorSignalsOncePerChange()
     history::HistoryChangeDetector detector(m_path);
     QVERIFY(!detector.hasChanged());
     QVERIFY(!QFile::exists(m_path)); // asking makes no file
-    history::HistoryJournal other(m_path, text("servodesk-cli"));
+    history::HistoryJournal other(m_path, utf8("servodesk-cli"));
     history_example::write(other, 1, 1);
     QVERIFY(detector.hasChanged());
     QVERIFY(!detector.hasChanged());

@@ -13,8 +13,6 @@
 using session::LiveData;
 
 namespace {
-const QString position = QStringLiteral("present_position");
-
 /// A bench that reads a servo's position and goal all the time.
 struct LiveDataFixture : SessionFixture {
     explicit LiveDataFixture(const QString& port = QStringLiteral("sim:sts3215@1,sts3215@2"))

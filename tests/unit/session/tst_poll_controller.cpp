@@ -12,7 +12,6 @@ using namespace std::chrono_literals;
 using session::Reading;
 
 namespace {
-const QString position = QStringLiteral("present_position");
 const QString speed = QStringLiteral("present_speed");
 const QString volts = QStringLiteral("present_voltage");
 const QString six =

@@ -5,17 +5,15 @@
 #include "jobs/change/change.h"
 #include "session/history/servo_history.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QRegularExpression>
 
 #include "session_fixture.h"
 
-namespace {
-QString text(const char* latin)
-{
-    return QString::fromLatin1(latin);
-}
+using support::utf8;
 
+namespace {
 QStringList keysOf(const std::vector<base::JournalEntry>& entries)
 {
     QStringList keys;
@@ -31,7 +29,7 @@ class TestServoHistory : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void modeSwitchesAreIncluded();
     void followsTheServoToItsNewId();
@@ -40,32 +38,32 @@ private Q_SLOTS:
 
 void TestServoHistory::modeSwitchesAreIncluded()
 {
-    SessionFixture fixture(text("sim:sts3215@1"));
+    SessionFixture fixture(utf8("sim:sts3215@1"));
     QVERIFY(fixture.opened && fixture.search());
     const ServoRef ref = fixture.at(1);
     session::Task task;
-    task.name = text("mode");
+    task.name = utf8("mode");
     task.savesTable = true;
     task.work = [](session::TaskContext& context) -> base::Result<void> {
-        const auto done = device::switchMode(context.device, context.servo, text("speed"));
+        const auto done = device::switchMode(context.device, context.servo, utf8("speed"));
         return done ? base::Result<void>() : tl::unexpected(done.error());
     };
     fixture.workbench.tasks().perform(ref, std::move(task));
     QVERIFY(fixture.waitUntilIdle());
-    QTRY_VERIFY(keysOf(fixture.entry(ref).history).contains(text("operating_mode")));
+    QTRY_VERIFY(keysOf(fixture.entry(ref).history).contains(utf8("operating_mode")));
 }
 
 void TestServoHistory::followsTheServoToItsNewId()
 {
-    SessionFixture fixture(text("sim:sts3215@1,sts3215@2"));
+    SessionFixture fixture(utf8("sim:sts3215@1,sts3215@2"));
     QVERIFY(fixture.opened && fixture.search());
     const ServoRef first = fixture.at(1);
     const ServoRef second = fixture.at(2);
     QVERIFY(fixture.write(first, positionP, 40));
-    QVERIFY(fixture.write(second, text("position_d"), 20));
+    QVERIFY(fixture.write(second, utf8("position_d"), 20));
     const auto change = [&](ServoRef ref, int id) {
         session::Task task;
-        task.name = text("set-id");
+        task.name = utf8("set-id");
         task.savesTable = true;
         task.work = [id](session::TaskContext& context) -> base::Result<void> {
             const auto done = jobs::changeId(context.device, context.servo, id);
@@ -76,32 +74,32 @@ void TestServoHistory::followsTheServoToItsNewId()
     };
     QVERIFY(change(first, 7));
     QCOMPARE(fixture.entry(first).servo.id, 7);
-    QTRY_COMPARE(keysOf(fixture.entry(first).history), QStringList({positionP, text("id")}));
+    QTRY_COMPARE(keysOf(fixture.entry(first).history), QStringList({positionP, utf8("id")}));
     // The other one takes the ID that has become free, not what was written to it before.
     QVERIFY(change(second, 1));
     QTRY_COMPARE(keysOf(fixture.entry(second).history),
-                 QStringList({text("position_d"), text("id")}));
+                 QStringList({utf8("position_d"), utf8("id")}));
     QVERIFY(fixture.write(first, positionP, 41));
     QTRY_COMPARE(keysOf(fixture.entry(first).history),
-                 QStringList({positionP, text("id"), positionP}));
+                 QStringList({positionP, utf8("id"), positionP}));
     QVERIFY(change(first, 8));
     QTRY_COMPARE(keysOf(fixture.entry(first).history),
-                 QStringList({positionP, text("id"), positionP, text("id")}));
+                 QStringList({positionP, utf8("id"), positionP, utf8("id")}));
 }
 
 void TestServoHistory::anotherSimulatedBusIsExcluded()
 {
-    SessionFixture fixture(text("sim:sts3215@1"));
+    SessionFixture fixture(utf8("sim:sts3215@1"));
     QVERIFY(fixture.opened && fixture.search());
     QVERIFY(fixture.write(fixture.at(1), positionP, 40));
     QTRY_COMPARE(fixture.entry(fixture.at(1)).history.size(), std::size_t(1));
     fixture.workbench.closing().disconnectFrom();
     QVERIFY(support::waitFor([&] { return fixture.workbench.link().state() == LinkState::Off; }));
-    QVERIFY(fixture.open(text("sim:sts3215@1,sts3215@9")) && fixture.search());
+    QVERIFY(fixture.open(utf8("sim:sts3215@1,sts3215@9")) && fixture.search());
     const ServoRef other = fixture.at(1);
     fixture.workbench.writes().loadHistory(other);
-    QVERIFY(fixture.write(other, text("position_d"), 20)); // behind it
-    QTRY_COMPARE(keysOf(fixture.entry(other).history), QStringList(text("position_d")));
+    QVERIFY(fixture.write(other, utf8("position_d"), 20)); // behind it
+    QTRY_COMPARE(keysOf(fixture.entry(other).history), QStringList(utf8("position_d")));
 }
 
 SERVODESK_GUILESS_TEST(TestServoHistory)

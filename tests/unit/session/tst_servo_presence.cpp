@@ -13,7 +13,6 @@ using session::Event;
 using Value = std::optional<std::int64_t>;
 
 const QString maxVoltage = QStringLiteral("max_voltage");
-const QString position = QStringLiteral("present_position");
 
 /// An STS3215 on the wire, an SCS15 with the same ID beside it, not plugged in.
 struct ReplacementServoFixture : SessionFixture {

@@ -37,13 +37,13 @@ private:
 
 namespace {
 /// A connection and what a job needs on it.
-struct SessionFixture {
+struct ConnectionFixture {
     Session session;
     std::unique_ptr<session::Connection> connection;
     base::StopToken stop;
     device::Notices notices;
 
-    explicit SessionFixture(const char* port)
+    explicit ConnectionFixture(const char* port)
     {
         PortRequest request;
         request.name = QString::fromLatin1(port);
@@ -109,7 +109,7 @@ void TestSession::opensSimulatedServos()
     QFETCH(QByteArray, port);
     QFETCH(int, id);
     QFETCH(QString, model);
-    SessionFixture fixture(port.constData());
+    ConnectionFixture fixture(port.constData());
     QVERIFY(fixture.connection != nullptr);
     QVERIFY(fixture.connection->isSimulated());
     const auto servo = device::identify(fixture.context(), id);
@@ -136,7 +136,7 @@ void TestSession::retriesAndTimeoutReachTheBus()
 
 void TestSession::powerCycleKeepsTheEprom()
 {
-    SessionFixture fixture("sim:sts3215@1");
+    ConnectionFixture fixture("sim:sts3215@1");
     const device::Context context = fixture.context();
     auto servo = device::identify(context, 1);
     QVERIFY(servo.has_value());
@@ -162,7 +162,7 @@ void TestSession::stopFramesCoverBroadcastAndEachServo()
 
 void TestSession::emergencyTakesTorqueOff()
 {
-    SessionFixture fixture("sim:sts3215@1,sts3215@2");
+    ConnectionFixture fixture("sim:sts3215@1,sts3215@2");
     const device::Context context = fixture.context();
     auto servo = device::identify(context, 1);
     QVERIFY(servo.has_value());

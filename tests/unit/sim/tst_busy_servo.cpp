@@ -36,14 +36,6 @@ struct Fixture {
     }
 };
 
-Bytes joined(std::initializer_list<Bytes> frames)
-{
-    Bytes all;
-    for (const Bytes& frame : frames)
-        all.insert(all.end(), frame.begin(), frame.end());
-    return all;
-}
-
 const Bytes acknowledged = wire::frame(1, 0);
 } // namespace
 
@@ -70,8 +62,8 @@ private Q_SLOTS:
         fixture.send(wire::write(1, 22, 41));
         fixture.send(wire::read(1, 21, 2));
         fixture.send(wire::write(1, 23, 42));
-        QCOMPARE(fixture.receive(50ms),
-                 joined({acknowledged, acknowledged, wire::frame(1, 0, {40, 41}), acknowledged}));
+        QCOMPARE(fixture.receive(50ms), wire::joined({acknowledged, acknowledged,
+                                                      wire::frame(1, 0, {40, 41}), acknowledged}));
         QCOMPARE(fixture.at(1, 23), 42);
     }
 
@@ -88,7 +80,7 @@ private Q_SLOTS:
             const Bytes more = fixture.bus->hostReads(fixture.now = *due);
             received.insert(received.end(), more.begin(), more.end());
         }
-        QCOMPARE(received, joined({acknowledged, acknowledged}));
+        QCOMPARE(received, wire::joined({acknowledged, acknowledged}));
         QVERIFY(fixture.now < 1ms + 13ms);
     }
 
@@ -123,7 +115,7 @@ private Q_SLOTS:
         fixture.send(wire::write(1, 5, 9));
         fixture.send(wire::write(9, 55, 1));
         fixture.send(wire::ping(1));
-        QCOMPARE(fixture.receive(50ms), joined({acknowledged, wire::frame(9, 0)}));
+        QCOMPARE(fixture.receive(50ms), wire::joined({acknowledged, wire::frame(9, 0)}));
     }
 
     void aSyncReadWaitsAsWell()
@@ -218,7 +210,7 @@ private Q_SLOTS:
         fixture.send(wire::ping(0xFE));
         // As long as lerobot listens: 252 replies, 3 ms for each, 16 ms.
         QCOMPARE(fixture.receive(15ms + 756ms + 16ms),
-                 joined({wire::frame(1, 0), wire::frame(2, 0), wire::frame(6, 0)}));
+                 wire::joined({wire::frame(1, 0), wire::frame(2, 0), wire::frame(6, 0)}));
     }
 
     void severalCollideInABroadcastPingByDefault()

@@ -117,8 +117,6 @@ std::vector<std::int64_t> positionTrace(Servo& servo)
 }
 } // namespace
 
-Q_DECLARE_METATYPE(Case)
-
 class TestDefects : public QObject {
     Q_OBJECT
 

@@ -45,14 +45,6 @@ const Bytes modbusReply = modbus({0x01, 0x03, 0x02, 0x00, 0x01});
 const Bytes lxRead = lx(1, 14);
 const Bytes lxReply = lx(1, 14, {1});
 
-Bytes joined(std::initializer_list<Bytes> parts)
-{
-    Bytes all;
-    for (const Bytes& part : parts)
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
 Duration characterTime(double count)
 {
     return Duration(static_cast<Duration::rep>(count * 1e7 / baud));
@@ -289,7 +281,7 @@ private Q_SLOTS:
         sim::WireConfig config;
         config.echo = true;
         IdleBus line(mixedServos, config);
-        QCOMPARE(line.ask(request), joined({request, reply}));
+        QCOMPARE(line.ask(request), wire::joined({request, reply}));
     }
 
     void faultsApplyToAll_data()

@@ -49,6 +49,14 @@ inline base::Bytes write(std::uint8_t id, std::uint8_t address, std::uint8_t val
     return frame(id, 0x03, {address, value});
 }
 
+inline base::Bytes joined(std::initializer_list<base::Bytes> frames)
+{
+    base::Bytes all;
+    for (const base::Bytes& one : frames)
+        all.insert(all.end(), one.begin(), one.end());
+    return all;
+}
+
 inline bool isStatusOf(const base::Bytes& bytes, std::uint8_t id)
 {
     return bytes.size() >= 6 && frame(id, bytes[4], {bytes.begin() + 5, bytes.end() - 1}) == bytes;

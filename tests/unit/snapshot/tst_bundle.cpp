@@ -6,6 +6,7 @@
 #include "snapshot/restore_result.h"
 #include "snapshot/snapshot_template.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,30 +16,26 @@
 using base::ErrorCode;
 using snapshot::Bundle;
 using snapshot::Snapshot;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromUtf8(word);
-}
-
 Snapshot servoSnapshot(int id)
 {
     using catalog::Access;
     using catalog::Area;
     Snapshot one;
-    one.program = text("ServoDesk 0.1.0");
+    one.program = utf8("ServoDesk 0.1.0");
     one.at = QDateTime({2025, 1, 31}, {12, 34, 56}, Qt::UTC);
-    one.label = text("关节 %1").arg(id);
-    one.note = text("two\nlines {\"raw\": 1, \"raw\": 2}");
-    one.port = text("/dev/ttyUSB0");
+    one.label = utf8("关节 %1").arg(id);
+    one.note = utf8("two\nlines {\"raw\": 1, \"raw\": 2}");
+    one.port = utf8("/dev/ttyUSB0");
     one.baud = 1000000;
-    one.servo = {id, text("STS3215"), text("9.3"), text("3.10"), text("sts-sms"), text("feetech")};
+    one.servo = {id, utf8("STS3215"), utf8("9.3"), utf8("3.10"), utf8("sts-sms"), utf8("feetech")};
     one.registers = {
-        {text("firmware_major"), 0, 3, 3.0, {}, Area::Eprom, Access::ReadOnly},
-        {text("id"), 5, id, double(id), {}, Area::Eprom, Access::ReadWrite},
-        {text("position_p"), 21, 32, 32.0, {}, Area::Eprom, Access::ReadWrite},
-        {text("position_d"), 22, {}, {}, {}, Area::Eprom, Access::ReadWrite},
+        {utf8("firmware_major"), 0, 3, 3.0, {}, Area::Eprom, Access::ReadOnly},
+        {utf8("id"), 5, id, double(id), {}, Area::Eprom, Access::ReadWrite},
+        {utf8("position_p"), 21, 32, 32.0, {}, Area::Eprom, Access::ReadWrite},
+        {utf8("position_d"), 22, {}, {}, {}, Area::Eprom, Access::ReadWrite},
     };
     return one;
 }
@@ -46,10 +43,10 @@ Snapshot servoSnapshot(int id)
 Bundle bundle()
 {
     Bundle all;
-    all.program = text("ServoDesk 0.1.0");
+    all.program = utf8("ServoDesk 0.1.0");
     all.at = QDateTime({2025, 1, 31}, {12, 34, 56}, Qt::UTC);
-    all.label = text("left arm");
-    all.port = text("/dev/ttyUSB0");
+    all.label = utf8("left arm");
+    all.port = utf8("/dev/ttyUSB0");
     all.servos = {servoSnapshot(1), servoSnapshot(2), servoSnapshot(7)};
     return all;
 }
@@ -59,12 +56,12 @@ class TestBundle : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void saveAndLoadRoundTrip()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(text("arm.bundle.json"));
+        const QString path = folder.filePath(utf8("arm.bundle.json"));
         QVERIFY(snapshot::saveBundle(bundle(), path));
         QCOMPARE(snapshot::loadBundle(path).value(), bundle());
     }
@@ -85,7 +82,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("place");
         const auto row = [](const char* name, const char* old, const char* changed,
                             const char* place) {
-            QTest::newRow(name) << QByteArray(old) << QByteArray(changed) << text(place);
+            QTest::newRow(name) << QByteArray(old) << QByteArray(changed) << utf8(place);
         };
         row("a snapshot instead", "servodesk-bundle", "servodesk-snapshot",
             "format: not a ServoDesk bundle");
@@ -129,13 +126,13 @@ private Q_SLOTS:
         twice.replace("\"baud\": 1000000", "\"baud\": 1000000,\n  \"baud\": 500000");
         const auto loaded = snapshot::decodeSnapshot(twice);
         QVERIFY(!loaded);
-        QCOMPARE(loaded.error().detail, text("line 10: \"baud\" is there twice"));
+        QCOMPARE(loaded.error().detail, utf8("line 10: \"baud\" is there twice"));
     }
 
     void aTemplateHasTheSelectedRowsOnly()
     {
         const auto chosen =
-            snapshot::makeTemplate(servoSnapshot(3), {text("position_p"), text("position_p")});
+            snapshot::makeTemplate(servoSnapshot(3), {utf8("position_p"), utf8("position_p")});
         QVERIFY(chosen);
         QVERIFY(chosen->isTemplate);
         QCOMPARE(chosen->registers.size(), std::size_t(1));
@@ -150,13 +147,13 @@ private Q_SLOTS:
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("detail");
         QTest::addColumn<int>("reason");
-        QTest::newRow("identity") << text("id") << int(ErrorCode::BadArgument) << text("identity")
+        QTest::newRow("identity") << utf8("id") << int(ErrorCode::BadArgument) << utf8("identity")
                                   << int(base::Reason::IdentityRegister);
-        QTest::newRow("read-only") << text("firmware_major") << int(ErrorCode::BadArgument)
-                                   << text("read-only") << int(base::Reason::ReadOnlyRegister);
-        QTest::newRow("no value") << text("position_d") << int(ErrorCode::BadArgument)
-                                  << text("no-value") << int(base::Reason::NoValue);
-        QTest::newRow("unknown") << text("mood") << int(ErrorCode::UnknownRegister) << QString()
+        QTest::newRow("read-only") << utf8("firmware_major") << int(ErrorCode::BadArgument)
+                                   << utf8("read-only") << int(base::Reason::ReadOnlyRegister);
+        QTest::newRow("no value") << utf8("position_d") << int(ErrorCode::BadArgument)
+                                  << utf8("no-value") << int(base::Reason::NoValue);
+        QTest::newRow("unknown") << utf8("mood") << int(ErrorCode::UnknownRegister) << QString()
                                  << int(base::Reason::None);
     }
     void aTemplateRefusesConflicts()
@@ -165,13 +162,13 @@ private Q_SLOTS:
         QFETCH(const int, code);
         QFETCH(const QString, detail);
         QFETCH(const int, reason);
-        const auto refused = snapshot::makeTemplate(servoSnapshot(3), {text("position_p"), key});
+        const auto refused = snapshot::makeTemplate(servoSnapshot(3), {utf8("position_p"), key});
         QVERIFY(!refused);
         QCOMPARE(int(refused.error().code), code);
         QCOMPARE(refused.error().registerKey, key);
         QCOMPARE(refused.error().detail, detail);
         QCOMPARE(int(refused.error().reason), reason);
-        QVERIFY(snapshot::makeTemplate(servoSnapshot(3), {text("id")}, true));
+        QVERIFY(snapshot::makeTemplate(servoSnapshot(3), {utf8("id")}, true));
         QVERIFY(!snapshot::makeTemplate(servoSnapshot(3), {}));
     }
 
@@ -188,31 +185,31 @@ private Q_SLOTS:
     void aResultIsSavedAsJsonAndCsv()
     {
         snapshot::RestoreResult result;
-        result.program = text("p");
+        result.program = utf8("p");
         result.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
-        result.source = text("knee.servo.json");
+        result.source = utf8("knee.servo.json");
         result.servo = servoSnapshot(4).servo;
-        result.verdict = text("failed");
-        result.lock = text("closed");
+        result.verdict = utf8("failed");
+        result.lock = utf8("closed");
         result.rows = {
-            {text("position_p"), 21, 40, 32, 40, {}, 32.0, text("refused"), text("refused"), true}};
+            {utf8("position_p"), 21, 40, 32, 40, {}, 32.0, utf8("refused"), utf8("refused"), true}};
         snapshot::RestoreResult silent;
         silent.servo.id = 9;
-        silent.verdict = text("no-answer");
+        silent.verdict = utf8("no-answer");
         const QTemporaryDir folder;
-        const QString json = folder.filePath(text("r.json"));
-        const QString csv = folder.filePath(text("r.CSV"));
+        const QString json = folder.filePath(utf8("r.json"));
+        const QString csv = folder.filePath(utf8("r.CSV"));
         QVERIFY(snapshot::saveRestoreResults({result, silent}, json));
         QVERIFY(snapshot::saveRestoreResults({result, silent}, csv));
         QFile file(json);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QJsonArray servos =
-            QJsonDocument::fromJson(file.readAll()).object()[text("servos")].toArray();
+            QJsonDocument::fromJson(file.readAll()).object()[utf8("servos")].toArray();
         QCOMPARE(servos.size(), 2);
-        const QJsonObject row = servos[0][text("rows")].toArray().at(0).toObject();
-        QCOMPARE(row[text("before")].toInt(), 40);
-        QCOMPARE(row[text("outcome")].toString(), text("refused"));
-        QCOMPARE(row[text("rolled_back")].toBool(), true);
+        const QJsonObject row = servos[0][utf8("rows")].toArray().at(0).toObject();
+        QCOMPARE(row[utf8("before")].toInt(), 40);
+        QCOMPARE(row[utf8("outcome")].toString(), utf8("refused"));
+        QCOMPARE(row[utf8("rolled_back")].toBool(), true);
         QFile table(csv);
         QVERIFY(table.open(QIODevice::ReadOnly));
         const QList<QByteArray> lines = table.readAll().trimmed().split('\n');

@@ -5,6 +5,7 @@
 #include "support/file_size_limit.h"
 #include "support/test_main.h"
 #include "support/test_paths.h"
+#include "support/text.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -16,6 +17,7 @@ using base::ErrorCode;
 using catalog::Access;
 using catalog::Area;
 using snapshot::Snapshot;
+using support::contentOf;
 
 namespace {
 const QString goldenPath = QStringLiteral(TEST_DATA_DIR "/snapshot/format-1.servo.json");
@@ -48,12 +50,6 @@ Snapshot golden()
         {QStringLiteral("present_voltage"), 62, 120, 12.0, volt, Area::Feedback, Access::ReadOnly},
     };
     return snapshot;
-}
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 QByteArray goldenText()

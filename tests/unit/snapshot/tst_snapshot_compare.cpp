@@ -4,6 +4,7 @@
 #include "snapshot/factory_snapshot.h"
 #include "snapshot/snapshot_compare.h"
 #include "support/test_main.h"
+#include "support/text.h"
 
 #include <QtTest>
 
@@ -13,24 +14,20 @@ using snapshot::CellState;
 using snapshot::CompareRow;
 using snapshot::RowVerdict;
 using snapshot::Snapshot;
+using support::utf8;
 
 namespace {
-QString text(const char* word)
-{
-    return QString::fromUtf8(word);
-}
-
 snapshot::SnapshotRegister row(const char* key, int address, std::optional<std::int64_t> raw,
                                double scale = 1, const char* unit = "",
                                Access access = Access::ReadWrite)
 {
     snapshot::SnapshotRegister reg;
-    reg.key = text(key);
+    reg.key = utf8(key);
     reg.address = address;
     reg.raw = raw;
     if (raw)
         reg.value = double(*raw) * scale;
-    reg.unit = text(unit);
+    reg.unit = utf8(unit);
     reg.access = access;
     reg.area = access == Access::ReadOnly ? Area::Feedback : Area::Eprom;
     return reg;
@@ -39,7 +36,7 @@ snapshot::SnapshotRegister row(const char* key, int address, std::optional<std::
 Snapshot table(const char* map, std::vector<snapshot::SnapshotRegister> rows)
 {
     Snapshot snapshot;
-    snapshot.servo = {1, text("X"), text("9.3"), text("3.10"), text(map), text("feetech")};
+    snapshot.servo = {1, utf8("X"), utf8("9.3"), utf8("3.10"), utf8(map), utf8("feetech")};
     snapshot.registers = std::move(rows);
     return snapshot;
 }
@@ -47,7 +44,7 @@ Snapshot table(const char* map, std::vector<snapshot::SnapshotRegister> rows)
 const CompareRow* find(const snapshot::SnapshotComparison& comparison, const char* key)
 {
     for (const CompareRow& row : comparison.rows) {
-        if (row.key == text(key))
+        if (row.key == utf8(key))
             return &row;
     }
     return nullptr;
@@ -61,7 +58,7 @@ const catalog::Catalog& models()
 
 catalog::ProfilePtr sts()
 {
-    return models().profileFor(*models().model(text("STS3215")), 3, 10);
+    return models().profileFor(*models().model(utf8("STS3215")), 3, 10);
 }
 } // namespace
 
@@ -69,7 +66,7 @@ class TestSnapshotCompare : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+    void init() { QTest::failOnWarning(QRegularExpression(utf8(".*"))); }
 
     void differingRowsComeFirst()
     {
@@ -83,8 +80,8 @@ private Q_SLOTS:
         QStringList order;
         for (const CompareRow& one : comparison.rows)
             order << one.key;
-        QCOMPARE(order, (QStringList{text("two"), text("three"), text("five"), text("four"),
-                                     text("one"), text("seen")}));
+        QCOMPARE(order, (QStringList{utf8("two"), utf8("three"), utf8("five"), utf8("four"),
+                                     utf8("one"), utf8("seen")}));
         QCOMPARE(comparison.different, 1);
         QCOMPARE(comparison.missing, 2);
         QCOMPARE(comparison.unknown, 1);
@@ -153,19 +150,19 @@ private Q_SLOTS:
     void unknownDefaultsAreUnknown()
     {
         const Snapshot factory = snapshot::factorySnapshot(*sts());
-        QVERIFY(!factory.find(text("max_voltage"))->raw); // the sheet states none
-        QCOMPARE(factory.find(text("position_p"))->raw.value(), 32);
-        QCOMPARE(factory.find(text("max_angle_limit"))->value.value(), 4095 * 360.0 / 4096);
+        QVERIFY(!factory.find(utf8("max_voltage"))->raw); // the sheet states none
+        QCOMPARE(factory.find(utf8("position_p"))->raw.value(), 32);
+        QCOMPARE(factory.find(utf8("max_angle_limit"))->value.value(), 4095 * 360.0 / 4096);
         Snapshot servo = factory;
         for (snapshot::SnapshotRegister& reg : servo.registers) {
-            if (reg.key == text("max_voltage"))
+            if (reg.key == utf8("max_voltage"))
                 reg.raw = 80;
-            if (reg.key == text("position_p"))
+            if (reg.key == utf8("position_p"))
                 reg.raw = 40;
         }
         const auto comparison = snapshot::compareSnapshots({&servo, &factory});
         QCOMPARE(comparison.different, 1);
-        QCOMPARE(comparison.rows[0].key, text("position_p"));
+        QCOMPARE(comparison.rows[0].key, utf8("position_p"));
         QCOMPARE(find(comparison, "max_voltage")->verdict, RowVerdict::Unknown);
         QCOMPARE(comparison.missing, 0);
     }
@@ -188,10 +185,10 @@ private Q_SLOTS:
     {
         Snapshot snapshot = snapshot::factorySnapshot(*sts());
         snapshot.servo.id = 1;
-        QCOMPARE(snapshot::profileOf(snapshot, models())->modelName, text("STS3215"));
-        snapshot.servo.map = text("a map of long ago");
+        QCOMPARE(snapshot::profileOf(snapshot, models())->modelName, utf8("STS3215"));
+        snapshot.servo.map = utf8("a map of long ago");
         QVERIFY(!snapshot::profileOf(snapshot, models()));
-        snapshot.servo.protocol = text("telegraph");
+        snapshot.servo.protocol = utf8("telegraph");
         QVERIFY(!snapshot::profileOf(snapshot, models()));
     }
 
@@ -199,7 +196,7 @@ private Q_SLOTS:
     {
         Snapshot a = table("m", {row("b", 2, {}), row("a", 1, -5, 0.5, "deg")});
         a.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
-        a.label = text("left, \"knee\"");
+        a.label = utf8("left, \"knee\"");
         const QList<QByteArray> lines = snapshot::encodeSnapshotCsv(a).split('\n');
         QCOMPARE(lines.size(), 4);
         QCOMPARE(lines[0], QByteArray("id,model,firmware,map,label,time,key,address,raw,value,unit,"
@@ -208,7 +205,7 @@ private Q_SLOTS:
                                       "-5,-2.5,deg,EPROM,rw"));
         QCOMPARE(lines[2], QByteArray("1,X,3.10,m,\"left, \"\"knee\"\"\",2025-01-31T12:00:00Z,b,2,"
                                       ",,,EPROM,rw"));
-        a.label = text("=1+1"); // a spreadsheet would work it out
+        a.label = utf8("=1+1"); // a spreadsheet would work it out
         QVERIFY(snapshot::encodeSnapshotCsv(a).contains(",'=1+1,"));
     }
 };

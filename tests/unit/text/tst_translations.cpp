@@ -256,7 +256,7 @@ private:
     QList<Message> m_messages;
 };
 
-static int run(int argc, char** argv)
+static int runTestTranslations(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     if (argc == 2 && qstrcmp(argv[1], "print-language") == 0) {
@@ -266,6 +266,6 @@ static int run(int argc, char** argv)
     TestTranslations test;
     return QTest::qExec(&test, argc, argv);
 }
-SERVODESK_TEST_RUN(run)
+SERVODESK_TEST_RUN(runTestTranslations)
 
 #include "tst_translations.moc"
