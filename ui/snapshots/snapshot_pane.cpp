@@ -9,7 +9,6 @@
 #include "ui/widgets/tone_delegate.h"
 
 #include <QEvent>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QTableView>
@@ -17,17 +16,13 @@
 #include <QVBoxLayout>
 
 namespace ui {
-namespace {
-constexpr int maxColumnWidth = 30; ///< characters
-} // namespace
-
 SnapshotPane::SnapshotPane(QWidget* parent)
     : QWidget(parent)
 {
     build();
     m_filter.setSourceModel(&m_model);
     m_table->setModel(&m_filter);
-    m_fit = new FitColumns(m_table);
+    m_fit = new FitColumns(m_table, CompareModel::Address);
     connect(&m_model, &CompareModel::modelReset, m_fit, &FitColumns::fit);
     connect(m_all, &QToolButton::toggled, this, [this](bool all) {
         m_filter.setAll(all);
@@ -75,9 +70,6 @@ void SnapshotPane::build()
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setFrameShape(QFrame::NoFrame);
     styleTable(m_table);
-    // A long list of flags must not push other columns out of view; its tooltip shows all of it.
-    m_table->horizontalHeader()->setMaximumSectionSize(maxColumnWidth *
-                                                       m_table->fontMetrics().averageCharWidth());
     m_table->installEventFilter(this);
     m_emptyLabel = new QLabel(this);
     m_emptyLabel->setObjectName(QStringLiteral("compareNothing"));

@@ -6,16 +6,18 @@
 #include <QTableView>
 
 #include <algorithm>
-#include <vector>
+#include <numeric>
+#include <utility>
 
 namespace ui {
 namespace {
 constexpr int minChars = 6;
 }
 
-FitColumns::FitColumns(QTableView* table)
+FitColumns::FitColumns(QTableView* table, int optional)
     : QObject(table)
     , m_table(table)
+    , m_optional(optional)
 {
     QHeaderView* header = table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::Interactive);
@@ -38,25 +40,14 @@ int FitColumns::minWidthOf(int column) const
                     minChars * m_table->fontMetrics().averageCharWidth());
 }
 
-void FitColumns::fit()
+/// To the width of the table, as far as possible.
+std::vector<int> FitColumns::shortened(std::vector<int> widths) const
 {
-    QHeaderView* header = m_table->horizontalHeader();
-    const int count = header->count();
-    m_width = m_table->viewport()->width();
-    if (count == 0)
-        return;
-    header->setStretchLastSection(false);
-    m_table->resizeColumnsToContents();
-    std::vector<int> widths;
-    int sum = 0;
-    for (int column = 0; column < count; ++column) {
-        widths.push_back(header->isSectionHidden(column) ? 0 : header->sectionSize(column));
-        sum += widths.back();
-    }
+    int sum = std::accumulate(widths.begin(), widths.end(), 0);
     while (sum > m_width) {
         int widest = -1;
         int next = 0; // as wide as the one after it is enough for the first
-        for (int column = 0; column < count; ++column) {
+        for (int column = 0; column < int(widths.size()); ++column) {
             const int width = widths[std::size_t(column)];
             if (width <= minWidthOf(column))
                 continue;
@@ -74,6 +65,29 @@ void FitColumns::fit()
             std::max({minWidthOf(widest), std::min(next, width - 1), width - (sum - m_width)});
         sum -= width - preferred;
         width = preferred;
+    }
+    return widths;
+}
+
+void FitColumns::fit()
+{
+    QHeaderView* header = m_table->horizontalHeader();
+    const int count = header->count();
+    m_width = m_table->viewport()->width();
+    if (count == 0)
+        return;
+    header->setStretchLastSection(false);
+    if (m_optional >= 0)
+        header->setSectionHidden(m_optional, false);
+    m_table->resizeColumnsToContents();
+    std::vector<int> contents;
+    for (int column = 0; column < count; ++column)
+        contents.push_back(header->isSectionHidden(column) ? 0 : header->sectionSize(column));
+    std::vector<int> widths = shortened(contents);
+    if (m_optional >= 0 && m_optional < count && widths[0] < contents[0]) {
+        header->setSectionHidden(m_optional, true);
+        contents[std::size_t(m_optional)] = 0;
+        widths = shortened(contents);
     }
     for (int column = 0; column < count; ++column) {
         if (!header->isSectionHidden(column))

@@ -6,6 +6,8 @@
 
 #include <QObject>
 
+#include <vector>
+
 class QTableView;
 
 namespace ui {
@@ -13,7 +15,8 @@ class FitColumns final : public QObject {
     Q_OBJECT
 
 public:
-    explicit FitColumns(QTableView* table);
+    /// The `optional` column is hidden where the first one would be shortened; -1: none.
+    explicit FitColumns(QTableView* table, int optional = -1);
 
     /// Also by itself when the table is resized or filled anew.
     void fit();
@@ -23,8 +26,10 @@ protected:
 
 private:
     int minWidthOf(int column) const;
+    std::vector<int> shortened(std::vector<int> widths) const;
 
     QTableView* m_table;
+    int m_optional;
     int m_width = 0; ///< of the viewport when the columns were fitted last
 };
 } // namespace ui

@@ -42,6 +42,40 @@ private Q_SLOTS:
         table.resize(420, 200);
         QTRY_VERIFY(inSight());
     }
+
+    void anOptionalColumnGivesWayToTheFirst()
+    {
+        QStandardItemModel model(1, 4);
+        const QString texts[] = {QString(30, QLatin1Char('w')), QStringLiteral("address"),
+                                 QString(40, QLatin1Char('w')), QStringLiteral("last")};
+        for (int column = 0; column < 4; ++column)
+            model.setItem(0, column, new QStandardItem(texts[column]));
+        QTableView table;
+        const QAbstractItemView& view = table;
+        table.setModel(&model);
+        table.verticalHeader()->hide();
+        ui::FitColumns fit(&table, 1);
+        int all = 0;
+        for (int column = 0; column < 4; ++column)
+            all += view.sizeHintForColumn(column);
+        table.resize(all + 200, 200);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        QVERIFY(!table.isColumnHidden(1));
+        const int lastWidth =
+            std::max(view.sizeHintForColumn(3), table.horizontalHeader()->sectionSizeHint(3));
+        const auto firstIsWhole = [&] { return table.columnWidth(0) >= view.sizeHintForColumn(0); };
+        // Only the third is shortened, then the first would be.
+        table.resize(all - 20, 200);
+        QTRY_VERIFY(table.columnWidth(2) < view.sizeHintForColumn(2));
+        QVERIFY(!table.isColumnHidden(1) && firstIsWhole());
+        // The third is no wider than the first; with the optional one there is no room for both.
+        table.resize(2 * view.sizeHintForColumn(0) + table.columnWidth(1) / 2 + lastWidth, 200);
+        QTRY_VERIFY(table.isColumnHidden(1));
+        QVERIFY(firstIsWhole());
+        table.resize(all + 200, 200);
+        QTRY_VERIFY(!table.isColumnHidden(1));
+    }
 };
 
 SERVODESK_TEST(TestFitColumns)
