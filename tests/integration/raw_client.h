@@ -89,14 +89,20 @@ public:
         return receive(replyBytes);
     }
 
-    /// Repeats a harmless request while nobody answers: a servo is deaf while it starts.
+    /// Repeats a harmless request while nobody answers: a servo is deaf while it starts. Through a
+    /// slow adapter a reply to the program before may still come: one of another length is not the
+    /// answer.
     QByteArray requestUntilReply(const char* requestHex, qsizetype replyBytes) const
     {
+        constexpr int lateMs = 200;
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(timeoutMs);
         while (std::chrono::steady_clock::now() < end) {
             send(bytes(requestHex));
-            if (readable(200))
-                return receive(replyBytes);
+            const QByteArray reply = receive(replyBytes, lateMs);
+            if (reply.size() == replyBytes && reply[3] + 4 == replyBytes)
+                return reply;
+            while (readable(lateMs) && !receive(1, 0).isEmpty()) {
+            }
         }
         return {};
     }

@@ -53,11 +53,11 @@ CliProgram::CliProgram()
     setEnvironment(QStringLiteral("XDG_CONFIG_HOME"), m_data.filePath(QStringLiteral("config")));
 }
 
-bool CliProgram::hasOpenIntent() const
+int CliProgram::openIntents() const
 {
     const history::HistoryJournal journal(historyFile(), {});
     const auto open = journal.open();
-    return open && !open->empty();
+    return open ? int(open->size()) : -1;
 }
 
 void CliProgram::setEnvironment(const QString& name, const QString& value)

@@ -35,7 +35,8 @@ public:
     void setWorkingFolder(const QString& path) { m_process.setWorkingDirectory(path); }
     QString dataFolder() const { return m_data.path(); }
     QString historyFile() const { return dataFolder() + QStringLiteral("/history.sqlite"); }
-    bool hasOpenIntent() const; ///< in the history
+    int
+    openIntents() const; ///< writes that have begun but not ended; -1: the history is unreadable
 
     ProgramResult run(const QStringList& arguments);
     ProgramResult run(const char* line) { return run(words(line)); }

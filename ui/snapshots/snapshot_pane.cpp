@@ -163,6 +163,7 @@ void SnapshotPane::retranslate()
     m_table->setAccessibleName(tr("Memory tables side by side"));
     m_table->setToolTip(tr("The space bar selects a row for writing"));
     m_model.retranslate();
+    m_fit->fit();
     showCounts();
 }
 } // namespace ui

@@ -84,7 +84,14 @@ void FitColumns::fit()
     for (int column = 0; column < count; ++column)
         contents.push_back(header->isSectionHidden(column) ? 0 : header->sectionSize(column));
     std::vector<int> widths = shortened(contents);
-    if (m_optional >= 0 && m_optional < count && widths[0] < contents[0]) {
+    const bool tooNarrow =
+        widths[0] < contents[0] || std::accumulate(widths.begin(), widths.end(), 0) > m_width;
+    if (m_optional >= 0 && m_optional < count && tooNarrow) {
+        // The keyboard does not move on from a hidden cell.
+        const QModelIndex current = m_table->currentIndex();
+        if (current.column() == m_optional)
+            m_table->selectionModel()->setCurrentIndex(current.siblingAtColumn(0),
+                                                       QItemSelectionModel::NoUpdate);
         header->setSectionHidden(m_optional, true);
         contents[std::size_t(m_optional)] = 0;
         widths = shortened(contents);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps every column of a table visible: each is as wide as its contents; if that does not fit, the
-// widest are shortened first. Their cells are elided, the tooltips have the whole text. The last
-// column takes the rest. Main thread; lives as long as its table.
+// Keeps every column of a table visible, except an optional one: each is as wide as its contents;
+// if that does not fit, the widest are shortened first. Their cells are elided, the tooltips have
+// the whole text. The last column takes the rest. Main thread; lives as long as its table.
 #pragma once
 
 #include <QObject>

@@ -253,9 +253,13 @@ base::Result<bool> SweepLink::areStillHolding()
             continue; // the run has ended because of another servo
         if (!raw)
             return tl::unexpected(raw.error());
-        m_tracks[i].hasLostTorque = *raw == 0;
-        if (*raw == 0)
-            endRun(SweepEnd::TorqueLost, int(i));
+        if (*raw != 0)
+            continue;
+        // What has no torque may be a servo that has replaced it since it was asked.
+        if (const auto asked = findReplacedServos(); !asked)
+            return tl::unexpected(asked.error());
+        m_tracks[i].hasLostTorque = !m_tracks[i].isReplaced;
+        endRun(SweepEnd::TorqueLost, int(i));
     }
     m_checkHolding = false;
     return std::all_of(m_tracks.begin(), m_tracks.end(),

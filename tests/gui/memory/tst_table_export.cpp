@@ -8,7 +8,6 @@
 #include "ui/memory/memory_sheet.h"
 
 #include <QDir>
-#include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table that is narrower than its contents still shows every column.
+// A table that is narrower than its contents still shows every column, except an optional one.
 #include "support/test_main.h"
 #include "ui/widgets/fit_columns.h"
 
@@ -69,9 +69,11 @@ private Q_SLOTS:
         table.resize(all - 20, 200);
         QTRY_VERIFY(table.columnWidth(2) < view.sizeHintForColumn(2));
         QVERIFY(!table.isColumnHidden(1) && firstIsWhole());
+        table.setCurrentIndex(model.index(0, 1));
         // The third is no wider than the first; with the optional one there is no room for both.
         table.resize(2 * view.sizeHintForColumn(0) + table.columnWidth(1) / 2 + lastWidth, 200);
         QTRY_VERIFY(table.isColumnHidden(1));
+        QCOMPARE(table.currentIndex().column(), 0);
         QVERIFY(firstIsWhole());
         table.resize(all + 200, 200);
         QTRY_VERIFY(!table.isColumnHidden(1));

@@ -21,7 +21,7 @@ using support::SimFixture;
 using support::SimFixtureOptions;
 
 namespace {
-constexpr double encoderSteps = 4096.0 / 360;
+constexpr double armStepsPerDegree = 4096.0 / 360;
 
 struct TrueJoint {
     double low = 0; ///< degrees from the encoder's zero
@@ -262,7 +262,7 @@ private:
         QVERIFY2(registerOf(fixture, saved.id, 11, false) == saved.calibration.rangeMax, what);
         QVERIFY2(std::abs(offset) <= 2047, what);
         const auto reading = [offset](double degrees) {
-            const double steps = degrees * encoderSteps - offset;
+            const double steps = degrees * armStepsPerDegree - offset;
             return steps - 4096 * std::floor(steps / 4096);
         };
         QVERIFY2(std::abs(reading((joint.low + joint.high) / 2) - 2048) <= 2, what);

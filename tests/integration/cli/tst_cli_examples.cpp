@@ -76,8 +76,7 @@ void TestCliExamples::everyExampleRuns()
 /// The examples ask for hours ago.
 void TestCliExamples::makeSnapshotsOlder()
 {
-    const auto file = history::HistoryFile::open(
-        m_cli.dataFolder() + QStringLiteral("/history.sqlite"), std::chrono::seconds(10));
+    const auto file = history::HistoryFile::open(m_cli.historyFile(), std::chrono::seconds(10));
     QVERIFY(file);
     QVERIFY((*file)->run(QStringLiteral("UPDATE snapshots SET at = at - 24 * 3600 * 1000"), {}));
 }

@@ -25,8 +25,7 @@ namespace {
 /// As the window writes it.
 bool markAsUndo(const CliProgram& cli, const char* key)
 {
-    const auto file = history::HistoryFile::open(cli.dataFolder() + utf8("/history.sqlite"),
-                                                 std::chrono::seconds(1));
+    const auto file = history::HistoryFile::open(cli.historyFile(), std::chrono::seconds(1));
     return file &&
            (*file)->run(utf8("UPDATE intents SET kind = ? WHERE number = (SELECT MAX(intent) "
                              "FROM writes WHERE key = ?)"),
@@ -125,7 +124,7 @@ void TestCliHistory::recoveryCommandsSaveASnapshotFirst()
     QTRY_VERIFY(!savedSnapshots(cli).isEmpty());
     const auto begun = [&] {
         CliProgram& own = cli;
-        QFile wal(own.dataFolder() + utf8("/history.sqlite-wal"));
+        QFile wal(own.historyFile() + utf8("-wal"));
         return wal.open(QIODevice::ReadOnly) && wal.readAll().contains("overload_torque");
     };
     QTRY_VERIFY(begun());
@@ -313,7 +312,7 @@ void TestCliHistory::readingCreatesNoHistory()
     CliProgram cli;
     QCOMPARE(cli.run("history").exit, 0);
     QVERIFY(rows(cli, "servos").isEmpty());
-    QVERIFY(!QFile::exists(cli.dataFolder() + utf8("/history.sqlite")));
+    QVERIFY(!QFile::exists(cli.historyFile()));
 }
 
 void TestCliHistory::usageErrorsAreReported_data()

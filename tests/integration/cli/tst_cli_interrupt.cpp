@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ctrl-C, SIGQUIT and SIGTERM for the built program: it ends soon, reports its results, and leaves
 // no lock open.
-#include "history/history_journal.h"
 #include "support/cli_program.h"
 #include "support/test_main.h"
 
@@ -100,7 +99,7 @@ void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
     cli.setPort(sim.port());
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
                     "overload_torque=70 --json"));
-    QTRY_VERIFY(cli.hasOpenIntent());
+    QTRY_VERIFY(cli.openIntents() > 0);
     cli.signal(SIGINT);
     const ProgramResult result = cli.finish();
     QCOMPARE(result.exit, 1);
@@ -178,7 +177,7 @@ void TestCliInterrupt::killedWriteIsRecovered_data()
 void TestCliInterrupt::killDuringWrite(CliProgram& cli)
 {
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
-    QTRY_VERIFY(cli.hasOpenIntent());
+    QTRY_VERIFY(cli.openIntents() > 0);
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
 }

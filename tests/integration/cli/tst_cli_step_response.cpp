@@ -6,7 +6,6 @@
 #include "support/test_main.h"
 #include "support/text.h"
 
-#include <QFile>
 #include <QJsonArray>
 #include <QProcess>
 #include <QRegularExpression>

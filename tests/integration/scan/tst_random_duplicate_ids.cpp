@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random pairs of servos on one ID, in each family, each servo with its own clock, reply time
-// and shaft angle: the search suspects at least 99 % of them, and no write is reported as kept.
-// Random single servos are never suspected.
+// Random pairs of servos on one ID, in each family, each servo with its own clock, reply time and
+// shaft angle: the search suspects at least 99 % of them, and no write is reported as kept. Random
+// single servos are never suspected.
 #include "device/writer.h"
 #include "integration/scan_support.h"
 #include "support/test_main.h"
@@ -20,9 +20,9 @@ namespace {
 constexpr int id = 5;
 constexpr std::size_t maxExchanges = 20;
 
-class RandomLine {
+class RandomSource {
 public:
-    explicit RandomLine(std::uint64_t seed)
+    explicit RandomSource(std::uint64_t seed)
         : m_generator(seed)
     {}
     int below(int limit) { return int(m_generator() % std::uint64_t(limit)); }
@@ -41,7 +41,7 @@ using base::Protocol;
 struct RandomBus {
     RandomBus(std::uint64_t seed, int servos, Protocol protocol = Protocol::Feetech)
     {
-        RandomLine random(seed);
+        RandomSource random(seed);
         const bool isFeetech = protocol == Protocol::Feetech;
         options.baud = isFeetech ? random.oneOf({1'000'000, 500'000, 115'200}) : 115'200;
         options.wire.seed = seed * 1000;
@@ -55,7 +55,7 @@ struct RandomBus {
         }
         names << QString::number(options.baud);
     }
-    static QString modelOf(Protocol protocol, RandomLine& random)
+    static QString modelOf(Protocol protocol, RandomSource& random)
     {
         if (protocol == Protocol::Lx)
             return random.oneOf<QString>(

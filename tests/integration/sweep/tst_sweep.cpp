@@ -89,6 +89,7 @@ private Q_SLOTS:
     void torqueLostAtTheStartOfASineStaysOff();
     void aReplacedServoEndsTheTest_data();
     void aReplacedServoEndsTheTest();
+    void aReplacementAmidTheCheckEndsTheTest();
     void aGarbledReplyIsNoReplacement();
     void alarmsOfAReplacementServoAreIgnored();
     void missedTargetsOfAReplacementServoAreNoFailure();
@@ -931,6 +932,28 @@ void TestSweep::aReplacedServoEndsTheTest()
     QVERIFY(sine || fixture.onlyReadsSent());
     QCOMPARE(left, std::vector<int>{});
     QVERIFY(inLeg == 0 || int(done->servos.front().legs.size()) < inLeg);
+}
+
+/// After it has been asked who it is, before it is asked for its torque.
+void TestSweep::aReplacementAmidTheCheckEndsTheTest()
+{
+    ReplacementFixture fixture;
+    const base::Bytes readTorque{0xFF, 0xFF, 1, 4, 2, 40, 1, 0xCF};
+    int reached = 0;
+    jobs::SweepCallbacks watch;
+    watch.onGoal = [&](std::size_t, int leg, base::Duration) { reached = leg; };
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
+        if (reached == 3 && frame == readTorque && fixture.outAt == base::Duration::max()) {
+            fixture.exchange({}, {});
+            fixture.step();
+        }
+    };
+    const auto done = run(fixture.context(), fixture.servos, sweepSpec(), watch);
+    QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
+    QCOMPARE(results::sweepEndName(done->end), utf8("exchanged"));
+    QCOMPARE(done->endedBy, 1);
+    QCOMPARE(fixture.replacementTorque(), 0);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 /// One that names another model, and has a check sum that fits.

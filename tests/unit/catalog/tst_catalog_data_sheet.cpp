@@ -82,7 +82,7 @@ QList<QStringList> readSheet(const QString& name)
     return rows;
 }
 
-const Identity NewestModbus{20, 9, -1, -1, -1, base::Protocol::Modbus};
+const Identity Modbus209{20, 9, -1, -1, -1, base::Protocol::Modbus};
 const Identity AnyLx{-1, -1, -1, -1, -1, base::Protocol::Lx};
 
 /// What a series or firmware changes on purpose: "key column" → value instead of the sheet's.
@@ -120,7 +120,7 @@ QList<ProfilePtr> TestCatalogDataSheet::profiles() const
             m_catalog.resolve({0, 4, 1, 5, 12}),   m_catalog.resolve({9, 9, 0, 99, 9}),
             m_catalog.resolve({3, 41, 0, 10, 10}), m_catalog.resolve({3, 46, 0, 10, 10}),
             m_catalog.resolve({1, 6, 0, 6, 16}),   m_catalog.resolve({3, 20, 1, 9, 15}),
-            m_catalog.resolve(NewestModbus),       m_catalog.resolve(AnyLx)};
+            m_catalog.resolve(Modbus209),          m_catalog.resolve(AnyLx)};
 }
 
 void TestCatalogDataSheet::registersMatchTheSheet_data()
@@ -162,7 +162,7 @@ void TestCatalogDataSheet::registersMatchTheSheet_data()
         << QStringLiteral("registers-scs2.csv") << Identity{3, 20, 1, 9, 20}
         << Changes{{QStringLiteral("reserved_7 access"), QStringLiteral("ro")},
                    {QStringLiteral("phase access"), QStringLiteral("ro")}};
-    QTest::newRow("Modbus 20.9") << QStringLiteral("registers-sms-modbus.csv") << NewestModbus
+    QTest::newRow("Modbus 20.9") << QStringLiteral("registers-sms-modbus.csv") << Modbus209
                                  << Changes{};
 }
 

@@ -33,14 +33,14 @@ using support::utf8;
 using namespace std::chrono_literals;
 
 namespace {
-const QString writer = QStringLiteral("servodesk test");
+const QString programName = QStringLiteral("servodesk test");
 
 snapshot::Snapshot snapshotOf(int id, std::int64_t p = 32, std::int64_t minimum = 0)
 {
     using catalog::Access;
     using catalog::Area;
     snapshot::Snapshot snapshot;
-    snapshot.program = writer;
+    snapshot.program = programName;
     snapshot.at = QDateTime::currentDateTimeUtc();
     snapshot.port = utf8("/dev/ttyUSB0");
     snapshot.baud = 1000000;
@@ -116,7 +116,7 @@ private:
     void write(int id, const char* key, std::int64_t from, std::int64_t to,
                const char* outcome = "kept", IntentKind kind = IntentKind::Write)
     {
-        history::HistoryJournal journal(m_path, writer);
+        history::HistoryJournal journal(m_path, programName);
         const QString uuid = journal.begin(intentOf(id, key, from, to, kind)).value();
         const bool good = qstrcmp(outcome, "kept") == 0;
         QVERIFY(journal.end(uuid, {good ? utf8("done") : utf8("failed"),
@@ -207,7 +207,7 @@ void TestHistoryLog::writesAreFound()
 /// Whatever the filter: all pages together are the list, each row once.
 void TestHistoryLog::servoChosenValuesAreThoseRead()
 {
-    history::HistoryJournal journal(m_path, writer);
+    history::HistoryJournal journal(m_path, programName);
     const auto end = [&](std::int64_t old, IntentKind kind, std::optional<std::int64_t> readBack) {
         const char* key = kind == IntentKind::Calibrate ? "position_offset" : "position_p";
         const QString uuid = journal.begin(intentOf(1, key, old, old, kind)).value();
@@ -260,7 +260,7 @@ void TestHistoryLog::pagesAreContiguous()
 
 void TestHistoryLog::aServoIsIdentifiedByItsLabel()
 {
-    history::HistoryJournal journal(m_path, writer);
+    history::HistoryJournal journal(m_path, programName);
     const QString limits = utf8("limits");
     write(1, "position_p", 32, 1);
     QVERIFY(journal.saveServoValues(exampleServo(1), limits, {5, 6}));
@@ -311,7 +311,7 @@ void TestHistoryLog::simulatedServosAreSeparate()
     const QString limits = utf8("limits");
     base::ServoIdentity played = exampleServo(1);
     played.port = utf8("sim:demo");
-    history::HistoryJournal journal(m_path, writer);
+    history::HistoryJournal journal(m_path, programName);
     QVERIFY(journal.saveServoValues(played, limits, {1, 2}));
     QVERIFY(!journal.servoValues(exampleServo(1), limits).value());
     base::Intent intent = intentOf(1, "position_p", 32, 40);
@@ -420,7 +420,7 @@ void TestHistoryLog::recordingsAreFound()
 void TestHistoryLog::stepRunsAreStored()
 {
     results::StepRun run;
-    run.program = writer;
+    run.program = programName;
     run.at = QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC);
     run.port = utf8("sim:demo");
     run.simulated = true;
@@ -488,7 +488,7 @@ void TestHistoryLog::unrecordedRegistersHaveNoValue()
 {
     const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
-    history::HistoryJournal journal(m_path, writer);
+    history::HistoryJournal journal(m_path, programName);
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 40)).value();
     QCOMPARE(now().unknown, QStringList{utf8("position_p")});
     QVERIFY(!rowOf(now().table, "position_p").raw);
@@ -514,7 +514,7 @@ void TestHistoryLog::pastEntriesAreUnchanged()
 {
     const ServoHistoryFixture past(open());
     const auto at = [&](const QDateTime& when) { return past.at(when); };
-    history::HistoryJournal journal(m_path, writer);
+    history::HistoryJournal journal(m_path, programName);
     pass();
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 90)).value();
     const QDateTime open = pass();
@@ -542,7 +542,7 @@ void TestHistoryLog::missingRegistersAreReported()
 {
     const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
-    history::HistoryJournal journal(m_path, writer);
+    history::HistoryJournal journal(m_path, programName);
     base::Intent trial = intentOf(1, "position_p", 32, 50, IntentKind::Trial);
     trial.temporary = true;
     QVERIFY(journal.end(journal.begin(trial).value(),
@@ -653,7 +653,7 @@ void TestHistoryLog::concurrentChangesAreCopied()
     for (int i = 0; i < 2; ++i) {
         writers.emplace_back([this, i] {
             // Both write without a pause: that is about loss, not about patience.
-            history::HistoryJournal journal(m_path, writer, std::chrono::seconds(5));
+            history::HistoryJournal journal(m_path, programName, std::chrono::seconds(5));
             for (int n = 0; n < each; ++n) {
                 const auto uuid = journal.begin(intentOf(1 + i, "position_p", 0, n));
                 if (uuid)
@@ -675,8 +675,8 @@ void TestHistoryLog::concurrentChangesAreCopied()
     };
     while (copy.size() < each)
         follow();
-    for (std::thread& writer : writers)
-        writer.join();
+    for (std::thread& programName : writers)
+        programName.join();
     while (changes.pendingCount(seen).value() > 0)
         follow();
     QCOMPARE(copy.size(), qsizetype(2 * each + 2)); // and two servos

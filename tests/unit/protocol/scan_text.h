@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a codec makes of a line, in words, for the scanner tests of every language. One thread.
+// What a codec makes of a line, in words, and bytes and requests written short, for the codec tests
+// of every protocol. One thread.
 #pragma once
 
 #include "protocol/codec.h"

@@ -25,7 +25,7 @@ namespace {
 constexpr QRgb traceColor = 0xff0b57d0;
 constexpr int timeout = 120'000; ///< ms, for a browser that hangs
 
-std::vector<report::SweepSeries> longSeries()
+std::vector<report::SweepSeries> seriesWithGoalChange()
 {
     report::SweepSeries series{5};
     for (int i = 0; i < 900; ++i)
@@ -121,8 +121,8 @@ private Q_SLOTS:
         other.servos[0].axis.to = 2000;
         const results::SweepSide a{utf8("12"), run, run.servos[0]};
         const results::SweepSide b{utf8("13"), other, other.servos[0]};
-        QVERIFY(write(page("sweep.html"), report::sweepHtml(run, longSeries(), false)));
-        QVERIFY(write(page("sweep-zh.html"), report::sweepHtml(run, longSeries(), true)));
+        QVERIFY(write(page("sweep.html"), report::sweepHtml(run, seriesWithGoalChange(), false)));
+        QVERIFY(write(page("sweep-zh.html"), report::sweepHtml(run, seriesWithGoalChange(), true)));
         QVERIFY(write(page("compare.html"), report::sweepCompareHtml(a, b, false)));
     }
 

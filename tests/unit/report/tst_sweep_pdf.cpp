@@ -22,7 +22,7 @@ namespace {
 using support::outputOf;
 using sweep_example::written;
 
-std::vector<report::SweepSeries> seriesOf()
+std::vector<report::SweepSeries> sineSeries()
 {
     report::SweepSeries series;
     series.servo = 5;
@@ -48,7 +48,7 @@ private Q_SLOTS:
     void hasTheSameMetrics()
     {
         const results::SweepRun run = sweep_example::run();
-        QVERIFY(report::saveSweepPdf(run, seriesOf(), false, m_path));
+        QVERIFY(report::saveSweepPdf(run, sineSeries(), false, m_path));
         const QString text = textOf();
         for (const results::SweepMetric& metric : run.servos[0].metrics) {
             for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
@@ -66,7 +66,7 @@ private Q_SLOTS:
 
     void isTranslatedToChinese()
     {
-        QVERIFY(report::saveSweepPdf(sweep_example::run(), seriesOf(), true, m_path));
+        QVERIFY(report::saveSweepPdf(sweep_example::run(), sineSeries(), true, m_path));
         QFile file(m_path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().startsWith("%PDF-"));
@@ -79,7 +79,7 @@ private Q_SLOTS:
     /// contains a Chinese word.
     void fontsAreEmbedded()
     {
-        QVERIFY(report::saveSweepPdf(sweep_example::run(), seriesOf(), false, m_path));
+        QVERIFY(report::saveSweepPdf(sweep_example::run(), sineSeries(), false, m_path));
         const QStringList fonts = outputOf(QStringLiteral("pdffonts"), {m_path})
                                       .split(QLatin1Char('\n'), Qt::SkipEmptyParts)
                                       .mid(2);
@@ -96,7 +96,7 @@ private Q_SLOTS:
     /// As drawings, sharp at any size.
     void containsCharts()
     {
-        QVERIFY(report::saveSweepPdf(sweep_example::run(20), seriesOf(), false, m_path));
+        QVERIFY(report::saveSweepPdf(sweep_example::run(20), sineSeries(), false, m_path));
         QCOMPARE(outputOf(QStringLiteral("pdfimages"), {QStringLiteral("-list"), m_path})
                      .split(QLatin1Char('\n'), Qt::SkipEmptyParts)
                      .size(),
@@ -137,7 +137,7 @@ private Q_SLOTS:
         run.servos.resize(1);
         for (int i = 1; i < servos; ++i)
             run.servos.push_back(run.servos.front());
-        QVERIFY(report::saveSweepPdf(run, seriesOf(), false, m_path));
+        QVERIFY(report::saveSweepPdf(run, sineSeries(), false, m_path));
         const QString facts = outputOf(QStringLiteral("pdfinfo"), {m_path});
         static const QRegularExpression count(QStringLiteral("Pages: +(\\d+)"));
         QCOMPARE(count.match(facts).captured(1).toInt(), pages);
@@ -160,7 +160,7 @@ private Q_SLOTS:
             leg.flagWrong = true;
             leg.alarms = 0x25;
         }
-        QVERIFY(report::saveSweepPdf(run, seriesOf(), false, m_path));
+        QVERIFY(report::saveSweepPdf(run, sineSeries(), false, m_path));
         const QString boxes = outputOf(QStringLiteral("pdftotext"),
                                        {QStringLiteral("-bbox"), m_path, QStringLiteral("-")});
         static const QRegularExpression word(

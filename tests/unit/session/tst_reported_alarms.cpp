@@ -9,7 +9,7 @@
 using session::ActiveAlarm;
 
 namespace {
-const ActiveAlarm overloadAlarm{QStringLiteral("overloadAlarm"), 5, false};
+const ActiveAlarm overloadAlarm{QStringLiteral("overload"), 5, false};
 const ActiveAlarm heat{QStringLiteral("temperature"), -1, true};
 
 QDateTime after(int seconds)
@@ -24,7 +24,7 @@ struct ReportedAlarmsFixture {
     {
         latch.update(alarms, {}, after(second));
     }
-    /// "+overloadAlarm 1": it came in second 1; "-": it ended.
+    /// "+overload 1": it came in second 1; "-": it ended.
     QStringList changes(int second)
     {
         QStringList all;
@@ -52,10 +52,10 @@ private Q_SLOTS:
         ReportedAlarmsFixture fixture;
         QCOMPARE(fixture.changes(0), QStringList());
         fixture.see({overloadAlarm}, 1);
-        QCOMPARE(fixture.changes(2), list("+overloadAlarm 1"));
+        QCOMPARE(fixture.changes(2), list("+overload 1"));
         QCOMPARE(fixture.changes(3), QStringList());
         fixture.see({heat}, 4);
-        QCOMPARE(fixture.changes(5), list("-overloadAlarm 5, +temperature 4"));
+        QCOMPARE(fixture.changes(5), list("-overload 5, +temperature 4"));
         QVERIFY(fixture.reported.update(fixture.latch.alarms(), after(6)).empty());
     }
 
@@ -65,26 +65,26 @@ private Q_SLOTS:
         ReportedAlarmsFixture fixture;
         fixture.see({overloadAlarm}, 1);
         fixture.see({}, 2);
-        QCOMPARE(fixture.changes(3), list("+overloadAlarm 1, -overloadAlarm 3"));
+        QCOMPARE(fixture.changes(3), list("+overload 1, -overload 3"));
         fixture.see({overloadAlarm}, 4);
-        QCOMPARE(fixture.changes(5), list("+overloadAlarm 4"));
+        QCOMPARE(fixture.changes(5), list("+overload 4"));
         fixture.see({}, 6);
         fixture.see({overloadAlarm}, 7);
-        QCOMPARE(fixture.changes(8), list("-overloadAlarm 7, +overloadAlarm 7"));
+        QCOMPARE(fixture.changes(8), list("-overload 7, +overload 7"));
     }
 
     void anAcknowledgedAlarmEnds()
     {
         ReportedAlarmsFixture fixture;
         fixture.see({overloadAlarm}, 1);
-        QCOMPARE(fixture.changes(2), list("+overloadAlarm 1"));
+        QCOMPARE(fixture.changes(2), list("+overload 1"));
         fixture.latch.acknowledge();
         QCOMPARE(fixture.changes(3), QStringList());
         fixture.see({}, 4);
         QVERIFY(fixture.latch.alarms().empty());
-        QCOMPARE(fixture.changes(5), list("-overloadAlarm 5"));
+        QCOMPARE(fixture.changes(5), list("-overload 5"));
         fixture.see({overloadAlarm}, 6);
-        QCOMPARE(fixture.changes(7), list("+overloadAlarm 6"));
+        QCOMPARE(fixture.changes(7), list("+overload 6"));
     }
 };
 
