@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A paint device that keeps what is painted on it: texts with their place, and straight lines. For
-// tests of what lies on what, without looking at pixels. Main thread.
+// A paint device that keeps what is painted on it: texts with their place, and straight lines,
+// which may be filled rectangles of one pixel. For tests of what lies on what, without looking at
+// pixels. Main thread.
 #pragma once
 
 #include <QFontMetricsF>
@@ -68,7 +69,18 @@ private:
         {}
         void drawPath(const QPainterPath&) override {}
         void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
-        void drawRects(const QRectF*, int) override {}
+        void drawRects(const QRectF* drawn, int count) override
+        {
+            for (int i = 0; i < count; ++i) {
+                const QRectF rect = m_transform.mapRect(drawn[i]);
+                if (rect.height() == 1)
+                    lines.push_back(
+                        {rect.left(), rect.center().y(), rect.right(), rect.center().y()});
+                else if (rect.width() == 1)
+                    lines.push_back(
+                        {rect.center().x(), rect.top(), rect.center().x(), rect.bottom()});
+            }
+        }
         void drawTextItem(const QPointF& at, const QTextItem& item) override
         {
             const double height = QFontMetricsF(item.font()).capHeight();

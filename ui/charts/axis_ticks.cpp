@@ -66,6 +66,8 @@ constexpr double snapShare = 0.0125; ///< a growing axis takes steps of this par
 struct MinSpan {
     double size = 0;
     bool aroundZero = false; ///< what stays this small is shown on both sides of zero
+    /// From the lower edge, a share: at rest, curves of several units do not lie on each other.
+    double middleAt = 0.5;
 };
 
 MinSpan minSpan(const QString& unit, double middle)
@@ -75,10 +77,14 @@ MinSpan minSpan(const QString& unit, double middle)
     if (unit == QLatin1String("rpm"))
         return {20, true};
     if (unit == QLatin1String("V"))
-        return {0.5};
+        return {.size = 0.5, .middleAt = 0.8};
     if (unit == QLatin1String("ms"))
         return {40};
-    if (unit == QStringLiteral("°") || unit == QStringLiteral("°C") || unit == QLatin1String("%"))
+    if (unit == QStringLiteral("°"))
+        return {.size = 5, .middleAt = 0.65};
+    if (unit == QStringLiteral("°C"))
+        return {.size = 5, .middleAt = 0.3};
+    if (unit == QLatin1String("%"))
         return {5};
     return {std::max(4.0, std::abs(middle) * 1e-9)};
 }
@@ -169,8 +175,8 @@ AxisRange paddedRange(double min, double max, const QString& unit)
     double low = min - padding * (max - min);
     double high = max + padding * (max - min);
     if (high - low < least.size) {
-        low = middle - least.size / 2;
-        high = middle + least.size / 2;
+        low = middle - least.size * least.middleAt;
+        high = low + least.size;
     }
     const double snap = decimalStep((high - low) * snapShare);
     low = std::floor(low / snap + tiny) * snap;

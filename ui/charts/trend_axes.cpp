@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_axes.h"
 
+#include "ui/charts/hairline.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +20,9 @@ constexpr double widthStep = 8;      ///< the plot does not resize for one more 
 constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
 constexpr double topLines = 1.1;     ///< of text above the plot: units, marks
 constexpr double tickLength = 4;
-constexpr double laneGap = 10;     ///< between two lanes
+constexpr double laneGap = 10; ///< between two lanes
+constexpr double timeOverhang =
+    4; ///< lines of text; in lanes, the last time reaches under their labels
 constexpr double firstLane = 2;    ///< times as high as each of the others
 constexpr double minLaneLines = 2; ///< of text
 constexpr double edgeReach = 3;    ///< of the mouse, beside the space between two lanes
@@ -37,7 +42,13 @@ TrendAxes::TrendAxes(QGraphicsItem* chart)
     : QGraphicsItem(chart)
 {
     setAcceptedMouseButtons(Qt::NoButton);
+    setFlag(ItemUsesExtendedStyleOption); // what has to be painted
     setZValue(5);
+}
+
+QRectF TrendAxes::boundingRect() const
+{
+    return m_room.adjusted(0, 0, timeOverhang * QFontMetricsF(m_font).height(), 0);
 }
 
 void TrendAxes::setColors(const TrendColors& colors)
@@ -48,7 +59,10 @@ void TrendAxes::setColors(const TrendColors& colors)
 
 void TrendAxes::setFont(const QFont& font)
 {
+    prepareGeometryChange();
     m_font = font;
+    for (ValueAxis& axis : m_values)
+        axis.measured = 0;
     update();
 }
 
@@ -65,16 +79,16 @@ TrendAxes::ValueAxis& TrendAxes::axisOf(const QString& unit)
 
 void TrendAxes::updateRanges()
 {
-    std::vector<AxisRange> before;
-    for (ValueAxis& axis : m_values) {
-        before.push_back(axis.shown);
+    for (ValueAxis& axis : m_values)
         axis.shown = axis.range.range();
-    }
     if (!m_lanes)
         levelZeros();
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        if (m_values[i].shown != before[i])
-            update();
+    for (ValueAxis& axis : m_values) {
+        if (axis.shown == axis.painted)
+            continue;
+        axis.painted = axis.shown;
+        axis.measured = 0;
+        update();
     }
     updateSteps();
 }
@@ -119,17 +133,25 @@ void TrendAxes::updateSteps()
     const double row = QFontMetricsF(m_font).height() * (m_lanes ? rowsPerLaneTick : rowsPerTick);
     for (ValueAxis& axis : m_values) {
         const int parts = std::clamp(int(axis.area.height() / row), m_lanes ? 1 : 3, 10);
-        axis.step = valueStep(axis.shown.size(), parts, axis.range.unit());
+        const double step = valueStep(axis.shown.size(), parts, axis.range.unit());
+        if (step == axis.step)
+            continue;
+        axis.step = step;
+        axis.measured = 0;
     }
 }
 
-double TrendAxes::textWidth(const ValueAxis& axis) const
+/// Asked for several times a frame, so measured only when the texts have changed.
+double TrendAxes::textWidth(ValueAxis& axis) const
 {
+    if (axis.measured > 0)
+        return axis.measured;
     const QFontMetricsF metrics(m_font);
     double widest = metrics.horizontalAdvance(axis.range.unit());
     for (const double value : ticks(axis.shown, axis.step))
         widest = std::max(widest, metrics.horizontalAdvance(valueText(value, axis.step)));
-    return std::ceil(widest / widthStep) * widthStep;
+    axis.measured = std::ceil(widest / widthStep) * widthStep;
+    return axis.measured;
 }
 
 /// In the order of their channels; lanes in the user's order first.
@@ -271,7 +293,7 @@ QRectF TrendAxes::layOutLanes(const QRectF& chart)
     const std::vector<ValueAxis*> axes = usedAxes();
     double widest = 2 * line;
     double shares = 0;
-    for (const ValueAxis* axis : axes) {
+    for (ValueAxis* axis : axes) {
         widest = std::max(widest, textWidth(*axis));
         shares += laneHeight(*axis, axis == axes.front());
     }
@@ -369,44 +391,47 @@ TrendAxes::ValueAxis* TrendAxes::laneAt(const QPointF& position)
     return nullptr;
 }
 
-void TrendAxes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*)
+void TrendAxes::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*)
 {
     if (m_plot.isEmpty())
         return;
     painter->setFont(m_font);
-    paintTime(painter);
+    paintTime(painter, option->exposedRect);
     bool grid = true;
     for (const ValueAxis& axis : m_values) {
         if (!axis.used)
             continue;
-        paintValues(painter, axis, grid || m_lanes);
+        paintValues(painter, axis, grid || m_lanes, option->exposedRect);
         grid = false;
     }
 }
 
-void TrendAxes::paintTime(QPainter* painter) const
+void TrendAxes::paintTime(QPainter* painter, const QRectF& exposed) const
 {
     const QFontMetricsF metrics(m_font);
     const double baseline = m_plot.bottom() + gap + metrics.ascent();
+    const bool isTextExposed = exposed.bottom() > m_plot.bottom() + gap;
     for (const double at : ticks(m_time, m_timeStep)) {
-        const QString text = timeText(at, m_time, m_timeStep);
         const double x = m_plot.left() + (at - m_time.low) / m_time.size() * m_plot.width();
-        painter->setPen(m_colors.grid);
         if (m_lanes) {
             for (const ValueAxis& axis : m_values) {
                 if (axis.used)
-                    painter->drawLine(QLineF(x, axis.area.top(), x, axis.area.bottom()));
+                    paintVertical(*painter, x, axis.area.top(), axis.area.bottom(), m_colors.grid);
             }
         } else {
-            painter->drawLine(QLineF(x, m_plot.top(), x, m_plot.bottom() + tickLength));
+            paintVertical(*painter, x, m_plot.top(), m_plot.bottom() + tickLength, m_colors.grid);
         }
+        if (!isTextExposed)
+            continue;
+        const QString text = timeText(at, m_time, m_timeStep);
         painter->setPen(m_colors.muted);
         painter->drawText(QPointF(x - metrics.horizontalAdvance(text) / 2, baseline), text);
     }
 }
 
 /// The lines of the first axis go across; those of the others are ticks beside the plot.
-void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid) const
+void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid,
+                            const QRectF& exposed) const
 {
     const QFontMetricsF metrics(m_font);
     const auto write = [&](const QString& text, double baseline) {
@@ -415,14 +440,18 @@ void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid)
     };
     const QColor color = axis.color.isValid() ? axis.color : m_colors.muted;
     const double inner = axis.left ? axis.edge + axis.width + gap : axis.edge - gap;
+    const bool isTextExposed =
+        exposed.left() < axis.edge + axis.width && exposed.right() > axis.edge;
     for (const double value : ticks(axis.shown, axis.step)) {
         const double y =
             axis.area.bottom() - (value - axis.shown.low) / axis.shown.size() * axis.area.height();
-        painter->setPen(grid ? m_colors.grid : color);
         if (grid)
-            painter->drawLine(QLineF(m_plot.left(), y, m_plot.right(), y));
+            paintHorizontal(*painter, y, m_plot.left(), m_plot.right(), m_colors.grid);
         else
-            painter->drawLine(QLineF(inner, y, inner + (axis.left ? -1 : 1) * tickLength, y));
+            paintHorizontal(*painter, y, inner - (axis.left ? tickLength : 0),
+                            inner + (axis.left ? 0 : tickLength), color);
+        if (!isTextExposed)
+            continue;
         painter->setPen(color);
         double baseline = y + metrics.capHeight() / 2;
         if (m_lanes) // the text of another lane is near
@@ -431,9 +460,12 @@ void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid)
         write(valueText(value, axis.step), baseline);
     }
     if (m_lanes) {
-        painter->setPen(m_colors.grid);
-        painter->drawRect(axis.area);
-    } else {
+        const QRectF& lane = axis.area;
+        for (const double y : {lane.top(), lane.bottom()})
+            paintHorizontal(*painter, y, lane.left(), lane.right(), m_colors.grid);
+        for (const double x : {lane.left(), lane.right()})
+            paintVertical(*painter, x, lane.top(), lane.bottom(), m_colors.grid);
+    } else if (isTextExposed) {
         painter->setPen(color);
         write(axis.range.unit(), m_plot.top() - gap - metrics.capHeight() / 2);
     }

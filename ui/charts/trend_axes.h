@@ -22,7 +22,8 @@ class TrendAxes final : public QGraphicsItem {
 public:
     struct ValueAxis {
         AutoRange range;
-        AxisRange shown{}; ///< the range, stretched so that zeros are level
+        AxisRange shown{};   ///< the range, stretched so that zeros are level
+        AxisRange painted{}; ///< the one shown when the axes were last updated
         bool left = true;
         bool used = false;     ///< a visible channel is on it
         QColor color{};        ///< of its only channel; invalid: several
@@ -30,7 +31,8 @@ public:
         QRectF area{};         ///< where its values are: the plot, or its lane
         double edge = 0; ///< where its texts begin, next to the plot or outside of the one before
         double width = 0;
-        double step = 1; ///< between ticks
+        double step = 1;     ///< between ticks
+        double measured = 0; ///< the width of its texts; 0: they have changed
 
         void fix(const AxisRange& wanted); ///< shown at once
     };
@@ -71,15 +73,16 @@ public:
     /// The axis of the lane under this place; null while all share the plot.
     ValueAxis* laneAt(const QPointF& position);
 
-    QRectF boundingRect() const override { return m_room; }
+    QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
 private:
     void levelZeros();
     void updateSteps();
-    void paintTime(QPainter* painter) const;
-    void paintValues(QPainter* painter, const ValueAxis& axis, bool grid) const;
-    double textWidth(const ValueAxis& axis) const;
+    void paintTime(QPainter* painter, const QRectF& exposed) const;
+    void paintValues(QPainter* painter, const ValueAxis& axis, bool grid,
+                     const QRectF& exposed) const;
+    double textWidth(ValueAxis& axis) const;
     std::vector<ValueAxis*> usedAxes();
     void keepLaneHeights();
     QRectF layOutBeside(const QRectF& room);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/trend_overlay.h"
 
+#include "ui/charts/hairline.h"
+
 #include <QFontMetricsF>
 #include <QPaintEngine>
 #include <QPainter>
@@ -17,6 +19,7 @@ constexpr double flagSpace = 4;     ///< marks whose flags are closer share one
 constexpr double textSpace = 5;     ///< beside a flag
 constexpr double minTextWidth = 24; ///< less is not readable
 constexpr double reach = 6;         ///< of the mouse
+constexpr double frameWidth = 2;
 constexpr std::size_t maxCheckedMarks =
     64; ///< marks of a group that are searched for the most serious
 constexpr int maxListedMarks = 12;
@@ -151,12 +154,12 @@ void TrendOverlay::setNotice(const QString& text)
 
 QRectF TrendOverlay::boundingRect() const
 {
-    return m_plot.adjusted(-m_flagSize, -m_flagSize - 2, m_flagSize, 2);
+    return m_plot.adjusted(-frameWidth, -m_flagSize - frameWidth, frameWidth, frameWidth);
 }
 
 std::optional<Cursor> TrendOverlay::cursorAt(const QPointF& place) const
 {
-    if (!m_cursors || !boundingRect().contains(place))
+    if (!m_cursors || !boundingRect().adjusted(-reach, 0, reach, 0).contains(place))
         return {};
     const auto distance = [&](base::Duration at) {
         return std::abs(m_plot.left() + m_view.fractionOf(at) * m_plot.width() - place.x());
@@ -259,7 +262,7 @@ void TrendOverlay::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
     }
     painter->setBrush(Qt::NoBrush);
     if (m_focused) {
-        painter->setPen(QPen(m_colors.accent, 2));
+        painter->setPen(QPen(m_colors.accent, frameWidth));
         painter->drawRect(m_plot);
     }
 }
@@ -304,6 +307,12 @@ void TrendOverlay::paintFlag(QPainter* painter, const QRectF& place, MarkKind ki
     painter->drawText(place, Qt::AlignCenter, symbolFor(kind));
 }
 
+/// Around its line, but within the plot: beside it are the texts of the axes.
+double TrendOverlay::flagLeft(double x) const
+{
+    return std::max(std::min(x - m_flagSize / 2, m_plot.right() - m_flagSize), m_plot.left());
+}
+
 /// With its text to the right, or to the left where only there is room for all of it. Returns how
 /// far to the right it reaches.
 double TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double room,
@@ -311,14 +320,13 @@ double TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double
 {
     const QColor color = colorOf(group.highestSeverity);
     const double x = m_plot.left() + std::round(group.x);
-    painter->setPen(QPen(color, 1));
-    painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
-    const QRectF flag(x - m_flagSize / 2, m_plot.top() - m_flagSize, m_flagSize, m_flagSize);
+    paintVertical(*painter, x, m_plot.top(), m_plot.bottom(), color);
+    const QRectF flag(flagLeft(x), m_plot.top() - m_flagSize, m_flagSize, m_flagSize);
     if (painter->paintEngine()->type() == QPaintEngine::Raster)
         painter->drawPixmap(flag.topLeft(), flagOf(group.highestSeverity, *painter));
     else
         paintFlag(painter, flag, group.highestSeverity);
-    const double flagEnd = group.x + m_flagSize / 2;
+    const double flagEnd = flag.right() - m_plot.left();
     if (room < minTextWidth && roomLeft < minTextWidth && group.count == 1)
         return flagEnd; // words do not fit; measuring them for each mark would take its time
     const QFontMetricsF metrics(m_font);
@@ -346,7 +354,7 @@ void TrendOverlay::paintCursor(QPainter* painter, Cursor which, base::Duration a
     const double x = m_plot.left() + std::round(place * m_plot.width());
     painter->setPen(QPen(m_colors.accent, m_active == which ? 2 : 1, Qt::DashLine));
     painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
-    const QRectF flag(x - m_flagSize / 2, m_plot.top() + 1, m_flagSize, m_flagSize);
+    const QRectF flag(flagLeft(x), m_plot.top() + 1, m_flagSize, m_flagSize);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(Qt::NoPen);
     painter->setBrush(m_colors.accent);

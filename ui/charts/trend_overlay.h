@@ -56,6 +56,7 @@ private:
     const QPixmap& flagOf(recording::MarkKind kind, const QPainter& painter) const;
     void paintFlag(QPainter* painter, const QRectF& place, recording::MarkKind kind) const;
     void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;
+    double flagLeft(double x) const;
     QColor colorOf(recording::MarkKind kind) const;
 
     QRectF m_plot;

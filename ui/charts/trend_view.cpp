@@ -32,7 +32,7 @@ TrendView::TrendView(const TrendState& state, QWidget* parent)
     setContextMenuPolicy(Qt::NoContextMenu); // that of the chart around it
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // all of it changes each time
+    setViewportUpdateMode(QGraphicsView::BoundingRectViewportUpdate);
     setOptimizationFlags(DontSavePainterState | DontAdjustForAntialiasing);
     setRubberBand(NoRubberBand);
     viewport()->setAutoFillBackground(false); // the background brush fills it

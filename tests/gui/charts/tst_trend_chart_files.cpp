@@ -48,6 +48,7 @@ private Q_SLOTS:
     void timeTexts();
     void rangesFitTheData_data();
     void rangesFitTheData();
+    void curvesAtRestLieApart();
     void zerosCanBeLeveled();
     void axisDoesNotJitter();
 };
@@ -327,12 +328,12 @@ void TestTrendChartFiles::rangesFitTheData_data()
     QTest::newRow("one turn") << 0.0 << 360.0 << q("°") << 0.0 << 380.0;
     QTest::newRow("both ways") << -133.0 << 134.0 << q("rpm") << -150.0 << 150.0;
     QTest::newRow("only negative") << -90.0 << -10.0 << q("%") << -95.0 << 0.0;
-    QTest::newRow("position at rest") << 180.0 << 180.1 << q("°") << 177.4 << 182.7;
+    QTest::newRow("position at rest") << 180.0 << 180.1 << q("°") << 176.8 << 181.9;
     QTest::newRow("current at rest") << -6.5 << 13.0 << q("mA") << -200.0 << 200.0;
     QTest::newRow("no speed") << 0.0 << 0.7 << q("rpm") << -10.0 << 10.0;
     QTest::newRow("load at rest") << 0.0 << 0.3 << q("%") << 0.0 << 5.0;
-    QTest::newRow("voltage") << 7.4 << 7.5 << q("V") << 7.15 << 7.75;
-    QTest::newRow("temperature") << 31.0 << 31.0 << q("°C") << 28.5 << 33.5;
+    QTest::newRow("voltage") << 7.4 << 7.5 << q("V") << 7.04 << 7.56;
+    QTest::newRow("temperature") << 31.0 << 31.0 << q("°C") << 29.5 << 34.5;
     QTest::newRow("huge") << -1e12 << 3e12 << QString() << -1.3e12 << 3.3e12;
     QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString() << 1e9 - 2 << 1e9 + 3;
 }
@@ -350,6 +351,21 @@ void TestTrendChartFiles::rangesFitTheData()
     QVERIFY2(range.low <= min && range.high >= max, found);
     const double slack = 1e-9 * std::max(std::abs(low), std::abs(high));
     QVERIFY2(range.low >= low - slack && range.high <= high + slack, found);
+}
+
+/// One over the other, only the last one painted would be seen.
+void TestTrendChartFiles::curvesAtRestLieApart()
+{
+    const std::pair<double, QString> atRest[] = {
+        {120, q("°")}, {7.4, q("V")}, {25, q("°C")}, {0, q("%")}, {0, q("rpm")}};
+    std::vector<double> heights;
+    for (const auto& [value, unit] : atRest) {
+        const ui::AxisRange range = ui::paddedRange(value, value, unit);
+        heights.push_back((value - range.low) / range.size());
+    }
+    std::sort(heights.begin(), heights.end());
+    for (std::size_t i = 1; i < heights.size(); ++i)
+        QVERIFY2(heights[i] - heights[i - 1] > 0.1, QByteArray::number(heights[i]));
 }
 
 void TestTrendChartFiles::zerosCanBeLeveled()

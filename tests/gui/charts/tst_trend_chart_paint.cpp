@@ -3,6 +3,9 @@
 #include "gui/trend_chart_fixture.h"
 #include "support/test_main.h"
 
+#include <QRandomGenerator>
+#include <QScreen>
+
 #include <cmath>
 #include <utility>
 
@@ -29,6 +32,7 @@ private Q_SLOTS:
     void clockJump();
     void marksAreVisible();
     void languageChange();
+    void onlyWhatChangedIsPaintedAgain();
 };
 
 void TestTrendChartPaint::gapIsNotPainted()
@@ -380,6 +384,65 @@ void TestTrendChartPaint::languageChange()
     QCoreApplication::sendEvent(&fixture.chart, &change);
     QVERIFY(!fixture.plot->accessibleName().isEmpty());
     QVERIFY(!fixture.plot->toolTip().isEmpty());
+}
+
+/// What is on the screen after many small changes is what painting all of it gives.
+void TestTrendChartPaint::onlyWhatChangedIsPaintedAgain()
+{
+    gui::TrendChartFixture fixture;
+    ui::TrendChart& chart = fixture.chart;
+    const auto wave = [](double seconds) { return 100 * std::sin(seconds) * seconds; };
+    std::vector<recording::Mark> marks;
+    std::vector<ui::TrendChannel> channels = fixture.channels;
+    channels[1].unit = QStringLiteral("mA");
+    chart.setChannels(channels);
+    chart.setMarks(&marks);
+    QRandomGenerator random(20261129);
+    Duration now{};
+    const auto isFollowed = [&] { // most of the time
+        now += std::chrono::milliseconds(random.bounded(1, 400));
+        fixture.fill(0, now, wave);
+        fixture.fill(1, now, [&](double seconds) { return -3 * wave(seconds + 1); });
+        chart.advance(now);
+    };
+    const std::vector<std::function<void()>> changes{
+        isFollowed,
+        isFollowed,
+        isFollowed,
+        [&] { chart.setFollowing(true); },
+        [&] {
+            fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.5, 0.5}, {0.6, 0.4});
+        },
+        [&] {
+            fixture.drag(Qt::LeftButton, Qt::ShiftModifier, {0.5, 0.5}, {0.5, 0.6});
+        },
+        [&] {
+            fixture.wheel({0.3, 0.5}, random.bounded(2) == 0 ? 120 : -120);
+        },
+        [&] {
+            marks.push_back({now, recording::MarkKind::Write, 1, QStringLiteral("P gain 32")});
+            chart.setMarks(&marks);
+        },
+        [&] { chart.setCursors(now - 1s * random.bounded(9), now - 1s * random.bounded(9)); },
+        [&] { chart.setCursorsShown(!chart.areCursorsVisible()); },
+        [&] { chart.setLanes(!chart.hasLanes()); },
+        [&] { chart.setChannelVisible(random.bounded(2), random.bounded(3) > 0); },
+        [&] { chart.resize(random.bounded(500, 800), random.bounded(300, 500)); },
+        [&] { chart.zoomToFit(); },
+        [&] { QTest::keyClick(fixture.plot, Qt::Key_Left); },
+        [&] { chart.setWidth(1s * random.bounded(1, 20)); },
+    };
+    for (int step = 0; step < 400; ++step) {
+        const int change = random.bounded(int(changes.size()));
+        changes[std::size_t(change)]();
+        fixture.waitForFrames();
+        const QImage shown = chart.screen()->grabWindow(chart.winId()).toImage();
+        const QImage whole = chart.grab().toImage();
+        QCOMPARE(shown.size(), whole.size());
+        QVERIFY2(shown.convertToFormat(QImage::Format_RGB32) ==
+                     whole.convertToFormat(QImage::Format_RGB32),
+                 qPrintable(QStringLiteral("step %1, change %2").arg(step).arg(change)));
+    }
 }
 
 SERVODESK_TEST(TestTrendChartPaint)

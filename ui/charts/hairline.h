@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Straight lines of one logical pixel, each of the same number of device pixels. A filled rectangle
+// takes a fifth of the time that QPainter needs for a line, and a chart has a hundred of them in
+// every frame. Main thread.
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ui {
+/// A place that all scales paint alike: at the edge of a device pixel.
+inline double snapped(const QPainter& painter, double place)
+{
+    const double ratio = painter.device()->devicePixelRatioF();
+    return std::floor(place * ratio) / ratio;
+}
+
+inline void paintVertical(QPainter& painter, double x, double top, double bottom,
+                          const QColor& color)
+{
+    painter.fillRect(QRectF(snapped(painter, x), top, 1, bottom - top), color);
+}
+
+inline void paintHorizontal(QPainter& painter, double y, double left, double right,
+                            const QColor& color)
+{
+    painter.fillRect(QRectF(left, snapped(painter, y), right - left, 1), color);
+}
+} // namespace ui
