@@ -3,12 +3,14 @@
 
 #include "device/motion/stop_frames.h"
 #include "sim/host/sim_link.h"
+#include "sim/servo/eprom_store.h"
 
 namespace session {
 Connection::Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::SharedBus> simulation,
-                       const catalog::Catalog& catalog, base::Journal& journal,
-                       std::optional<base::Protocol> protocol)
+                       std::unique_ptr<sim::EpromStore> eproms, const catalog::Catalog& catalog,
+                       base::Journal& journal, std::optional<base::Protocol> protocol)
     : m_simulation(std::move(simulation))
+    , m_eproms(std::move(eproms))
     , m_bus(std::move(bus))
     , m_catalog(catalog)
     , m_journal(journal)
@@ -17,7 +19,12 @@ Connection::Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::Share
     updateStopFrames();
 }
 
-Connection::~Connection() = default;
+Connection::~Connection()
+{
+    m_bus.reset(); // writes are over
+    if (m_eproms && !m_eproms->saveChanges())
+        qWarning("The simulated servos could not be saved.");
+}
 
 device::Context Connection::context(const base::StopToken& stop, device::Notices& notices)
 {

@@ -14,6 +14,7 @@
 #include <optional>
 
 namespace sim {
+class EpromStore;
 class SharedBus;
 }
 
@@ -36,8 +37,8 @@ struct PortRequest {
 class Connection {
 public:
     Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::SharedBus> simulation,
-               const catalog::Catalog& catalog, base::Journal& journal,
-               std::optional<base::Protocol> protocol);
+               std::unique_ptr<sim::EpromStore> eproms, const catalog::Catalog& catalog,
+               base::Journal& journal, std::optional<base::Protocol> protocol);
     ~Connection();
 
     bus::Bus& bus() { return *m_bus; }
@@ -65,6 +66,7 @@ public:
 
 private:
     std::shared_ptr<sim::SharedBus> m_simulation;
+    std::unique_ptr<sim::EpromStore> m_eproms; ///< saved at the end; null: they are forgotten
     std::unique_ptr<bus::Bus> m_bus; ///< goes before the simulation its thread talks to
     const catalog::Catalog& m_catalog;
     base::Journal& m_journal;

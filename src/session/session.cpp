@@ -8,6 +8,7 @@
 #include "session/snapshot/safety_snapshot.h"
 #include "sim/host/presets.h"
 #include "sim/host/sim_link.h"
+#include "sim/servo/eprom_store.h"
 #include "transport/port_opener.h"
 #include "transport/port_reconnector.h"
 
@@ -52,6 +53,20 @@ int defaultRate(std::optional<base::Protocol> protocol)
 /// skip waiting. Servos outside this program keep their own time, so other ports are refused then.
 const char* const clockSpeed = "SERVODESK_CLOCK_SPEED";
 
+/// For tests: the file in which simulated servos keep their EPROMs while no program runs.
+const char* const simulatedEproms = "SERVODESK_SIM_STATE";
+
+base::Result<std::unique_ptr<sim::EpromStore>> openEproms(sim::VirtualBus& bus)
+{
+    const QString path = qEnvironmentVariable(simulatedEproms);
+    if (path.isEmpty())
+        return nullptr;
+    auto store = sim::EpromStore::open(path, bus);
+    if (!store)
+        return tl::unexpected(store.error());
+    return std::make_unique<sim::EpromStore>(std::move(*store));
+}
+
 std::unique_ptr<base::Clock> makeClock()
 {
     if (qgetenv(clockSpeed) == "skip")
@@ -72,12 +87,17 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
     transport::PortSpec spec{request.name, request.baud.value_or(defaultRate(request.protocol)),
                              request.parity};
     std::shared_ptr<sim::SharedBus> simulation;
+    std::unique_ptr<sim::EpromStore> eproms;
     if (request.name.startsWith(simPrefix)) {
         auto made = makeSimulation(request.name.mid(simPrefix.size()), m_loaded.catalog);
         if (!made)
             return tl::unexpected(made.error());
         if (!request.baud)
             spec.baud = commonRate(**made);
+        auto kept = openEproms(**made);
+        if (!kept)
+            return tl::unexpected(kept.error());
+        eproms = std::move(*kept);
         simulation = std::make_shared<sim::SharedBus>(std::move(*made));
     } else if (!m_clock->isRealTime()) {
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("connect"),
@@ -105,8 +125,8 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
         (*bus)->setRetries(*request.retries);
     if (request.frameSilence)
         (*bus)->setSilence(*request.frameSilence);
-    return std::make_unique<Connection>(std::move(*bus), std::move(simulation), m_loaded.catalog,
-                                        m_journal, request.protocol);
+    return std::make_unique<Connection>(std::move(*bus), std::move(simulation), std::move(eproms),
+                                        m_loaded.catalog, m_journal, request.protocol);
 }
 
 std::vector<transport::PortInfo> adapters()

@@ -5,6 +5,7 @@
 #include "support/simulator_priority.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QJsonDocument>
 
 #include <csignal>
@@ -63,6 +64,14 @@ int CliProgram::openIntents() const
 void CliProgram::setEnvironment(const QString& name, const QString& value)
 {
     m_environment.insert(name, value);
+}
+
+void CliProgram::setServos(const QString& servos)
+{
+    const QString eproms = m_data.filePath(QStringLiteral("eproms"));
+    QFile::remove(eproms); // of other servos
+    setPort(QStringLiteral("sim:") + servos);
+    setEnvironment(QStringLiteral("SERVODESK_SIM_STATE"), eproms);
 }
 
 void CliProgram::start(const QStringList& arguments, Time time)

@@ -32,6 +32,9 @@ public:
     /// Options for every command, ahead of it.
     void setGlobals(const QStringList& options) { m_globals = options; }
     void setEnvironment(const QString& name, const QString& value);
+    /// Simulated servos in the program, whose settings are kept from one command to the next, as if
+    /// their supply were switched off in between.
+    void setServos(const QString& servos);
     void setWorkingFolder(const QString& path) { m_process.setWorkingDirectory(path); }
     QString dataFolder() const { return m_data.path(); }
     QString historyFile() const { return dataFolder() + QStringLiteral("/history.sqlite"); }

@@ -13,8 +13,12 @@ constexpr std::size_t countBytes = 2;
 Memory::Kind Memory::kindOf(const catalog::Register& reg)
 {
     using catalog::Persistence;
+    if (!reg.writable() && reg.eprom())
+        return reg.role == catalog::Role::FirmwareMajor || reg.role == catalog::Role::FirmwareMinor
+                   ? Kind::FirmwareVersion
+                   : Kind::EpromReadOnly;
     if (!reg.writable())
-        return reg.eprom() ? Kind::EpromReadOnly : Kind::ReadOnly;
+        return Kind::ReadOnly;
     switch (reg.persistence) {
     case Persistence::Kept:
         return Kind::Persistent;
@@ -63,8 +67,7 @@ bool Memory::writable(int address, int count, UnlockedArea unlocked) const
         return false;
     const auto first = m_kinds.begin() + address;
     return std::none_of(first, first + count, [unlocked](Kind kind) {
-        return kind == Kind::ReadOnly || kind == Kind::EpromReadOnly ||
-               (kind == Kind::Factory && unlocked != UnlockedArea::Factory);
+        return isReadOnly(kind) || (kind == Kind::Factory && unlocked != UnlockedArea::Factory);
     });
 }
 
@@ -77,7 +80,7 @@ bool Memory::write(int address, base::ByteView data, UnlockedArea unlocked)
             break;
         const Kind kind = m_kinds[index];
         const bool isLocked = kind == Kind::Factory && unlocked != UnlockedArea::Factory;
-        if (isLocked || kind < Kind::Volatile || kind == Kind::EpromReadOnly)
+        if (isLocked || kind < Kind::Volatile || isReadOnly(kind))
             continue;
         m_live[index] = data[i];
         const bool persists = kind == Kind::Persistent || kind == Kind::Factory ||

@@ -58,8 +58,13 @@ private:
         Factory,    ///< under a lock of its own
         Eprom,
         EpromReadOnly,
+        FirmwareVersion, ///< read-only as well, but an update replaces it
     };
     static Kind kindOf(const catalog::Register& reg);
+    static bool isReadOnly(Kind kind)
+    {
+        return kind == Kind::ReadOnly || kind >= Kind::EpromReadOnly;
+    }
     bool isPersistent(std::size_t address) const { return m_kinds[address] >= Kind::Persistent; }
     bool isEprom(std::size_t address) const { return m_kinds[address] >= Kind::Eprom; }
 

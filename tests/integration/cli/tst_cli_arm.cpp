@@ -102,8 +102,7 @@ private Q_SLOTS:
     void theServosArePrepared()
     {
         CliProgram cli;
-        SimProgram sim(words("--preset so101"));
-        cli.setPort(sim.port());
+        cli.setServos(QStringLiteral("so101"));
         const auto planned = cli.run(words("arm prepare --dry-run"));
         QCOMPARE(planned.exit, 0);
         QVERIFY2(planned.out.contains(QStringLiteral("position_p 32 → 16, max_torque 1000 → 500")),
@@ -125,8 +124,7 @@ private Q_SLOTS:
     void theJointsAreTested()
     {
         CliProgram cli;
-        SimProgram sim(words("--preset so101"));
-        cli.setPort(sim.port());
+        cli.setServos(QStringLiteral("so101"));
         QVERIFY(cli.run(words("arm test --joint gripper")).exit != 0); // without an answer
         QCOMPARE(cli.run(words("arm test --yes --torque 101")).exit, 2);
         const auto stopped = cli.run(words("arm test --joint gripper --yes --json"));
@@ -147,8 +145,7 @@ private Q_SLOTS:
     void whatEndsATestIsNamedWithItsJoint()
     {
         CliProgram cli;
-        SimProgram sim(words("--servos sts3215@6"));
-        cli.setPort(sim.port());
+        cli.setServos(QStringLiteral("sts3215@6"));
         QFile arm(cli.dataFolder() + QStringLiteral("/arm.json"));
         QVERIFY(arm.open(QIODevice::WriteOnly));
         arm.write(R"({"format": "servodesk-arm", "version": 1, "name": "claw",
@@ -254,8 +251,7 @@ private Q_SLOTS:
     void aFileIsComparedAndWritten()
     {
         CliProgram cli;
-        SimProgram sim(words("--preset so101"));
-        cli.setPort(sim.port());
+        cli.setServos(QStringLiteral("so101"));
         const QString path = write(cli, wholeArm());
         const QStringList compare = words("arm compare --json") << path;
         const QStringList apply = words("arm apply --yes") << path;
@@ -295,8 +291,7 @@ private Q_SLOTS:
     void aValueThatDoesNotFitIsNotWritten()
     {
         CliProgram cli;
-        SimProgram sim(words("--preset so101"));
-        cli.setPort(sim.port());
+        cli.setServos(QStringLiteral("so101"));
         QJsonObject calibration = wholeArm();
         calibration[QLatin1String("gripper")] = joint(6, 30'000, 2031, 3476);
         const auto before = cli.run(words("arm show --json"));

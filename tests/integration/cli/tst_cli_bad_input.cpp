@@ -286,8 +286,7 @@ void TestCliBadInput::withoutAJournalNothingIsWritten()
     QFETCH(QString, folder);
     QFETCH(bool, full);
     CliProgram cli;
-    support::SimProgram sim(words("--servos sts3215@1"));
-    cli.setPort(sim.port());
+    cli.setPort(QStringLiteral("sim:sts3215@1"));
     if (full)
         cli.process().setChildProcessModifier(limitDiskSpace);
     else

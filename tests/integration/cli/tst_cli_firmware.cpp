@@ -10,7 +10,6 @@
 #include <QTest>
 
 using support::CliProgram;
-using support::SimProgram;
 using support::words;
 
 namespace {
@@ -74,8 +73,7 @@ private Q_SLOTS:
     {
         CliProgram cli;
         const QString image = makeImage(cli);
-        SimProgram sim(words("--servos sts3215@1"));
-        cli.setPort(sim.port());
+        cli.setServos(QStringLiteral("sts3215@1"));
         const auto result = cli.run({QStringLiteral("firmware"), QStringLiteral("update"), image,
                                      QStringLiteral("1"), QStringLiteral("--json")});
         QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
@@ -160,7 +158,7 @@ private Q_SLOTS:
     {
         CliProgram cli;
         const QString image = makeImage(cli);
-        SimProgram sim(words("--servos sts3215@4+firmware-lost=1 --baud 500000"));
+        support::SimProgram sim(words("--servos sts3215@4+firmware-lost=1 --baud 500000"));
         cli.setPort(sim.port());
         QVERIFY(cli.run(words("info 4 --baud 500000")).exit != 0);
         const auto result = cli.run({QStringLiteral("firmware"), QStringLiteral("rescue"), image,

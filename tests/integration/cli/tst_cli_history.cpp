@@ -180,8 +180,7 @@ void TestCliHistory::alarmsSeenWhileWatchingAreRecorded()
 void TestCliHistory::noWriteWithoutASnapshot()
 {
     CliProgram cli;
-    SimProgram sim(words("--servos sts3215@1"));
-    cli.setPort(sim.port());
+    cli.setServos(utf8("sts3215@1"));
     QFile blockingFile(cli.dataFolder() + utf8("/snapshots"));
     QVERIFY(blockingFile.open(QIODevice::WriteOnly));
     const ProgramResult result = cli.run("write 1 position_p=40");
@@ -195,8 +194,7 @@ void TestCliHistory::noWriteWithoutASnapshot()
 void TestCliHistory::listLabelAndExtract()
 {
     CliProgram cli;
-    SimProgram sim(words("--servos sts3215@1,sts3215@2"));
-    cli.setPort(sim.port());
+    cli.setServos(utf8("sts3215@1,sts3215@2"));
     QCOMPARE(cli.run("write 1 position_p=40 position_d=20").exit, 0);
     QCOMPARE(cli.run("write 2 position_p=41").exit, 0);
     QCOMPARE(rows(cli, "writes").size(), 3);
@@ -260,7 +258,7 @@ void TestCliHistory::listLabelAndExtract()
     const ProgramResult listed = cli.run("history --register max_voltage");
     QVERIFY2(listed.out.contains(utf8("85 · 8.5 V")), qPrintable(listed.out));
     QVERIFY2(listed.out.contains(utf8("undo")), qPrintable(listed.out));
-    QVERIFY2(listed.out.contains(sim.port()), qPrintable(listed.out));
+    QVERIFY2(listed.out.contains(utf8("sim:sts3215@1,sts3215@2")), qPrintable(listed.out));
     const ProgramResult one = cli.run("history show 5");
     QVERIFY2(one.out.startsWith(utf8("undo: ")), qPrintable(one.out));
     QVERIFY2(one.out.contains(utf8("85 · 8.5 V")), qPrintable(one.out));

@@ -268,11 +268,7 @@ void TestCliOutputFormats::errorsAreJsonDocumentsToo()
 void TestCliOutputFormats::consentWritesTheIdToo()
 {
     CliProgram cli;
-    QTemporaryDir folder;
-    const QString state = folder.filePath(QStringLiteral("state.json"));
-    support::SimProgram sim({QStringLiteral("--servos"), QStringLiteral("sts3215@1"),
-                             QStringLiteral("--state"), state});
-    cli.setPort(sim.port());
+    cli.setServos(QStringLiteral("sts3215@1"));
     const ProgramResult result = cli.json("write 1 id=21 position_p=40 --dangerous");
     QVERIFY2(result.exit == 0, qPrintable(result.err));
     QCOMPARE(result.json()[QLatin1String("writes")].toArray().size(), 2);

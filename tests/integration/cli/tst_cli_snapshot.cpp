@@ -12,7 +12,6 @@
 
 using support::CliProgram;
 using support::ProgramResult;
-using support::SimProgram;
 using support::utf8;
 using support::words;
 
@@ -33,10 +32,8 @@ private Q_SLOTS:
     void init()
     {
         QTest::failOnWarning(QRegularExpression(utf8(".*")));
-        m_simulator = std::make_unique<SimProgram>(
-            words("--servos sts3215@1,sts3215@2,scs15@3 --baud 1000000"));
         m_cli = std::make_unique<CliProgram>();
-        m_cli->setPort(m_simulator->port());
+        m_cli->setServos(utf8("sts3215@1,sts3215@2,scs15@3"));
         m_folder = std::make_unique<QTemporaryDir>();
     }
     void cleanup() { m_cli.reset(); }
@@ -78,7 +75,6 @@ private:
                        .size());
     }
 
-    std::unique_ptr<SimProgram> m_simulator;
     std::unique_ptr<CliProgram> m_cli;
     std::unique_ptr<QTemporaryDir> m_folder;
 };
@@ -170,8 +166,7 @@ void TestCliSnapshot::consentIsRequested()
 /// A snapshot of an 8 V servo must not cause an alarm on a 12 V servo.
 void TestCliSnapshot::limitsOfAnotherModelAreReported()
 {
-    m_simulator = std::make_unique<SimProgram>(words("--servos sts3215@1,sts3250@4"));
-    m_cli->setPort(m_simulator->port());
+    m_cli->setServos(utf8("sts3215@1,sts3250@4"));
     QCOMPARE(run("write 1 max_voltage=80 position_p=50").exit, 0);
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     const int before = raw(4, "max_voltage");

@@ -133,10 +133,8 @@ void TestCliStepResponse::usageErrorsAreReported()
 
 void TestCliStepResponse::modeIsSwitchedOnRequest()
 {
-    const SimProgram sim(support::words("--servos sts3215@1"));
-    QVERIFY(!sim.port().isEmpty());
     CliProgram cli;
-    cli.setPort(sim.port());
+    cli.setServos(utf8("sts3215@1"));
     QCOMPARE(cli.run("mode 1 speed").exit, 0);
     const ProgramResult refused = cli.run("step-response 1 --size 300 --repeats 1");
     QCOMPARE(refused.exit, 2);
