@@ -12389,6 +12389,10 @@ Retries: %9</source>
         <source>Save the calibration</source>
         <translation>保存校准</translation>
     </message>
+    <message>
+        <source>! %1: LeRobot expects other models and refuses the bus. Fit those models, or enter the present ones both in the arm and in LeRobot&apos;s code.</source>
+        <translation>! %1：LeRobot 要求其他型号，会拒绝此总线。请换成要求的型号，或在机械臂定义和 LeRobot 代码中都填现有型号。</translation>
+    </message>
 </context>
 <context>
     <name>ui::LimitsDialog</name>

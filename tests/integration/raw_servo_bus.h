@@ -53,6 +53,7 @@ public:
     Bus& operator=(const Bus&) = delete;
 
     QString port() const { return m_name; }
+    void setLatency(std::chrono::milliseconds latency) { m_latency = latency; }
     /// The next `count` WRITEs of this address are lost on their way to the servo.
     void dropWrites(int id, int address, int count)
     {
@@ -206,10 +207,10 @@ private:
 
     void reply(int id, const QByteArray& data)
     {
-        m_replies.emplace_back(Clock::now() + m_latency, support::feetechFrame(id, 0, data));
+        m_replies.emplace_back(Clock::now() + m_latency.load(), support::feetechFrame(id, 0, data));
     }
 
-    const std::chrono::milliseconds m_latency;
+    std::atomic<std::chrono::milliseconds> m_latency;
     const RestartBehavior m_restart;
     int m_master = -1;
     QString m_name;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A test program holds the tests of one folder and runs the one its first argument names:
 // "unit_base tst_layering". Each source registers itself under its file's name with one of the
-// macros below, in place of Qt's QTEST_MAIN and its kin.
+// macros below, in place of Qt's QTEST_MAIN and its kin. With SERVODESK_TEST_PART=2/3 only every
+// third row of that test runs, from the second one on.
 #pragma once
 
 #include "support/waiting.h"

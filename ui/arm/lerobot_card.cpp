@@ -14,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,6 +28,38 @@ QString folderKey()
 {
     return QStringLiteral("arm/folder");
 }
+
+/// As high as the texts in it where there is room for them; else they scroll.
+class TextArea final : public QScrollArea {
+public:
+    TextArea(QWidget* texts, QWidget* parent)
+        : QScrollArea(parent)
+    {
+        setWidget(texts);
+        setWidgetResizable(true);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+        setFocusPolicy(Qt::NoFocus);
+        makeTransparent(this);
+    }
+    QSize sizeHint() const override
+    {
+        return {widget()->sizeHint().width(), widget()->heightForWidth(viewport()->width())};
+    }
+    QSize minimumSizeHint() const override
+    {
+        constexpr int leastLines = 4;
+        return {0, std::min(sizeHint().height(), leastLines * fontMetrics().lineSpacing())};
+    }
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)
+            updateGeometry();
+        return QScrollArea::eventFilter(object, event);
+    }
+};
 
 void setTone(QLabel* label, Tone tone)
 {
@@ -77,11 +110,14 @@ void LerobotCard::build()
     head->addWidget(m_title, 1);
     for (QPushButton* button : {m_prepare, m_select, m_apply, m_save})
         head->addWidget(button);
+    auto* texts = new QWidget(this);
+    auto* lines = new QVBoxLayout(texts);
+    lines->setContentsMargins({});
+    for (QLabel* label : {m_remarks, m_state, m_details})
+        lines->addWidget(label);
     auto* column = new QVBoxLayout(this);
     column->addLayout(head);
-    column->addWidget(m_remarks);
-    column->addWidget(m_state);
-    column->addWidget(m_details);
+    column->addWidget(new TextArea(texts, this));
     makeCard(this);
 }
 
@@ -151,7 +187,19 @@ bool LerobotCard::hasEveryJoint() const
 QString LerobotCard::remarksText() const
 {
     QStringList lines;
-    for (const base::ArmRemark& remark : jobs::lerobotRemarks(m_calibration.jointServos())) {
+    QStringList others; // the table names their models
+    const std::vector<base::ArmRemark> remarks = jobs::lerobotRemarks(m_calibration.jointServos());
+    for (const base::ArmRemark& remark : remarks) {
+        if (remark.kind == base::ArmRemarkKind::OtherModel)
+            others << remark.joints;
+    }
+    if (others.size() > 1)
+        lines << tr("! %1: LeRobot expects other models and refuses the bus. Fit those models, or "
+                    "enter the present ones both in the arm and in LeRobot's code.")
+                     .arg(others.join(QCoreApplication::translate("text", ", ", "between items")));
+    for (const base::ArmRemark& remark : remarks) {
+        if (others.size() > 1 && remark.kind == base::ArmRemarkKind::OtherModel)
+            continue;
         const QString text = QStringLiteral("! ") + text::armRemarkText(remark);
         if (remark.kind == base::ArmRemarkKind::OtherFirmware)
             lines << text + tr(" The Firmware page shows and updates them.");

@@ -327,6 +327,9 @@ double TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double
     else
         paintFlag(painter, flag, group.highestSeverity);
     const double flagEnd = flag.right() - m_plot.left();
+    const double aside = flag.left() - (x - m_flagSize / 2); // kept within the plot
+    room -= aside;
+    roomLeft += aside;
     if (room < minTextWidth && roomLeft < minTextWidth && group.count == 1)
         return flagEnd; // words do not fit; measuring them for each mark would take its time
     const QFontMetricsF metrics(m_font);

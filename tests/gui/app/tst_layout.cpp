@@ -241,7 +241,7 @@ private Q_SLOTS:
         fixture.page = page;
         fixture.window->resize(1024, 700);
         if (!port.isEmpty())
-            QVERIFY(fixture.ready(1, port));
+            QVERIFY(fixture.ready(1, port) && fixture.waitUntilIdle());
         QVERIFY(QTest::qWaitForWindowExposed(fixture.window.get()));
         QCOMPARE(fixture.window->size(), QSize(1024, 700));
         QString faults;

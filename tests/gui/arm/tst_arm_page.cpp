@@ -446,6 +446,34 @@ private Q_SLOTS:
         QVERIFY(remarks->text().contains(QStringLiteral("firmware versions differ")));
     }
 
+    /// What it says about many joints scrolls where there is no room for it: nothing is cut, and
+    /// the joints stay in view.
+    void manyRemarksScrollBesideTheJoints()
+    {
+        Fixture fixture(QStringLiteral("sim:demo"));
+        fixture.window->resize(1024, 700);
+        auto* remarks = fixture.find<QLabel>("armRemarks");
+        QTRY_VERIFY(remarks->text().contains(
+            QStringLiteral("wrist_roll (ID 5), gripper (ID 6): LeRobot expects other models")));
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("arm.json"));
+        jobs::LerobotFile file;
+        for (int id = 1; id <= 6; ++id)
+            file.joints.push_back(
+                {.name = fixture.calibration().joints()[std::size_t(id) - 1].joint.name,
+                 .id = id,
+                 .calibration = {500 + id, 800 + id, 3000 + id}});
+        QVERIFY(jobs::saveLerobotFile(file, path));
+        fixture.chooseFile("armFileSelect", "armFileDialog", path);
+        auto* details = fixture.find<QLabel>("armFileDetails");
+        QTRY_VERIFY(details->text().count(QLatin1Char('\n')) > 10);
+        const auto* table = fixture.find<QTableView>("armTable");
+        for (const QLabel* label : {remarks, details})
+            QTRY_VERIFY(label->height() >= label->heightForWidth(label->width()));
+        QVERIFY(table->viewport()->height() >= 3 * table->rowHeight(0));
+        QCOMPARE(fixture.window->size(), QSize(1024, 700));
+    }
+
     /// And is there again at the next start.
     void theArmIsEditedAndRemembered()
     {

@@ -180,7 +180,8 @@ void TestCliBus::findNamesThePortOfTheServos()
     QCOMPARE(found.size(), 3);
     QCOMPARE(found[2][QLatin1String("id")].toInt(), 5);
     QCOMPARE(found[2][QLatin1String("baud")].toInt(), 500'000);
-    const ProgramResult text = cli.run(qPrintable(QStringLiteral("find %1").arg(sim.port())));
+    const ProgramResult text =
+        cli.run(qPrintable(QStringLiteral("find %1 --protocol feetech").arg(sim.port())));
     QVERIFY2(text.out.contains(QStringLiteral("1–2, 5")), qPrintable(text.out));
     QCOMPARE(cli.run(qPrintable(QStringLiteral("find %1").arg(missing))).exit, 3);
     const QString atOneRate = QStringLiteral("find %1 --protocol feetech --baud ").arg(sim.port());

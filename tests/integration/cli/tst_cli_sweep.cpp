@@ -158,7 +158,7 @@ void TestCliSweep::silenceInTheLastLegIsALostLink()
     support::CutCable cable(sim.port(), false);
     CliProgram cli;
     cli.setPort(cable.port());
-    cli.start(utf8("sweep 1 2 --from 1500 --to 2500 --dwell 3000 --cycles 1 --json")
+    cli.start(utf8("sweep 1 2 --from 1500 --to 2500 --dwell 1500 --cycles 1 --json")
                   .split(QLatin1Char(' ')));
     QTRY_VERIFY(cable.writes() == 3); // to the start, there, and back
     QTest::qWait(200); // usually the goal has been read back by then; else it is lost a leg earlier
@@ -177,7 +177,7 @@ void TestCliSweep::aSuspendedRunIsReported()
     support::SimProgram sim({utf8("--servos"), utf8("sts3215@1")});
     CliProgram cli;
     cli.setPort(sim.port());
-    cli.start(utf8("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 5").split(QLatin1Char(' ')));
+    cli.start(utf8("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 3").split(QLatin1Char(' ')));
     QVERIFY(cli.waitForError("cycle 2"));
     cli.signal(SIGSTOP);
     QTest::qWait(2000); // suspended for this time
