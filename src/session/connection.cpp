@@ -22,8 +22,10 @@ Connection::Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::Share
 Connection::~Connection()
 {
     m_bus.reset(); // writes are over
-    if (m_eproms && !m_eproms->saveChanges())
-        qWarning("The simulated servos could not be saved.");
+    if (!m_eproms)
+        return;
+    if (const auto saved = m_eproms->saveChanges(); !saved)
+        qWarning("Cannot save the simulated servos: %s", qPrintable(saved.error().detail));
 }
 
 device::Context Connection::context(const base::StopToken& stop, device::Notices& notices)

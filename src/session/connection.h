@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One open port: the bus on its thread, and the simulated servos behind it if it is "sim:…". What a
-// simulated servo keeps in its EPROM lives as long as the connection (servodesk-sim --state keeps
-// it longer). Made by Session; main thread. Closing waits for the running transaction only.
+// simulated servo keeps in its EPROM lives as long as the connection; servodesk-sim --state and,
+// for tests, SERVODESK_SIM_STATE keep it longer. Made by Session; main thread. Closing waits for
+// the running transaction only.
 #pragma once
 
 #include "bus/bus.h"
@@ -16,7 +17,7 @@
 namespace sim {
 class EpromStore;
 class SharedBus;
-}
+} // namespace sim
 
 namespace session {
 using Parity = transport::Parity;
@@ -67,7 +68,7 @@ public:
 private:
     std::shared_ptr<sim::SharedBus> m_simulation;
     std::unique_ptr<sim::EpromStore> m_eproms; ///< saved at the end; null: they are forgotten
-    std::unique_ptr<bus::Bus> m_bus; ///< goes before the simulation its thread talks to
+    std::unique_ptr<bus::Bus> m_bus;           ///< goes before the simulation its thread talks to
     const catalog::Catalog& m_catalog;
     base::Journal& m_journal;
     void updateStopFrames();

@@ -48,7 +48,8 @@ std::vector<std::string> rowsOf(const std::string& program, const std::string& t
         }
         line.clear();
     }
-    pclose(list);
+    if (pclose(list) != 0)
+        rows.clear(); // not all of them are known
     return rows;
 }
 } // namespace support
@@ -67,8 +68,9 @@ int main(int argc, char** argv)
     std::vector<std::string> rows;
     int part = 0;
     int count = 0;
-    const char* const wanted = std::getenv("SERVODESK_TEST_PART");
-    if (wanted != nullptr && std::sscanf(wanted, "%d/%d", &part, &count) == 2 && count > 0) {
+    const char* const partOption = std::getenv("SERVODESK_TEST_PART");
+    if (partOption != nullptr && std::sscanf(partOption, "%d/%d", &part, &count) == 2 &&
+        count > 0) {
         unsetenv("SERVODESK_TEST_PART");
         rows = support::rowsOf(argv[0], found->first, part, count);
         if (rows.empty()) {

@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,8 +40,10 @@ public:
         setWidgetResizable(true);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
-        setFocusPolicy(Qt::NoFocus);
         makeTransparent(this);
+        connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, [this](int, int last) {
+            setFocusPolicy(last > 0 ? Qt::TabFocus : Qt::NoFocus); // for the arrow keys
+        });
     }
     QSize sizeHint() const override
     {
@@ -48,8 +51,8 @@ public:
     }
     QSize minimumSizeHint() const override
     {
-        constexpr int leastLines = 4;
-        return {0, std::min(sizeHint().height(), leastLines * fontMetrics().lineSpacing())};
+        constexpr int minLines = 4;
+        return {0, std::min(sizeHint().height(), minLines * fontMetrics().lineSpacing())};
     }
 
 protected:
@@ -117,13 +120,15 @@ void LerobotCard::build()
         lines->addWidget(label);
     auto* column = new QVBoxLayout(this);
     column->addLayout(head);
-    column->addWidget(new TextArea(texts, this));
+    m_texts = new TextArea(texts, this);
+    column->addWidget(m_texts);
     makeCard(this);
 }
 
 void LerobotCard::retranslate()
 {
     m_title->setText(tr("LeRobot"));
+    m_texts->setAccessibleName(m_title->text());
     setButtonText(m_prepare, tr("Prepare servos…"),
                   tr("Writes the settings that LeRobot writes at each start: mode, gains, reply "
                      "delay, gripper limits"));

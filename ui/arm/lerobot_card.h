@@ -45,6 +45,7 @@ private:
     QString m_path;
     jobs::LerobotFile m_file;
     QLabel* m_title;
+    QWidget* m_texts = nullptr; ///< scrolls the next three
     QLabel* m_remarks;
     QLabel* m_state;
     QLabel* m_details;

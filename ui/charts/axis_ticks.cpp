@@ -66,7 +66,8 @@ constexpr double snapShare = 0.0125; ///< a growing axis takes steps of this par
 struct MinSpan {
     double size = 0;
     bool aroundZero = false; ///< what stays this small is shown on both sides of zero
-    /// From the lower edge, a share: at rest, curves of several units do not lie on each other.
+    /// Where the middle of the values is, as a share of the span from the lower edge: at rest,
+    /// curves of several units do not lie on each other.
     double middleAt = 0.5;
 };
 
@@ -175,7 +176,7 @@ AxisRange paddedRange(double min, double max, const QString& unit)
     double low = min - padding * (max - min);
     double high = max + padding * (max - min);
     if (high - low < least.size) {
-        low = middle - least.size * least.middleAt;
+        low = std::clamp(middle - least.size * least.middleAt, high - least.size, low);
         high = low + least.size;
     }
     const double snap = decimalStep((high - low) * snapShare);

@@ -10,11 +10,11 @@
 #include <cmath>
 
 namespace ui {
-/// A place that all scales paint alike: at the edge of a device pixel.
-inline double snapped(const QPainter& painter, double place)
+/// Rounded down to a device pixel, so that all lines are equally wide.
+inline double snapped(const QPainter& painter, double position)
 {
     const double ratio = painter.device()->devicePixelRatioF();
-    return std::floor(place * ratio) / ratio;
+    return std::floor(position * ratio) / ratio;
 }
 
 inline void paintVertical(QPainter& painter, double x, double top, double bottom,

@@ -35,6 +35,7 @@ void LaneLabels::setColors(const TrendColors& colors)
 
 void LaneLabels::setFont(const QFont& font)
 {
+    prepareGeometryChange();
     m_font = font;
     measure();
     update();

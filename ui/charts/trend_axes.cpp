@@ -464,7 +464,7 @@ void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis, bool grid,
         for (const double y : {lane.top(), lane.bottom()})
             paintHorizontal(*painter, y, lane.left(), lane.right(), m_colors.grid);
         for (const double x : {lane.left(), lane.right()})
-            paintVertical(*painter, x, lane.top(), lane.bottom(), m_colors.grid);
+            paintVertical(*painter, x, lane.top(), lane.bottom() + 1, m_colors.grid);
     } else if (isTextExposed) {
         painter->setPen(color);
         write(axis.range.unit(), m_plot.top() - gap - metrics.capHeight() / 2);

@@ -93,6 +93,7 @@ void TrendOverlay::setColors(const TrendColors& colors)
 
 void TrendOverlay::setFont(const QFont& font)
 {
+    prepareGeometryChange();
     m_font = font;
     m_flagSize = std::max(minFlagSize, std::ceil(QFontMetricsF(font).capHeight() * 1.7));
     m_flags.clear();
@@ -162,7 +163,10 @@ std::optional<Cursor> TrendOverlay::cursorAt(const QPointF& place) const
     if (!m_cursors || !boundingRect().adjusted(-reach, 0, reach, 0).contains(place))
         return {};
     const auto distance = [&](base::Duration at) {
-        return std::abs(m_plot.left() + m_view.fractionOf(at) * m_plot.width() - place.x());
+        const double x = m_plot.left() + m_view.fractionOf(at) * m_plot.width();
+        const QRectF flag(flagLeft(x), m_plot.top(), m_flagSize, m_flagSize);
+        const bool isSeen = x >= m_plot.left() && x <= m_plot.right();
+        return isSeen && flag.contains(place) ? 0 : std::abs(x - place.x());
     };
     const double a = distance(m_cursors->first);
     const double b = distance(m_cursors->second);
@@ -187,8 +191,12 @@ std::vector<MarkGroup> TrendOverlay::groups() const
         MarkGroup group;
         group.first = i;
         group.x = m_view.fractionOf((*m_marks)[i].at) * m_plot.width();
-        const std::size_t next = std::clamp(
-            after(m_view.timeAt((group.x + m_flagSize + flagSpace) / m_plot.width())), i + 1, end);
+        // Flags at the edges are moved into the plot.
+        double nextX = std::max(group.x, m_flagSize / 2) + m_flagSize + flagSpace;
+        if (nextX > m_plot.width() - m_flagSize / 2)
+            nextX = m_plot.width();
+        const std::size_t next =
+            std::clamp(after(m_view.timeAt(nextX / m_plot.width())), i + 1, end);
         group.count = next - i;
         group.highestSeverity = (*m_marks)[i].kind;
         for (std::size_t k = i; k < std::min(next, i + maxCheckedMarks); ++k) {
@@ -208,7 +216,7 @@ QString TrendOverlay::marksAt(const QPointF& place) const
     const double x = place.x() - m_plot.left();
     QStringList lines;
     for (const MarkGroup& group : groups()) {
-        if (x < group.x - reach ||
+        if (x < std::min(group.x - reach, flagLeft(m_plot.left() + group.x) - m_plot.left()) ||
             x > group.x + (group.count > 1 ? m_flagSize + flagSpace : m_flagSize))
             continue;
         for (std::size_t i = 0; i < group.count && lines.size() < maxListedMarks; ++i)
@@ -271,12 +279,15 @@ void TrendOverlay::paintMarks(QPainter* painter) const
 {
     const std::vector<MarkGroup> all = groups();
     double painted = 0; // up to here, from the left
+    const auto left = [this](const MarkGroup& group) {
+        return flagLeft(m_plot.left() + std::round(group.x)) - m_plot.left();
+    };
     for (std::size_t i = 0; i < all.size(); ++i) {
         const bool isLast = i + 1 == all.size();
-        const double next = isLast ? m_plot.width() : all[i + 1].x - m_flagSize / 2;
-        const double around = m_flagSize / 2 + 2 * textSpace;
-        painted = paintMark(painter, all[i], next - all[i].x - around,
-                            isLast ? all[i].x - around - painted : 0);
+        const double next = isLast ? m_plot.width() : left(all[i + 1]);
+        const double flag = left(all[i]);
+        painted = paintMark(painter, all[i], next - flag - m_flagSize - 2 * textSpace,
+                            isLast ? flag - 2 * textSpace - painted : 0);
     }
 }
 
@@ -327,9 +338,6 @@ double TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double
     else
         paintFlag(painter, flag, group.highestSeverity);
     const double flagEnd = flag.right() - m_plot.left();
-    const double aside = flag.left() - (x - m_flagSize / 2); // kept within the plot
-    room -= aside;
-    roomLeft += aside;
     if (room < minTextWidth && roomLeft < minTextWidth && group.count == 1)
         return flagEnd; // words do not fit; measuring them for each mark would take its time
     const QFontMetricsF metrics(m_font);

@@ -141,7 +141,7 @@ base::Bytes Memory::image() const
     return image;
 }
 
-/// The read-only part, which is the servo's identity, must be the same.
+/// The read-only part except the firmware version must be the same: the servo's identity.
 bool Memory::setImage(base::ByteView image)
 {
     const std::size_t head = imageMagic.size() + countBytes;

@@ -333,6 +333,9 @@ void TestTrendChartFiles::rangesFitTheData_data()
     QTest::newRow("no speed") << 0.0 << 0.7 << q("rpm") << -10.0 << 10.0;
     QTest::newRow("load at rest") << 0.0 << 0.3 << q("%") << 0.0 << 5.0;
     QTest::newRow("voltage") << 7.4 << 7.5 << q("V") << 7.04 << 7.56;
+    QTest::newRow("voltage ripple") << 7.2 << 7.6 << q("V") << 7.1 << 7.63;
+    QTest::newRow("small motion") << 178.0 << 182.0 << q("°") << 177.0 << 182.3;
+    QTest::newRow("warm-up") << 30.0 << 34.0 << q("°C") << 29.7 << 35.0;
     QTest::newRow("temperature") << 31.0 << 31.0 << q("°C") << 29.5 << 34.5;
     QTest::newRow("huge") << -1e12 << 3e12 << QString() << -1.3e12 << 3.3e12;
     QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString() << 1e9 - 2 << 1e9 + 3;

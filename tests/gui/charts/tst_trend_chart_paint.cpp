@@ -399,16 +399,16 @@ void TestTrendChartPaint::onlyWhatChangedIsPaintedAgain()
     chart.setMarks(&marks);
     QRandomGenerator random(20261129);
     Duration now{};
-    const auto isFollowed = [&] { // most of the time
+    const auto advance = [&] { // most of the time
         now += std::chrono::milliseconds(random.bounded(1, 400));
         fixture.fill(0, now, wave);
         fixture.fill(1, now, [&](double seconds) { return -3 * wave(seconds + 1); });
         chart.advance(now);
     };
     const std::vector<std::function<void()>> changes{
-        isFollowed,
-        isFollowed,
-        isFollowed,
+        advance,
+        advance,
+        advance,
         [&] { chart.setFollowing(true); },
         [&] {
             fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.5, 0.5}, {0.6, 0.4});

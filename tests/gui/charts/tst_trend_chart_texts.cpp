@@ -144,7 +144,7 @@ void TestTrendChartTexts::nothingOverlaps()
     chart.setFont(font);
     chart.setLanes(lanes);
     m_marks.clear();
-    for (const int ms : {1000, 1100, 4000, 4200, 9000})
+    for (const int ms : {0, 150, 1000, 1100, 4000, 4200, 9000, 9800, 9990})
         m_marks.push_back(
             {ms * 1ms, recording::MarkKind::Write, 1, QStringLiteral("ID 1 · P gain 32 → 40")});
     chart.setMarks(&m_marks);
@@ -171,7 +171,7 @@ void TestTrendChartTexts::aMarkAtTheRightEdgeShowsAllOfItsText()
     m_fixture = std::make_unique<gui::TrendChartFixture>();
     const QString text = QStringLiteral("ID 6 · Voltage out of range");
     m_marks = {{1s, recording::MarkKind::Write, 1, QStringLiteral("ID 1 · P gain 32 → 40")},
-               {9900ms, recording::MarkKind::Fault, 6, text}};
+               {9995ms, recording::MarkKind::Fault, 6, text}};
     m_fixture->chart.setMarks(&m_marks);
     m_fixture->chart.resize(900, 460);
     m_fixture->chart.show({0s, 10s});
@@ -184,6 +184,11 @@ void TestTrendChartTexts::aMarkAtTheRightEdgeShowsAllOfItsText()
     painter.end();
     QVERIFY(std::any_of(painting.texts().begin(), painting.texts().end(),
                         [&](const gui::PaintedText& one) { return one.text == text; }));
+    // All of its flag, which stays within the plot, shows what it means.
+    const ui::TrendOverlay& overlay = m_fixture->plot->picture().overlay();
+    const QRectF plot = m_fixture->area();
+    for (const double aside : {1.0, overlay.flagSize() - 1})
+        QCOMPARE(overlay.marksAt({plot.right() - aside, plot.top() - 2}), text);
     m_fixture.reset();
 }
 

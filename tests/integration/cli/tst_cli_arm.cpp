@@ -124,7 +124,8 @@ private Q_SLOTS:
     void theJointsAreTested()
     {
         CliProgram cli;
-        cli.setServos(QStringLiteral("so101"));
+        SimProgram sim(words("--preset so101"));
+        cli.setPort(sim.port());
         QVERIFY(cli.run(words("arm test --joint gripper")).exit != 0); // without an answer
         QCOMPARE(cli.run(words("arm test --yes --torque 101")).exit, 2);
         const auto stopped = cli.run(words("arm test --joint gripper --yes --json"));

@@ -286,7 +286,8 @@ void TestCliBadInput::withoutAJournalNothingIsWritten()
     QFETCH(QString, folder);
     QFETCH(bool, full);
     CliProgram cli;
-    cli.setPort(QStringLiteral("sim:sts3215@1"));
+    support::SimProgram sim(words("--servos sts3215@1"));
+    cli.setPort(sim.port());
     if (full)
         cli.process().setChildProcessModifier(limitDiskSpace);
     else
