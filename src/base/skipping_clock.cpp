@@ -8,7 +8,7 @@ namespace base {
 namespace {
 using namespace std::chrono_literals;
 
-/// A stop request wakes nobody here; it is looked for this often.
+/// A stop request does not end a wait here; it is looked for this often.
 constexpr Duration stopInterval = 5ms;
 
 /// The clock that counts this thread's work.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trends/trend_panel.h"
 
-#include "ui/charts/cursor_table.h"
 #include "ui/charts/trend_chart.h"
-#include "ui/charts/trend_preset.h"
 #include "ui/common/palette.h"
 #include "ui/common/widget_style.h"
 #include "ui/trends/channels_dialog.h"
+#include "ui/trends/cursor_table.h"
 #include "ui/trends/export_control.h"
 #include "ui/trends/recording_control.h"
+#include "ui/trends/trend_preset.h"
 #include "ui/trends/trend_replay.h"
 #include "ui/trends/trend_toolbar.h"
 #include "ui/trends/trigger_control.h"

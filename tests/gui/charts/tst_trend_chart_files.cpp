@@ -5,9 +5,9 @@
 #include "support/test_main.h"
 #include "ui/charts/auto_range.h"
 #include "ui/charts/axis_ticks.h"
-#include "ui/charts/cursor_table.h"
 #include "ui/charts/trend_export.h"
-#include "ui/charts/trend_preset.h"
+#include "ui/trends/cursor_table.h"
+#include "ui/trends/trend_preset.h"
 #include "ui/trends/trend_settings.h"
 
 #include <QClipboard>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/cursor_table.h"
+#include "ui/trends/cursor_table.h"
 
 #include "ui/charts/axis_ticks.h"
 #include "ui/common/palette.h"

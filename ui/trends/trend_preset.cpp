@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/trend_preset.h"
+#include "ui/trends/trend_preset.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
