@@ -10,6 +10,8 @@
 #include "ui/common/widget_text.h"
 #include "ui/widgets/question_dialog.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>

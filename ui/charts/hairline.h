@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Straight lines of one logical pixel, each of the same number of device pixels. A filled rectangle
-// takes a fifth of the time that QPainter needs for a line, and a chart has a hundred of them in
-// every frame. Main thread.
+// Straight lines of one logical pixel, all of the same number of device pixels. Filled rectangles,
+// because QPainter spends far more time on a line, and a chart has a hundred of them in every
+// frame. Main thread.
 #pragma once
 
 #include <QColor>

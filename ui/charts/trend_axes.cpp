@@ -21,8 +21,8 @@ constexpr double timeTextRoom = 1.6; ///< a text and the space beside it
 constexpr double topLines = 1.1;     ///< of text above the plot: units, marks
 constexpr double tickLength = 4;
 constexpr double laneGap = 10; ///< between two lanes
-constexpr double timeOverhang =
-    4; ///< lines of text; in lanes, the last time reaches under their labels
+/// In lines of text: the last time may extend below the labels of the lanes.
+constexpr double timeOverhang = 4;
 constexpr double firstLane = 2;    ///< times as high as each of the others
 constexpr double minLaneLines = 2; ///< of text
 constexpr double edgeReach = 3;    ///< of the mouse, beside the space between two lanes

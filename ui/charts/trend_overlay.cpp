@@ -192,11 +192,10 @@ std::vector<MarkGroup> TrendOverlay::groups() const
         group.first = i;
         group.x = m_view.fractionOf((*m_marks)[i].at) * m_plot.width();
         // Flags at the edges are moved into the plot.
-        double nextX = std::max(group.x, m_flagSize / 2) + m_flagSize + flagSpace;
-        if (nextX > m_plot.width() - m_flagSize / 2)
-            nextX = m_plot.width();
+        const double nextX = std::max(group.x, m_flagSize / 2) + m_flagSize + flagSpace;
+        const bool isLast = nextX > m_plot.width() - m_flagSize / 2;
         const std::size_t next =
-            std::clamp(after(m_view.timeAt(nextX / m_plot.width())), i + 1, end);
+            isLast ? end : std::clamp(after(m_view.timeAt(nextX / m_plot.width())), i + 1, end);
         group.count = next - i;
         group.highestSeverity = (*m_marks)[i].kind;
         for (std::size_t k = i; k < std::min(next, i + maxCheckedMarks); ++k) {
