@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/arm_text.h"
 
+#include "text/language.h"
 #include "text/translate.h"
 
 namespace text {
@@ -46,7 +47,7 @@ QString moveTestStateText(base::MoveTestState state)
 QString armRemarkText(const base::ArmRemark& remark)
 {
     using base::ArmRemarkKind;
-    const QString joints = remark.joints.join(translate("text", ", ", "between items"));
+    const QString joints = joinItems(remark.joints);
     switch (remark.kind) {
     case ArmRemarkKind::NoReply:
         return translate("text", "No reply from %1.").arg(joints);

@@ -101,6 +101,11 @@ QString joinSentences(QStringList sentences)
     return sentences.join(isUiChinese() ? QString() : QStringLiteral(" "));
 }
 
+QString joinItems(const QStringList& items)
+{
+    return items.join(isUiChinese() ? QStringLiteral("、") : QStringLiteral(", "));
+}
+
 QString joinClauses(const QStringList& clauses)
 {
     return clauses.join(isUiChinese() ? QStringLiteral("；") : QStringLiteral("; "));

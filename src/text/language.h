@@ -34,6 +34,8 @@ QString capitalized(QString sentence);
 
 /// One after the other; empty ones are left out. Chinese puts no space between sentences.
 QString joinSentences(QStringList sentences);
+/// Names in a list, with the comma of the language between them.
+QString joinItems(const QStringList& items);
 /// Parts of one sentence, with the semicolon of the language between them.
 QString joinClauses(const QStringList& clauses);
 

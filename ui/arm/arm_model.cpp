@@ -2,6 +2,7 @@
 #include "ui/arm/arm_model.h"
 
 #include "text/arm_text.h"
+#include "text/language.h"
 #include "ui/common/theme.h"
 #include "ui/widgets/feedback.h"
 #include "ui/widgets/task_text.h"
@@ -66,10 +67,9 @@ QString changesLine(const jobs::JointServo& joint, const jobs::JointSettings& se
                      .arg(registerText(*joint.servo, one.reg->key), value(one.now),
                           value(one.wanted));
     }
-    return texts.isEmpty()
-               ? QString()
-               : ArmModel::tr("%1: %2", "joint, changes")
-                     .arg(joint.joint.name, texts.join(ArmModel::tr(", ", "between changes")));
+    return texts.isEmpty() ? QString()
+                           : ArmModel::tr("%1: %2", "joint, changes")
+                                 .arg(joint.joint.name, text::joinItems(texts));
 }
 } // namespace
 

@@ -4,11 +4,10 @@
 #include "text/arm_text.h"
 #include "text/error_text.h"
 #include "text/language.h"
-#include "ui/arm/arm_dialog.h"
+#include "ui/arm/arm_choice.h"
 #include "ui/arm/arm_model.h"
 #include "ui/arm/joint_range_delegate.h"
 #include "ui/arm/lerobot_card.h"
-#include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
@@ -17,9 +16,7 @@
 #include "ui/widgets/tone_delegate.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDir>
-#include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -40,7 +37,6 @@ constexpr std::chrono::milliseconds updateInterval{50};
 constexpr std::chrono::seconds refreshInterval{1};
 constexpr std::chrono::milliseconds pollPeriod{50};
 constexpr int strongerTestTorque = 60; ///< %, for an arm that is heavy
-const QString armSetting = QStringLiteral("arm/arm");
 
 /// Those that it has.
 QStringList roleKeys(const catalog::Profile& profile, std::initializer_list<Role> roles)
@@ -65,14 +61,11 @@ ArmPage::ArmPage(AppContext& context, session::Settings& settings, QWidget* pare
     , m_workbench(context.workbench)
     , m_workbenchGuard(&context.workbench)
     , m_calibration(context.workbench.armCalibration())
-    , m_settings(settings)
-    , m_armKey(jobs::builtInArms().front())
     , m_model(new ArmModel(context.workbench, this))
     , m_banner(new Banner(this))
     , m_title(new QLabel(this))
-    , m_arm(new QComboBox(this))
+    , m_arm(new ArmChoice(m_calibration, settings, this))
     , m_isMiddleShown(new QCheckBox(this))
-    , m_edit(new QPushButton(this))
     , m_test(new QPushButton(this))
     , m_cancel(new QPushButton(this))
     , m_action(new QPushButton(this))
@@ -87,7 +80,7 @@ ArmPage::ArmPage(AppContext& context, session::Settings& settings, QWidget* pare
     column->addWidget(buildJoints(), 1);
     column->addWidget(m_lerobot);
     connectAll();
-    loadLastArm();
+    m_arm->loadLast();
     followLanguage(this, [this] { retranslate(); });
 }
 
@@ -109,8 +102,11 @@ void ArmPage::connectAll()
             return BannerText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
         });
     });
-    connect(m_arm, &QComboBox::activated, this, &ArmPage::chooseArm);
-    connect(m_edit, &QPushButton::clicked, this, &ArmPage::editArm);
+    connect(m_arm, &ArmChoice::failed, this, showError);
+    connect(m_arm, &ArmChoice::loaded, this, [this] {
+        m_banner->hideMessage();
+        update(); // its joints may be others
+    });
     connect(m_test, &QPushButton::clicked, this, &ArmPage::askToTest);
     connect(m_action, &QPushButton::clicked, this, &ArmPage::runAction);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -122,10 +118,8 @@ QWidget* ArmPage::buildJoints()
 {
     auto* card = new QWidget(this);
     makeHeading(m_title);
-    m_arm->setObjectName(QStringLiteral("armChoice"));
     m_isMiddleShown->setObjectName(QStringLiteral("armMiddleShown"));
     m_cancel->setObjectName(QStringLiteral("armCancel"));
-    m_edit->setObjectName(QStringLiteral("armEdit"));
     m_test->setObjectName(QStringLiteral("armTest"));
     m_action->setObjectName(QStringLiteral("armAction"));
     makeMainAction(m_action);
@@ -142,12 +136,11 @@ QWidget* ArmPage::buildJoints()
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(ArmModel::RangeColumn, QHeaderView::Stretch);
-    header->setMinimumSectionSize(60);
+    header->setMinimumSectionSize(40);
     m_table->setMinimumWidth(minRangeWidth);
     auto* head = new QHBoxLayout;
     head->addWidget(m_title);
     head->addWidget(m_arm);
-    head->addWidget(m_edit);
     head->addStretch(1);
     head->addWidget(m_test);
     head->addWidget(m_cancel);
@@ -200,74 +193,6 @@ void ArmPage::updateSubscription()
         m_workbench.polling().subscribe(QStringLiteral("arm"), subscription);
 }
 
-void ArmPage::chooseArm(int index)
-{
-    const QString name = m_arm->itemData(index).toString();
-    if (!name.isEmpty())
-        return loadArm(name);
-    update(); // the choice stays until a file has been loaded or saved
-    if (index == m_arm->count() - 1)
-        return openEditor({}, {});
-    askForFile(this,
-               {.objectName = QStringLiteral("armChoiceDialog"),
-                .title = tr("Select the file with the arm"),
-                .filters = {tr("Robot arms (*.json)")},
-                .settings = &m_settings,
-                .folderKey = QStringLiteral("arm/folder")},
-               [this](const QString& path) { loadArm(path); });
-}
-
-void ArmPage::loadLastArm()
-{
-    const QString last = m_settings.pageValue(armSetting, m_armKey).toString();
-    auto arm = jobs::loadArm(last);
-    if (!arm)
-        return m_banner->showMessage(arm.error());
-    m_armKey = last;
-    m_calibration.setArm(std::move(*arm));
-}
-
-void ArmPage::loadArm(const QString& nameOrPath)
-{
-    auto arm = jobs::loadArm(nameOrPath);
-    if (!arm)
-        return m_banner->showMessage(arm.error());
-    m_banner->hideMessage();
-    m_calibration.setArm(std::move(*arm));
-    m_armKey = nameOrPath;
-    m_settings.setPageValue(armSetting, m_armKey);
-    fillArms();
-    update(); // its joints may be others
-}
-
-/// The built-in arms, that of the user's file, and what asks for another one.
-void ArmPage::fillArms()
-{
-    m_arm->clear();
-    for (const QString& name : jobs::builtInArms())
-        m_arm->addItem(jobs::loadArm(name).value_or(jobs::Arm()).name, name);
-    if (!isBuiltIn()) {
-        const QString& name = m_calibration.arm().name;
-        const QString file = QFileInfo(m_armKey).fileName();
-        m_arm->addItem(name.isEmpty() ? file : QStringLiteral("%1 (%2)").arg(name, file), m_armKey);
-    }
-    m_arm->addItem(tr("From file…"), QString());
-    m_arm->addItem(tr("New arm…"), QString());
-    m_arm->setCurrentIndex(m_arm->findData(m_armKey));
-}
-
-void ArmPage::editArm()
-{
-    openEditor(m_calibration.arm(), isBuiltIn() ? QString() : m_armKey);
-}
-
-void ArmPage::openEditor(const jobs::Arm& arm, const QString& path)
-{
-    auto* dialog = new ArmDialog(arm, path, m_settings, this);
-    connect(dialog, &ArmDialog::saved, this, &ArmPage::loadArm);
-    dialog->open();
-}
-
 session::JointRows ArmPage::selectedRows() const
 {
     session::JointRows rows;
@@ -285,9 +210,8 @@ QString ArmPage::selectedNames() const
     QStringList names;
     for (const std::size_t row : selectedRows())
         names << m_calibration.joints()[row].joint.name;
-    return names.isEmpty()
-               ? QString()
-               : tr("Only the selected joints: %1.").arg(names.join(tr(", ", "between joints")));
+    return names.isEmpty() ? QString()
+                           : tr("Only the selected joints: %1.").arg(text::joinItems(names));
 }
 
 void ArmPage::runAction()
@@ -383,7 +307,7 @@ void ArmPage::askToTest()
     const QString warning =
         wide.isEmpty() ? QString()
                        : tr("Not calibrated, so these run into their mechanical stops: %1.")
-                             .arg(wide.join(tr(", ", "between joints")));
+                             .arg(text::joinItems(wide));
     ask(this,
         {.title = tr("Move the joints to their limits?"),
          .text = text::joinSentences(
@@ -429,8 +353,7 @@ void ArmPage::showTestResults(bool isComplete)
     if (!notReached.isEmpty())
         return m_banner->showMessage([notReached] {
             return BannerText{
-                Tone::Bad,
-                tr("Not at both ends: %1").arg(notReached.join(tr(", ", "between joints"))),
+                Tone::Bad, tr("Not at both ends: %1").arg(text::joinItems(notReached)),
                 tr("Something is in the way, the limits are beyond a mechanical stop, or the "
                    "torque is too little."),
                 tr("Clear the range and test again with more torque, or calibrate these joints "
@@ -475,7 +398,7 @@ QString ArmPage::instruction() const
     const QStringList missing = missingJoints();
     if (!missing.isEmpty())
         return tr("Not in the list of servos: %1. Search the bus, or select another arm.")
-            .arg(missing.join(QStringLiteral(", ")));
+            .arg(text::joinItems(missing));
     return tr(
         "Hold the arm and turn its torque off, then move every joint through its range. The "
         "middle of each range becomes 2048, and its ends become the limits. Select rows to record "
@@ -500,9 +423,7 @@ void ArmPage::update()
     m_model->update();
     m_lerobot->update();
     m_instruction->setText(instruction());
-    m_arm->setEnabled(!m_calibration.isBusy());
-    m_edit->setEnabled(!m_calibration.isBusy());
-    m_arm->setCurrentIndex(m_arm->findData(m_armKey));
+    m_arm->setChangeable(!m_calibration.isBusy());
     updateButtons();
 }
 
@@ -545,11 +466,7 @@ void ArmPage::updateButtons()
 void ArmPage::retranslate()
 {
     m_title->setText(tr("Arm"));
-    fillArms();
     m_model->retranslate();
-    setAccessText(m_arm, tr("Arm"), tr("Selects which joints the arm has"));
-    setButtonText(m_edit, tr("Edit…"),
-                  tr("Changes the joints of the arm and saves them to a file"));
     setButtonText(m_isMiddleShown, tr("Last pose is the middle"),
                   tr("Uses the pose in which you click Continue as the middle, instead of the "
                      "middle of each range"));

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "session/arm/arm_calibration.h"
-#include "session/settings.h"
 #include "ui/common/app_context.h"
 
 #include <QPointer>
@@ -13,15 +12,19 @@
 #include <QWidget>
 
 class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QTableView;
 
+namespace session {
+class Settings;
+}
+
 namespace ui {
-class LerobotCard;
+class ArmChoice;
 class ArmModel;
 class Banner;
+class LerobotCard;
 
 class ArmPage final : public QWidget {
     Q_OBJECT
@@ -36,13 +39,6 @@ protected:
 private:
     QWidget* buildJoints();
     void connectAll();
-    void chooseArm(int index);
-    void loadLastArm();
-    void loadArm(const QString& nameOrPath);
-    void fillArms();
-    bool isBuiltIn() const { return jobs::builtInArms().contains(m_armKey); }
-    void editArm();
-    void openEditor(const jobs::Arm& arm, const QString& path);
     void runAction();
     void askToRecord();
     void askToWrite();
@@ -63,8 +59,6 @@ private:
     session::Workbench& m_workbench;
     QPointer<session::Workbench> m_workbenchGuard; ///< a window may hide its pages on its way out
     session::ArmCalibration& m_calibration;
-    session::Settings& m_settings;
-    QString m_armKey; ///< name of a built-in arm, or path of its file
     std::vector<session::ServoRef> m_polled;
     session::ArmCalibration::Step m_shownStep = session::ArmCalibration::Step::Idle;
     QTimer m_updateTimer;  ///< readings arrive faster than they can be looked at
@@ -72,9 +66,8 @@ private:
     ArmModel* m_model;
     Banner* m_banner;
     QLabel* m_title;
-    QComboBox* m_arm;
+    ArmChoice* m_arm;
     QCheckBox* m_isMiddleShown;
-    QPushButton* m_edit;
     QPushButton* m_test;
     QPushButton* m_cancel;
     QPushButton* m_action;

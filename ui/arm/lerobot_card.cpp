@@ -2,6 +2,7 @@
 #include "ui/arm/lerobot_card.h"
 
 #include "text/arm_text.h"
+#include "text/language.h"
 #include "ui/arm/arm_model.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
@@ -10,7 +11,6 @@
 #include "ui/common/widget_text.h"
 #include "ui/widgets/question_dialog.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -203,7 +203,7 @@ QString LerobotCard::remarksText() const
     if (others.size() > 1)
         lines << tr("! %1: LeRobot expects other models and refuses the bus. Fit those models, or "
                     "enter the present ones both in the arm and in LeRobot's code.")
-                     .arg(others.join(QCoreApplication::translate("text", ", ", "between items")));
+                     .arg(text::joinItems(others));
     for (const base::ArmRemark& remark : remarks) {
         if (others.size() > 1 && remark.kind == base::ArmRemarkKind::OtherModel)
             continue;

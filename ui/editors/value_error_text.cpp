@@ -24,7 +24,7 @@ QString choices(const catalog::Register& reg)
     QStringList words;
     for (const catalog::NamedValue& value : reg.values)
         words << QStringLiteral("%1 — %2").arg(value.value).arg(text::localized(value.name));
-    return words.join(translate("ValueEditor", ", ", "between items of a list"));
+    return text::joinItems(words);
 }
 
 bool isChoice(const catalog::Register& reg, const catalog::ValueFormat& meaning)

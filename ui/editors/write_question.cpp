@@ -258,13 +258,13 @@ std::vector<Asked> askedOf(const session::ServoEntry& entry,
 }
 
 /// One for all: each change is a line, without what the register is for.
-Question combined(std::vector<Asked> all, bool temporary)
+Question combined(const std::vector<Asked>& all, bool temporary)
 {
     Question question;
     QStringList lines;
     QStringList risks;
     QString torque;
-    for (Asked& one : all) {
+    for (const Asked& one : all) {
         lines << one.line;
         if (!risks.contains(one.question.risk))
             risks << one.question.risk;
@@ -290,6 +290,6 @@ std::optional<Question> writeQuestion(const session::ServoEntry& entry,
     std::vector<Asked> all = askedOf(entry, items, temporary);
     if (all.empty())
         return std::nullopt;
-    return all.size() == 1 ? std::move(all.front().question) : combined(std::move(all), temporary);
+    return all.size() == 1 ? std::move(all.front().question) : combined(all, temporary);
 }
 } // namespace ui

@@ -20,7 +20,7 @@ QString listed(const QList<const Register*>& registers)
     for (const Register* reg : registers)
         parts << QStringLiteral("%1 (%2)").arg(text::localized(reg->name)).arg(reg->address);
     parts.removeDuplicates();
-    return parts.join(translate("RegisterHelp", ", ", "between items of a list"));
+    return text::joinItems(parts);
 }
 
 bool isLimit(const Register& reg)

@@ -61,6 +61,7 @@ private Q_SLOTS:
     void noticesIncludeTheirNumbers();
     void progressIsRounded();
     void unrecordedClaimsNoChange();
+    void listsHaveTheCommaOfTheLanguage();
     void outcomesAndLocksInBothLanguages_data();
     void outcomesAndLocksInBothLanguages();
     void alarmBitNamesDependOnTheFamily();
@@ -208,6 +209,14 @@ void TestText::noticesIncludeTheirNumbers()
     const QString sentence = text::describe(notice);
     QVERIFY2(sentence.contains(QLatin1String("100")), qPrintable(sentence));
     QVERIFY2(sentence.contains(QLatin1String("3000")), qPrintable(sentence));
+}
+
+void TestText::listsHaveTheCommaOfTheLanguage()
+{
+    const QStringList joints{QStringLiteral("elbow"), QStringLiteral("wrist")};
+    QCOMPARE(text::joinItems(joints), QStringLiteral("elbow, wrist"));
+    text::installTranslator(QStringLiteral("zh_CN"));
+    QCOMPARE(text::joinItems(joints), QStringLiteral("elbow、wrist"));
 }
 
 void TestText::outcomesAndLocksInBothLanguages_data()
