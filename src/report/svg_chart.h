@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace report {
-/// One reading; no position (NaN) is a gap.
+/// One reading; no position or no goal (NaN) is a gap of that curve.
 struct ChartSample {
     double t = 0; ///< s
     double position = 0;

@@ -210,7 +210,7 @@ void SweepResults::showCurves()
     if (tested == nullptr)
         return;
     const QColor ground = palette().color(QPalette::Base);
-    const session::SweepTest::Curves curves = m_test.curves(m_servo);
+    const jobs::SweepCurves curves = m_test.curves(m_servo);
     const report::SweepTexts& words = report::sweepTexts();
     const QString unit = text::localized(report::unitText(QStringLiteral("step")));
     TrendChannel goal{curves.goal, QStringLiteral("goal"), text::localized(words.goal), unit,

@@ -45,8 +45,8 @@ struct UnreleasedTorque {
 
 /// Called on the job's thread while it runs; each may be empty.
 struct SweepCallbacks {
-    /// In time order for each servo; `goal` in steps, `leg` 0 outside of the measured part and
-    /// while goals are being sent.
+    /// In time order for each servo; `goal` in steps, NaN before the first one; `leg` 0 outside of
+    /// the measured part and while goals are being sent.
     std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
     std::function<void(std::size_t servo, const results::SweepLeg&)> onLeg{};
     /// The goal of a measured leg had been sent at this time of the bus clock.

@@ -8,6 +8,7 @@
 #include "jobs/sweep/sweep_reader.h"
 
 #include <functional>
+#include <limits>
 
 namespace jobs {
 class SweepLink {
@@ -20,8 +21,8 @@ public:
     /// What is known of a servo beside its legs.
     struct ServoTrack {
         SweepPath path;
-        std::optional<LegMeter> meter{}; ///< of the present leg
-        double goal = 0;
+        std::optional<LegMeter> meter{};                        ///< of the present leg
+        double goal = std::numeric_limits<double>::quiet_NaN(); ///< before the first one
         std::optional<double> position{};
         std::optional<double> startCelsius{};
         base::Duration lastReplyAt{};

@@ -72,6 +72,18 @@ recording::RecordingRow makeRow(std::size_t servo, const SweepSample& sample, do
 }
 } // namespace
 
+void appendReading(recording::SampleStore& store, const SweepCurves& curves, Duration at,
+                   std::optional<double> position, double goal)
+{
+    if (position) {
+        store.append(curves.position, at, *position);
+        store.append(curves.goal, at, goal);
+    } else {
+        store.gap(curves.position);
+        store.gap(curves.goal);
+    }
+}
+
 SweepRecording::SweepRecording()
     : m_store(chartBudget)
 {}
@@ -82,6 +94,7 @@ base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const result
     std::unique_ptr<SweepRecording> made(new SweepRecording);
     for (std::size_t i = 0; i < run.servos.size(); ++i) {
         made->m_curves.push_back({made->m_store.open(), made->m_store.open()});
+        made->m_decimators.emplace_back();
         made->m_ids.push_back(run.servos[i].parameters.servo.id);
     }
     if (!path.isEmpty()) {
@@ -99,16 +112,10 @@ base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const result
 
 void SweepRecording::add(std::size_t servo, const SweepSample& sample, double goal, int leg)
 {
-    Curves& curves = m_curves.at(servo);
     if (!m_start)
         m_start = sample.at;
-    if (sample.answered && sample.position) {
-        m_store.append(curves.position, sample.at, *sample.position);
-        m_store.append(curves.goal, sample.at, goal);
-    } else {
-        m_store.gap(curves.position);
-        m_store.gap(curves.goal);
-    }
+    appendReading(m_store, m_curves.at(servo), sample.at,
+                  sample.answered ? sample.position : std::nullopt, goal);
     if (m_recorder)
         write(servo, makeRow(servo, sample, goal, leg));
 }
@@ -124,7 +131,7 @@ void SweepRecording::goal(std::size_t servo, int leg, Duration at)
 /// begins a leg, a silence or a fault.
 void SweepRecording::write(std::size_t servo, recording::RecordingRow row)
 {
-    Decimator& decimator = m_curves[servo].decimator;
+    Decimator& decimator = m_decimators[servo];
     const double position = row.values[positionColumn];
     const bool mustDecimate = row.at - *m_start > decimateAfter && !std::isnan(position);
     if (!mustDecimate) {
@@ -178,8 +185,8 @@ void SweepRecording::finish()
 {
     if (!m_recorder)
         return;
-    for (Curves& curves : m_curves)
-        flushDecimator(curves.decimator);
+    for (Decimator& one : m_decimators)
+        flushDecimator(one);
     enqueue(true);
     m_recorder->stop();
     while (!m_recorder->status().ended)

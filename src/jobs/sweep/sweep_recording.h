@@ -11,6 +11,16 @@
 #include "recording/recorder.h"
 
 namespace jobs {
+/// The curves of a servo in a store.
+struct SweepCurves {
+    recording::ChannelId position = -1;
+    recording::ChannelId goal = -1;
+};
+
+/// Without a position, nothing is known there; `goal` as SweepCallbacks::onSample gives it.
+void appendReading(recording::SampleStore& store, const SweepCurves& curves, base::Duration at,
+                   std::optional<double> position, double goal);
+
 class SweepRecording {
 public:
     /// `path` empty: charts only. `run` as SweepCallbacks::onBegin gives it.
@@ -38,11 +48,6 @@ private:
         std::optional<recording::RecordingRow> low{};
         std::optional<recording::RecordingRow> high{};
     };
-    struct Curves {
-        recording::ChannelId position = -1;
-        recording::ChannelId goal = -1;
-        Decimator decimator{};
-    };
     SweepRecording();
     void write(std::size_t servo, recording::RecordingRow row);
     void flushDecimator(Decimator& decimator);
@@ -50,7 +55,8 @@ private:
     void enqueue(bool all);
 
     recording::SampleStore m_store;
-    std::vector<Curves> m_curves;
+    std::vector<SweepCurves> m_curves;
+    std::vector<Decimator> m_decimators; ///< one per servo
     std::unique_ptr<recording::Recorder> m_recorder;
     std::vector<recording::RecordingRow> m_rows;
     std::vector<recording::Mark> m_marks;

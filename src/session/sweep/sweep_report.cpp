@@ -14,6 +14,7 @@
 
 namespace session {
 namespace {
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int chartColumns = 1000; ///< two readings in each: its lowest and its highest
 
 double secondsOf(base::Duration span)
@@ -35,10 +36,10 @@ report::SweepSeries seriesOf(const results::SweepRun& run, const jobs::SweepReco
         const auto at = [&](base::Duration instant, double position) {
             const auto goal = store.at(readings.goals(servo), instant);
             series.samples.push_back(
-                {secondsOf(instant - span->from), position, goal ? goal->value : position});
+                {secondsOf(instant - span->from), position, goal ? goal->value : unknown});
         };
         if (column.gapBefore)
-            at(column.from, std::numeric_limits<double>::quiet_NaN());
+            at(column.from, unknown);
         const bool rising = column.first <= column.last;
         at(column.from, rising ? column.min : column.max);
         if (column.to > column.from)

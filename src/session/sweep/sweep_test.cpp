@@ -263,7 +263,7 @@ void SweepTest::stop()
 void SweepTest::openCurves()
 {
     m_store.clear();
-    for (const Curves& old : m_curves) {
+    for (const jobs::SweepCurves& old : m_curves) {
         m_store.close(old.position);
         m_store.close(old.goal);
     }
@@ -297,14 +297,8 @@ void SweepTest::drain()
         Q_EMIT started();
     }
     for (const Live::Reading& reading : readings) {
-        const Curves& curves = m_curves.at(reading.servo);
-        if (reading.position) {
-            m_store.append(curves.position, reading.at, *reading.position);
-            m_store.append(curves.goal, reading.at, reading.goal);
-        } else {
-            m_store.gap(curves.position);
-            m_store.gap(curves.goal);
-        }
+        jobs::appendReading(m_store, m_curves.at(reading.servo), reading.at, reading.position,
+                            reading.goal);
     }
     for (auto& [servo, leg] : legs)
         m_run->servos[servo].legs.push_back(leg);

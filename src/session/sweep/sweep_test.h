@@ -60,12 +60,8 @@ public:
     /// Computed from the legs so far while it runs; the final ones afterwards.
     std::vector<results::SweepMetric> metrics(std::size_t servo) const;
 
-    struct Curves {
-        recording::ChannelId position = -1;
-        recording::ChannelId goal = -1;
-    };
     const recording::SampleStore& store() const { return m_store; }
-    Curves curves(std::size_t servo) const { return m_curves.at(servo); }
+    jobs::SweepCurves curves(std::size_t servo) const { return m_curves.at(servo); }
     base::Duration startedAt() const { return m_startedAt; } ///< of its first reading
     QString readingsPath() const { return m_readingsPath; }  ///< empty: could not be written
 
@@ -110,7 +106,7 @@ private:
     jobs::SweepProgress m_progress;
     TestLeftovers m_leftovers;
     recording::SampleStore m_store;
-    std::vector<Curves> m_curves;
+    std::vector<jobs::SweepCurves> m_curves;
     base::Duration m_startedAt{};
     QString m_readingsPath;
     std::shared_ptr<const jobs::SweepRecording> m_recording; ///< of the latest test, ended

@@ -3,11 +3,15 @@
 // it ends, and that it never touches EPROM.
 #include "device/motion/stop_frames.h"
 #include "integration/sweep_support.h"
+#include "jobs/sweep/sweep_recording.h"
+#include "session/sweep/sweep_report.h"
 #include "support/sim_fixture.h"
 #include "support/test_main.h"
 #include "support/text.h"
 
+#include <QFile>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -95,6 +99,7 @@ private Q_SLOTS:
     void missedTargetsOfAReplacementServoAreNoFailure();
     void torqueIsSwitchedOnAtTheStart();
     void stopWhileUnpluggedIsSentFirst();
+    void noGoalIsShownBeforeTheFirst();
     void theUserCanStop();
     void theEmergencyStopEndsTheTest();
     void anEmergencyStopIsNoOrdinaryStop();
@@ -1055,6 +1060,49 @@ void TestSweep::stopWhileUnpluggedIsSentFirst()
     const auto frames = device::stopFrames({base::Protocol::Feetech}, servos);
     QVERIFY(!fixture.tap().written.empty());
     QCOMPARE(fixture.tap().written.front(), frames.front().bytes);
+}
+
+/// A 0 there would be a goal far outside of the range, and the charts would have to show it.
+void TestSweep::noGoalIsShownBeforeTheFirst()
+{
+    SimFixture fixture(utf8("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    const results::SweepSpec spec = sweepSpec();
+    std::unique_ptr<jobs::SweepRecording> readings;
+    jobs::SweepCallbacks watch;
+    watch.onBegin = [&](const results::SweepRun& begun) -> std::optional<base::Error> {
+        auto made = jobs::SweepRecording::start(begun, {});
+        if (!made)
+            return made.error();
+        readings = std::move(*made);
+        return std::nullopt;
+    };
+    watch.onSample = [&](std::size_t servo, const jobs::SweepSample& sample, double goal, int leg) {
+        readings->add(servo, sample, goal, leg);
+    };
+    const auto done = run(fixture.context(), servos, spec, watch);
+    QVERIFY(done);
+    const recording::SampleStore& store = readings->store();
+    const auto span = store.span();
+    QVERIFY(span);
+    const auto goals = store.range(readings->goals(0), *span);
+    QVERIFY(goals);
+    QCOMPARE(goals->first, spec.range.from.toDouble());
+    QCOMPARE(goals->second, spec.range.to.toDouble());
+    QVERIFY(store.span(readings->positions(0))->from < store.span(readings->goals(0))->from);
+
+    const QTemporaryDir folder;
+    const QString page = folder.filePath(utf8("sweep.html"));
+    QVERIFY(session::saveSweepReport(*done, *readings, session::SweepFormat::Html, false, page));
+    QFile file(page);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString html = QString::fromUtf8(file.readAll());
+    const QRegularExpression start(utf8("<path d=\"M([0-9.]+) "));
+    const auto goal = start.match(html); // the position is drawn above it
+    QVERIFY(goal.hasMatch());
+    const auto position = start.match(html, goal.capturedEnd());
+    QVERIFY(position.hasMatch());
+    QVERIFY(position.captured(1).toDouble() < goal.captured(1).toDouble());
 }
 
 void TestSweep::theUserCanStop()
