@@ -25,6 +25,7 @@ HistoryDetails::HistoryDetails(QWidget* parent)
     setObjectName(QStringLiteral("historyDetails"));
     setMinimumWidth(minDetailsWidth);
     makeHeading(m_title);
+    m_title->setObjectName(QStringLiteral("historyTitle"));
     m_title->setWordWrap(true);
     makeEmptyState(m_emptyLabel);
     m_form->setContentsMargins({});
@@ -56,7 +57,7 @@ void HistoryDetails::show(const HistoryLine* line)
     m_title->setVisible(line != nullptr);
     m_emptyLabel->setVisible(line == nullptr);
     m_emptyLabel->setText(tr("Select an entry to see its details."));
-    m_title->setText(line != nullptr ? line->title() : QString());
+    m_title->setText(line != nullptr ? line->title : QString());
     while (m_form->rowCount() > 0)
         m_form->removeRow(0);
     if (line == nullptr)

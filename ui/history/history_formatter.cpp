@@ -8,6 +8,9 @@
 #include "ui/widgets/test_text.h"
 
 #include <QDir>
+#include <QFileInfo>
+
+#include <array>
 
 namespace ui {
 using history::HistoryKind;
@@ -15,6 +18,56 @@ using text::translate;
 
 namespace {
 const QString separator = QStringLiteral(" · ");
+
+// Outcomes are judged at a glance; how and where a write was made is asked for less often.
+constexpr std::array writeColumns{
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Time"), HistoryCell::Time},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Servo")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Register")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Old"), HistoryCell::Number},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "New"), HistoryCell::Number},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Result"), HistoryCell::Outcome},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Type"), HistoryCell::Detail},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Port"), HistoryCell::Detail},
+};
+constexpr std::array snapshotColumns{
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Time"), HistoryCell::Time},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Servo")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Reason")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Label")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Note")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Rows"), HistoryCell::Number},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "File")},
+};
+constexpr std::array testColumns{
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Time"), HistoryCell::Time},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Test")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Servos")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Verdict"), HistoryCell::Outcome},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Operator")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Note")},
+};
+constexpr std::array alarmColumns{
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Raised"), HistoryCell::Time},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Cleared"), HistoryCell::Outcome},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Servo")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Alarm")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Port")},
+};
+constexpr std::array recordingColumns{
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Time"), HistoryCell::Time},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Servos")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Duration"), HistoryCell::Number},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Rows"), HistoryCell::Number},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "File")},
+};
+constexpr std::array servoColumns{
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Servo")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Firmware")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Label")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Last write")},
+    HistoryColumn{QT_TRANSLATE_NOOP("History", "Port")},
+};
 
 QString timeText(const QDateTime& at)
 {
@@ -48,10 +101,10 @@ using Details = std::vector<std::pair<QString, QString>>;
 /// Header and cell, then the rest; without what is empty.
 Details detailsOf(HistoryKind kind, const QStringList& cells, const Details& more)
 {
-    const QStringList headers = HistoryFormatter::headers(kind);
+    const std::span<const HistoryColumn> columns = HistoryFormatter::columns(kind);
     Details details;
-    for (int i = 0; i < int(cells.size()); ++i)
-        details.emplace_back(headers.value(i), cells[i]);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        details.emplace_back(translate("History", columns[i].header), cells.value(int(i)));
     details.insert(details.end(), more.begin(), more.end());
     std::erase_if(details, [](const auto& one) { return one.second.isEmpty(); });
     return details;
@@ -66,11 +119,6 @@ QString HistoryLine::tip() const
     return lines.join(QLatin1Char('\n'));
 }
 
-QString HistoryLine::title() const
-{
-    return write ? cells.value(2) : cells.value(0);
-}
-
 void HistoryFormatter::addServos(const std::vector<history::HistoryServo>& servos)
 {
     m_profiles.add(servos);
@@ -82,12 +130,6 @@ const history::HistoryServo* HistoryFormatter::servo(std::int64_t number) const
 {
     const auto found = m_servos.find(number);
     return found != m_servos.end() ? &found->second : nullptr;
-}
-
-int HistoryFormatter::listColumns(HistoryKind kind)
-{
-    // Outcomes are judged at a glance; how and where a write was made is asked for less often.
-    return kind == HistoryKind::Writes ? 6 : int(headers(kind).size());
 }
 
 QString HistoryFormatter::kindName(HistoryKind kind)
@@ -109,52 +151,23 @@ QString HistoryFormatter::kindName(HistoryKind kind)
     return {};
 }
 
-QStringList HistoryFormatter::headers(HistoryKind kind)
+std::span<const HistoryColumn> HistoryFormatter::columns(HistoryKind kind)
 {
-    const QString time = translate("History", "Time");
-    const QString servo = translate("History", "Servo");
-    const QString note = translate("History", "Note");
     switch (kind) {
     case HistoryKind::Writes:
-        return {time,
-                servo,
-                translate("History", "Register"),
-                translate("History", "Old"),
-                translate("History", "New"),
-                translate("History", "Result"),
-                translate("History", "Type"),
-                translate("History", "Port")};
+        return writeColumns;
     case HistoryKind::Snapshots:
-        return {time,
-                servo,
-                translate("History", "Reason"),
-                translate("History", "Label"),
-                note,
-                translate("History", "Rows"),
-                translate("History", "File")};
+        return snapshotColumns;
     case HistoryKind::Runs:
-        return {time,
-                translate("History", "Test"),
-                translate("History", "Servos"),
-                translate("History", "Verdict"),
-                translate("History", "Operator"),
-                note};
+        return testColumns;
     case HistoryKind::Alarms:
-        return {translate("History", "Raised"), translate("History", "Cleared"), servo,
-                translate("History", "Alarm"), translate("History", "Port")};
+        return alarmColumns;
     case HistoryKind::Recordings:
-        return {time, translate("History", "Servos"), translate("History", "Duration"),
-                translate("History", "Rows"), translate("History", "File")};
+        return recordingColumns;
     case HistoryKind::Servos:
-        return {servo, translate("History", "Firmware"), translate("History", "Label"),
-                translate("History", "Last write"), translate("History", "Port")};
+        return servoColumns;
     }
     return {};
-}
-
-int HistoryFormatter::timeColumn(HistoryKind kind)
-{
-    return kind == HistoryKind::Servos ? -1 : 0;
 }
 
 QString HistoryFormatter::listTime(const QDateTime& at, const QDate& today)
@@ -162,14 +175,6 @@ QString HistoryFormatter::listTime(const QDateTime& at, const QDate& today)
     const QDateTime local = at.toLocalTime();
     return local.toString(local.date() == today ? QStringLiteral("HH:mm:ss")
                                                 : QStringLiteral("yyyy-MM-dd HH:mm"));
-}
-
-int HistoryFormatter::toneColumn(HistoryKind kind)
-{
-    return kind == HistoryKind::Writes   ? 5
-           : kind == HistoryKind::Runs   ? 3
-           : kind == HistoryKind::Alarms ? 1
-                                         : -1;
 }
 
 QString HistoryFormatter::servoTitle(const history::HistoryServo& servo)
@@ -194,6 +199,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryWrite& row) const
                   sign + text::writeOutcomeLabel(row.outcome),
                   text::intentLabel(row.kind, row.temporary, row.ownDefaults),
                   row.port};
+    line.title = line.cells[2];
     line.tone = isGood ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
     line.details = detailsOf(
         HistoryKind::Writes, line.cells,
@@ -216,6 +222,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistorySnapshot& row) co
                   row.note,
                   QString::number(row.registers),
                   QDir::toNativeSeparators(row.file)};
+    line.title = line.cells[2];
     line.details = detailsOf(
         HistoryKind::Snapshots, line.cells,
         {{translate("History", "Port"), row.port}, {translate("History", "Program"), row.program}});
@@ -233,6 +240,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryAlarm& row) const
                             : QStringLiteral("⚠ ") + translate("History", "still active"),
                   servoName(row.model, row.servoId, row.label), text::alarmLabel(row.key),
                   row.port};
+    line.title = text::alarmLabel(row.key);
     line.tone = isCleared ? Tone::Good : Tone::Warn;
     line.details = detailsOf(
         HistoryKind::Alarms, line.cells,
@@ -255,6 +263,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryRecording& row) c
     line.cells = {timeText(row.at), servos.join(QStringLiteral(", ")),
                   QStringLiteral("%1 s").arg(seconds, 0, 'f', 1), QString::number(row.rows),
                   QDir::toNativeSeparators(row.file)};
+    line.title = QFileInfo(row.file).fileName();
     line.details =
         detailsOf(HistoryKind::Recordings, line.cells, {{translate("History", "Port"), row.port}});
     return line;
@@ -267,6 +276,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryServo& row) const
         servoName(row.identity.model, row.identity.id, {}),
         QStringLiteral("%1.%2").arg(row.identity.firmwareMajor).arg(row.identity.firmwareMinor),
         row.label, timeText(row.lastWrite), row.identity.port};
+    line.title = line.cells[0];
     line.details = detailsOf(HistoryKind::Servos, line.cells, {});
     line.label = row.label;
     return line;
@@ -286,6 +296,7 @@ HistoryLine HistoryFormatter::formatLine(const history::TestRun& row) const
                   line.isStepResponse ? QString() : gradeText(row.verdict),
                   row.operatorName,
                   row.note};
+    line.title = line.cells[1];
     line.tone = gradeTone(row.verdict);
     line.details = detailsOf(HistoryKind::Runs, line.cells,
                              {{translate("History", "Files"), row.files.join(QLatin1Char('\n'))}});

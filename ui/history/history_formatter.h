@@ -9,13 +9,28 @@
 #include "ui/common/theme.h"
 
 #include <map>
+#include <span>
 
 namespace ui {
+enum class HistoryCell : std::uint8_t {
+    Text,
+    Time, ///< of the row itself
+    Number,
+    Outcome, ///< in the row's tone
+    Detail,  ///< not in the list
+};
+
+struct HistoryColumn {
+    const char* header; ///< to be translated in the context "History"
+    HistoryCell cell = HistoryCell::Text;
+};
+
 struct HistoryLine {
     std::int64_t number = 0; ///< of the row in its list
     std::int64_t servo = 0;  ///< number of its servo; 0: several or none
     QDateTime at{};          ///< UTC
     QStringList cells{};
+    QString title{};         ///< "Position loop P", "manual": what the row is about
     Tone tone = Tone::Quiet; ///< of the outcome
     /// Name and value of everything known, in the order of the columns; no name: a sentence.
     std::vector<std::pair<QString, QString>> details{};
@@ -24,8 +39,7 @@ struct HistoryLine {
     bool isStepResponse = false;                  ///< a test run that the step page can show
     std::optional<history::HistoryWrite> write{}; ///< of the list of writes
 
-    QString tip() const;   ///< all details
-    QString title() const; ///< "Position loop P", "manual": what the row is about
+    QString tip() const; ///< all details
 };
 
 class HistoryFormatter {
@@ -37,11 +51,8 @@ public:
     void addServos(const std::vector<history::HistoryServo>& servos);
     /// Null: not among those added.
     const history::HistoryServo* servo(std::int64_t number) const;
-    static QStringList headers(history::HistoryKind kind);
-    /// Columns that a list shows; the others are details.
-    static int listColumns(history::HistoryKind kind);
-    static int timeColumn(history::HistoryKind kind); ///< of the row itself; -1: none
-    static int toneColumn(history::HistoryKind kind); ///< -1: none
+    /// Of the cells of formatLine(), in their order.
+    static std::span<const HistoryColumn> columns(history::HistoryKind kind);
     /// In few letters: only the time of an entry of today, no seconds of an older one.
     static QString listTime(const QDateTime& at, const QDate& today);
     static QString kindName(history::HistoryKind kind);

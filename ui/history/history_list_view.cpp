@@ -49,9 +49,9 @@ void HistoryListView::updateAfterChange()
         horizontalScrollBar()->setValue(across);
         m_topRow = QPersistentModelIndex();
     }
-    const int shown = HistoryFormatter::listColumns(m_model.kind());
-    for (int column = 0; column < m_model.columnCount(); ++column)
-        setColumnHidden(column, column >= shown);
+    int section = 0;
+    for (const HistoryColumn& column : HistoryFormatter::columns(m_model.kind()))
+        setColumnHidden(section++, column.cell == HistoryCell::Detail);
     const bool isEmpty = model()->rowCount() == 0;
     const QModelIndex oldest = model()->index(model()->rowCount() - 1, 0);
     const bool isTimeLonger = oldest.data().toString().size() >

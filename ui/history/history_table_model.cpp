@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/history_table_model.h"
 
+#include "text/translate.h"
 #include "ui/widgets/test_text.h"
 
 #include <algorithm>
@@ -13,19 +14,17 @@ using history::HistoryKind;
 namespace {
 constexpr int maxServos = 5000;
 
-bool numeric(HistoryKind kind, int column)
+const HistoryColumn& columnAt(HistoryKind kind, int column)
 {
-    switch (kind) {
-    case HistoryKind::Writes:
-        return column == 3 || column == 4;
-    case HistoryKind::Snapshots:
-        return column == 5;
-    case HistoryKind::Recordings:
-        return column == 2 || column == 3;
-    default:
-        return false;
-    }
+    return HistoryFormatter::columns(kind)[std::size_t(column)];
 }
+
+int alignment(const HistoryColumn& column)
+{
+    return int((column.cell == HistoryCell::Number ? Qt::AlignRight : Qt::AlignLeft) |
+               Qt::AlignVCenter);
+}
+
 /// The filter without the page.
 history::HistoryFilter unpaged(history::HistoryFilter filter)
 {
@@ -260,7 +259,7 @@ int HistoryTableModel::rowCount(const QModelIndex& parent) const
 
 int HistoryTableModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : int(HistoryFormatter::headers(m_kind).size());
+    return parent.isValid() ? 0 : int(HistoryFormatter::columns(m_kind).size());
 }
 
 QVariant HistoryTableModel::data(const QModelIndex& index, int role) const
@@ -268,19 +267,18 @@ QVariant HistoryTableModel::data(const QModelIndex& index, int role) const
     if (!index.isValid())
         return {};
     const HistoryLine& line = lineAt(index.row());
+    const HistoryColumn& column = columnAt(m_kind, index.column());
     switch (role) {
     case Qt::DisplayRole:
-        if (index.column() == HistoryFormatter::timeColumn(m_kind))
+        if (column.cell == HistoryCell::Time)
             return HistoryFormatter::listTime(line.at, QDate::currentDate());
         return line.cells.value(index.column()).simplified();
     case Qt::ToolTipRole:
         return line.tip();
     case Qt::TextAlignmentRole:
-        return int((numeric(m_kind, index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
-                   Qt::AlignVCenter);
+        return alignment(column);
     case toneRole:
-        return index.column() == HistoryFormatter::toneColumn(m_kind) ? QVariant(int(line.tone))
-                                                                      : QVariant();
+        return column.cell == HistoryCell::Outcome ? QVariant(int(line.tone)) : QVariant();
     default:
         return {};
     }
@@ -288,12 +286,13 @@ QVariant HistoryTableModel::data(const QModelIndex& index, int role) const
 
 QVariant HistoryTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal)
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount())
         return {};
+    const HistoryColumn& column = columnAt(m_kind, section);
     if (role == Qt::DisplayRole)
-        return HistoryFormatter::headers(m_kind).value(section);
+        return text::translate("History", column.header);
     if (role == Qt::TextAlignmentRole)
-        return int((numeric(m_kind, section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return alignment(column);
     return {};
 }
 

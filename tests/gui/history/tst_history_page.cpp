@@ -476,6 +476,7 @@ private Q_SLOTS:
         fixture.choose("historyKind", QStringLiteral("Snapshots"));
         QTRY_COMPARE(fixture.rows(), 1);
         fixture.table()->selectRow(0);
+        QCOMPARE(fixture.find<QLabel>("historyTitle")->text(), QStringLiteral("before a change"));
         QTest::mouseClick(fixture.find<QPushButton>("historyOpen"), Qt::LeftButton);
         QTRY_VERIFY(fixture.isShown("snapshotsPage"));
         QTRY_COMPARE(fixture.find<QTreeWidget>("shelfTree")->selectedItems().size(), 1);
