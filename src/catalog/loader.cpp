@@ -20,8 +20,8 @@ constexpr int maxRows = 4096;
 constexpr int maxRegisters = 512;
 constexpr int maxFileWarnings = 50;
 
-/// The content, or nullopt with the reason in `problem`. Only regular files: a pipe or a device in
-/// the user's folder would never end.
+/// The content, or nullopt with the reason in `errorText`. Only regular files: a pipe or a device
+/// in the user's folder would never end.
 std::optional<QByteArray> readFileContent(const QString& path, QString& errorText)
 {
     QFile file(path);
@@ -233,8 +233,13 @@ Catalog::LoadResult Loader::finish()
     for (ModelEntry& model : m_data.models) {
         const auto it = std::find_if(m_data.series.begin(), m_data.series.end(),
                                      [&](const SeriesDef& s) { return s.key == model.series; });
-        if (it != m_data.series.end())
+        if (it != m_data.series.end()) {
             model.line = it->line;
+        } else if (model.supported) {
+            m_file.clear();
+            warn(QStringLiteral("model ") + model.name.left(60),
+                 QStringLiteral("there is no series \"%1\"").arg(model.series.left(60)));
+        }
     }
     return {Catalog(std::make_shared<const Catalog::Data>(std::move(m_data))),
             std::move(m_warnings)};

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void hostileFile();
     void nonFiles();
     void manyBadRowsAreSummedUp();
+    void aModelOfAnUnknownSeriesIsSaid();
     void missingFolderIsEmpty();
     void addsAModel();
     void replacesModelMapAndSeries();
@@ -305,6 +306,22 @@ void TestCatalogFiles::manyBadRowsAreSummedUp()
     QCOMPARE(loaded.warnings.size(), std::size_t(50));
     QVERIFY(loaded.warnings.back().detail.contains(QStringLiteral("more")));
     QVERIFY(loaded.catalog.mapKeys().contains(QStringLiteral("bench")));
+}
+
+/// Its line of servos would be unknown, and with it what the line can do.
+void TestCatalogFiles::aModelOfAnUnknownSeriesIsSaid()
+{
+    const auto file = [](const QByteArray& series) {
+        return R"({"models": [{"id": "200.200", "name": "BENCH1", "byte_order": "little", "series": ")" +
+               series + R"("}]})";
+    };
+    write(QStringLiteral("model.json"), file("STS"));
+    QCOMPARE(load().warnings.size(), std::size_t(0));
+    write(QStringLiteral("model.json"), file("STs"));
+    const auto loaded = load();
+    QCOMPARE(loaded.warnings.size(), std::size_t(1));
+    QCOMPARE(loaded.warnings[0].where, QStringLiteral("model BENCH1"));
+    QVERIFY(loaded.warnings[0].detail.contains(QStringLiteral("\"STs\"")));
 }
 
 void TestCatalogFiles::missingFolderIsEmpty()
