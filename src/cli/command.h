@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A command of servodesk-cli as data: its name, its help, and the function that runs it. To add
-// one: write a file with a Command and name it in commands.cpp.
+// A command of servodesk-cli as data: its name, its help, and the function that runs it. How to add
+// one is in CONTRIBUTING.md.
 #pragma once
 
 #include "cli/exit_code.h"

@@ -146,7 +146,7 @@ tl::unexpected<base::Error> parseFailure(const QString& word, bool commandKnown)
         near = nearest(word, known);
     }
     if (!near.isEmpty())
-        return badArgument(translate("cli", "unknown command \"%1\"; did you mean \"%2\"?")
+        return badArgument(translate("cli", "unknown command \"%1\"; did you mean %2?")
                                .arg(word, near.join(QStringLiteral(", "))));
     if (!commandKnown && !word.startsWith(QLatin1Char('-')))
         return badArgument(translate("cli", "unknown command \"%1\"").arg(word));

@@ -16,7 +16,7 @@ struct RestoreResultRow {
     std::optional<std::int64_t> readBack{}; ///< the latest reading
     QString unit{};
     std::optional<double> newValue{}; ///< physical
-    QString outcome;                  ///< one of the six words
+    QString outcome;                  ///< device::outcomeName()
     QString error{};                  ///< error's name, empty: none
     bool rolledBack = false;          ///< the value before has been proved again
     bool operator==(const RestoreResultRow&) const = default;

@@ -124,7 +124,7 @@ QString intentLabel(const base::Intent& intent)
     case IntentKind::Calibrate:
         return translate("ServoTasks", "set midpoint");
     case IntentKind::Restore:
-        return jobs::restoresSnapshot(intent)
+        return jobs::isSnapshotRestore(intent)
                    ? translate("ServoTasks", "restore a snapshot")
                    : translate("ServoTasks", "reset to factory defaults");
     case IntentKind::Identify:

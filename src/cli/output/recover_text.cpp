@@ -18,8 +18,8 @@ QString kindName(const base::Intent& intent)
     case base::IntentKind::Calibrate:
         return QStringLiteral("center");
     case base::IntentKind::Restore:
-        return jobs::restoresSnapshot(intent) ? QStringLiteral("snapshot-restore")
-                                              : QStringLiteral("restore-defaults");
+        return jobs::isSnapshotRestore(intent) ? QStringLiteral("snapshot-restore")
+                                               : QStringLiteral("restore-defaults");
     default:
         return base::intentKindName(intent.kind);
     }

@@ -145,7 +145,7 @@ Json jsonRow(const jobs::RestoreRowResult& row)
     if (row.rolledBack)
         json.add("rolled_back", true);
     if (row.write.error)
-        json.add("error", base::errorName(row.write.error->code));
+        json.add("error", jsonError(*row.write.error));
     return json;
 }
 

@@ -16,11 +16,6 @@ using base::IntentKind;
 using device::WriteOutcome;
 using device::WriteResult;
 
-bool isSnapshotRestore(const base::Intent& intent)
-{
-    return intent.kind == IntentKind::Restore && restoresSnapshot(intent);
-}
-
 namespace {
 /// The values of the action: those still to be written, those already set, and those that recovery
 /// does not write.

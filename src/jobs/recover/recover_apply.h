@@ -7,8 +7,6 @@
 #include "jobs/recover/recover.h"
 
 namespace jobs {
-bool isSnapshotRestore(const base::Intent& intent);
-
 struct AppliedRecovery {
     base::Result<void> result{};
     /// For a snapshot's restore every row, also those that only had to be proven; for others the

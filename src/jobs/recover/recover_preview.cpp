@@ -304,10 +304,8 @@ Finding compareValues(const base::Intent& intent, const device::Servo& servo,
 bool hasKnownNewValues(const base::Intent& intent)
 {
     // Of the two kinds of restore, a snapshot's values are known; the servo's own (0x06) are not.
-    const bool anywhere =
-        std::any_of(intent.items.begin(), intent.items.end(),
-                    [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
-    return intent.kind != IntentKind::Calibrate && (intent.kind != IntentKind::Restore || anywhere);
+    return intent.kind != IntentKind::Calibrate &&
+           (intent.kind != IntentKind::Restore || isSnapshotRestore(intent));
 }
 
 bool isRevertOnly(const base::Intent& intent)

@@ -2,7 +2,6 @@
 #include "jobs/restore/restore.h"
 
 #include "device/write_access.h"
-#include "jobs/recover/recover_apply.h"
 #include "jobs/restore/restore_run.h"
 
 #include <algorithm>
@@ -105,9 +104,10 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
     return outcome;
 }
 
-bool restoresSnapshot(const base::Intent& intent)
+bool isSnapshotRestore(const base::Intent& intent)
 {
-    return std::any_of(intent.items.begin(), intent.items.end(),
+    return intent.kind == base::IntentKind::Restore &&
+           std::any_of(intent.items.begin(), intent.items.end(),
                        [](const base::JournalItem& item) { return item.oldRaw != item.newRaw; });
 }
 } // namespace jobs

@@ -62,7 +62,7 @@ base::Result<RestoreOutcome> restore(const device::Context& context, device::Ser
 snapshot::RestoreResult toRestoreResult(const RestoreOutcome& outcome, const device::Servo& servo,
                                         const QString& source, const QString& program);
 
-/// For an intent of the kind Restore: the values of a snapshot are known beforehand, those that a
-/// servo restores itself (0x06) are not.
-bool restoresSnapshot(const base::Intent& intent);
+/// The values of a snapshot are known beforehand, those that a servo restores itself (0x06) are
+/// not.
+bool isSnapshotRestore(const base::Intent& intent);
 } // namespace jobs

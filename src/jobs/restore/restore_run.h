@@ -34,8 +34,8 @@ private:
     /// Registers, then ID and rate; nothing if all values are set already. Errors: nothing was
     /// written.
     base::Result<void> writeAll(const std::vector<RestoreWrite>& writes);
-    /// The registers, in one transaction. Errors: nothing was written.
     bool isStillToWrite(const RestoreWrite& write) const;
+    /// The registers, in one transaction. Errors: nothing was written.
     base::Result<void> writeRegisters(const std::vector<RestoreWrite>& writes);
     /// ID and rate, each as a job of its own.
     void writeIdentity(const std::vector<RestoreWrite>& writes);

@@ -250,8 +250,6 @@ void MotionController::startHeldMoves()
             }
         }
         reportCompletion(end);
-        if (!end.error)
-            Q_EMIT heldMovesStarted();
     });
 }
 

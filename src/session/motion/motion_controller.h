@@ -67,7 +67,6 @@ Q_SIGNALS:
     void changed(); ///< servos, held(), busy(), totalSteps()
     void moveSent(
         const session::MoveRequest& request); ///< its goals have arrived, or wait in the servos
-    void heldMovesStarted();                  ///< held goals
     void modePreviewed(const device::ModePlan& plan);
     void modeSwitched();
     void failed(const base::Error& error);

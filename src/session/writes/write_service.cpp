@@ -342,8 +342,7 @@ void WriteService::redo(device::Consent consent)
 void WriteService::mergeRecoveredUndo(const jobs::RecoveryResult& one, ServoRef ref)
 {
     const base::Intent& intent = one.before.intent;
-    const bool snapshot =
-        intent.kind == base::IntentKind::Restore && jobs::restoresSnapshot(intent);
+    const bool snapshot = jobs::isSnapshotRestore(intent);
     const ServoEntry* known = m_bench.registry().servo(ref);
     if (!one.done || known == nullptr || !known->servo.profile ||
         !(snapshot || intent.kind == base::IntentKind::Write))

@@ -218,7 +218,7 @@ void TestConnectBar::settingsAreRememberedPerAdapter()
     fixture.choose(demo);
     baud->setCurrentIndex(baud->findData(500000));
     protocol->setCurrentIndex(protocol->findData(QStringLiteral("feetech")));
-    fixture.bar.findChild<QSpinBox*>(QStringLiteral("patienceBox"))->setValue(60);
+    fixture.bar.findChild<QSpinBox*>(QStringLiteral("timeoutBox"))->setValue(60);
     fixture.find<QToolButton>("connectButton")->click();
     QTRY_COMPARE(fixture.workbench.link().state(), LinkState::Open);
     QCOMPARE(fixture.workbench.link().baud(), 500000);

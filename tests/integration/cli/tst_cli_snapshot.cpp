@@ -209,7 +209,8 @@ void TestCliSnapshot::identityNeedsConsent()
     const ProgramResult taken = json("snapshot restore 2 @a.servo.json --identity");
     QCOMPARE(taken.exit, 1);
     QCOMPARE(taken.json()[utf8("verdict")].toString(), utf8("failed"));
-    QCOMPARE(taken.json()[utf8("results")][0][utf8("error")].toString(), utf8("id-in-use"));
+    QCOMPARE(taken.json()[utf8("results")][0][utf8("error")][utf8("code")].toString(),
+             utf8("id-in-use"));
 }
 
 void TestCliSnapshot::aFileHasLabelNoteAndCsv()
