@@ -1585,7 +1585,7 @@
     </message>
     <message>
         <source>This register has not been read yet. Choose Read all.</source>
-        <translation>该参数还没有读取。请点“读取全部”。</translation>
+        <translation>该参数还没有读取。请点击“读取全部”。</translation>
     </message>
     <message>
         <source>The value was read from the servo.</source>
@@ -1807,11 +1807,6 @@
 </context>
 <context>
     <name>RegisterHelp</name>
-    <message>
-        <source>, </source>
-        <comment>between items of a list</comment>
-        <translation>、</translation>
-    </message>
     <message>
         <source>Resolution: %1</source>
         <translation>分辨率：%1</translation>
@@ -2717,7 +2712,7 @@ ID：一般不变；个别舵机会恢复为 1。如果另有舵机使用 ID 1�
     </message>
     <message>
         <source>The old settings are saved; the Snapshots page restores them.</source>
-        <translation>原来的设置已保存，可在“快照”页面恢复。</translation>
+        <translation>原来的设置已保存，可在“快照”页恢复。</translation>
     </message>
     <message>
         <source>ID %1, firmware %2</source>
@@ -2991,7 +2986,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>Readings were lost while the servo was moving, so the times and speeds of the affected responses are unknown.</source>
-        <translation>运动过程中有采样数据缺失，因此这些响应的时间和速度未知。</translation>
+        <translation>运动过程中有采样数据丢失，因此这些响应的时间和速度未知。</translation>
     </message>
     <message>
         <source>The servo did not move, so its gains cannot be judged.</source>
@@ -4009,11 +4004,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
 <context>
     <name>ValueEditor</name>
     <message>
-        <source>, </source>
-        <comment>between items of a list</comment>
-        <translation>、</translation>
-    </message>
-    <message>
         <source>“%1” is below the resolution of this register and would become 0.</source>
         <translation>“%1”小于该参数的分辨率，会变成 0。</translation>
     </message>
@@ -4122,7 +4112,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>A wrong value can make the servo unreachable or dangerous. Note the old value before you continue.</source>
-        <translation>数值写错可能导致舵机失联或发生危险。继续之前请记下原值。</translation>
+        <translation>数值写错可能导致舵机失联或造成危险。继续之前请记下原值。</translation>
     </message>
     <message>
         <source>Old value: %1. New value: %2.</source>
@@ -5017,11 +5007,11 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>Several servos are replying, so nothing is written. Disconnect all but one.</source>
-        <translation>有多个舵机应答，因此不写入任何内容。请只留一个。</translation>
+        <translation>有多个舵机应答，因此不写入任何内容。请拔下其余舵机，只留一个。</translation>
     </message>
     <message>
         <source>Two servos are replying with ID %1, so nothing is written. Disconnect one of them.</source>
-        <translation>两个舵机都以 ID %1 应答，因此不写入任何内容。请只留一个。</translation>
+        <translation>两个舵机都以 ID %1 应答，因此不写入任何内容。请拔下其中一个。</translation>
     </message>
     <message>
         <source>A device is replying but cannot be identified.</source>
@@ -5081,7 +5071,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>set up each servo without asking; servos with an alarm or another problem are set aside</source>
-        <translation>设置每个舵机时不再询问；有报警或其他问题的舵机会剔除</translation>
+        <translation>设置每个舵机时不再询问；有报警或其他问题的舵机会被剔除</translation>
     </message>
     <message>
         <source>label text, with placeholders: {model} {id} {rate} {baud} {firmware} {date} {was_id}</source>
@@ -5311,7 +5301,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>register names, as shown by dump</source>
-        <translation>参数名称，见 dump 的输出</translation>
+        <translation>参数的键名，见 dump 输出的“键名”列</translation>
     </message>
     <message>
         <source>No unfinished changes.</source>
@@ -5615,7 +5605,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>register names</source>
-        <translation>参数名称</translation>
+        <translation>参数的键名</translation>
     </message>
     <message>
         <source>allow ID and baud rate in the template</source>
@@ -5752,7 +5742,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     <message numerus="yes">
         <source>%n reading(s) in %1 s, %2 missed</source>
         <translation>
-            <numerusform>采样 %n 次，用时 %1 秒，缺失 %2 次</numerusform>
+            <numerusform>采样 %n 次，用时 %1 秒，丢失 %2 次</numerusform>
         </translation>
     </message>
     <message>
@@ -5833,7 +5823,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>&quot;%1&quot; must have the form KEY=VALUE, without spaces</source>
-        <translation>“%1”应写成 KEY=VALUE（名称=数值），中间不留空格</translation>
+        <translation>“%1”应写成 KEY=VALUE（键名=数值），中间不留空格</translation>
     </message>
     <message>
         <source>only entries since this time: 2026-11-22, 2026-11-22T10:30, 10:30, or an age such as 90m, 2h, 3d, 1w</source>
@@ -6047,7 +6037,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>Voltage, temperature, current and torque limits are not restored by default; to write one, specify --only KEY --dangerous.</source>
-        <translation>电压、温度、电流和扭矩的限值默认不恢复；如需写入其中一项，请指明参数名称：--only 名称 --dangerous。</translation>
+        <translation>电压、温度、电流和扭矩的限值默认不恢复；如需写入其中一项，请指明参数的键名：--only 键名 --dangerous。</translation>
     </message>
     <message>
         <source>The file is from a different firmware version: registers are matched by name.</source>
@@ -6059,7 +6049,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>only these registers: KEY,KEY</source>
-        <translation>仅限这些参数：名称,名称</translation>
+        <translation>仅限这些参数：键名,键名</translation>
     </message>
     <message>
         <source>include values that are lost at power-off (acceleration, torque limit)</source>
@@ -6083,7 +6073,7 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     </message>
     <message>
         <source>--only requires at least one register</source>
-        <translation>--only 后至少要给出一个参数名称</translation>
+        <translation>--only 后至少要给出一个参数的键名</translation>
     </message>
     <message>
         <source>New value</source>
@@ -6112,10 +6102,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>
             <numerusform>跳过 %n 行</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>unknown command &quot;%1&quot;; did you mean &quot;%2&quot;?</source>
-        <translation>未知命令“%1”；是不是要用“%2”？</translation>
     </message>
     <message>
         <source>unexpected argument &quot;%1&quot;</source>
@@ -6471,7 +6457,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>This computer has no serial port.</source>
-        <translation>此电脑没有串口。</translation>
+        <translation>本机没有串口。</translation>
     </message>
     <message>
         <source>search all ports at all baud rates until servos reply</source>
@@ -6603,7 +6589,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>LeRobot&apos;s calibration files on this computer:</source>
-        <translation>此计算机上的 LeRobot 校准文件：</translation>
+        <translation>本机上的 LeRobot 校准文件：</translation>
     </message>
     <message>
         <source>LeRobot would ask for a new calibration. To write the file to the servos: servodesk-cli arm apply &quot;%1&quot;; to write the servos to the file: servodesk-cli arm export &quot;%1&quot;</source>
@@ -6643,7 +6629,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>only these joints: NAME,NAME (default: all)</source>
-        <translation>仅这些关节：NAME,NAME（默认：全部）</translation>
+        <translation>仅限这些关节：名称,名称（默认：全部）</translation>
     </message>
     <message>
         <source>do not ask before torque off and writing</source>
@@ -6713,7 +6699,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>To close it: servodesk-cli write ID lock=1</source>
-        <translation>关闭：servodesk-cli write ID lock=1</translation>
+        <translation>上锁命令：servodesk-cli write ID lock=1</translation>
     </message>
     <message>
         <source>To write them now: servodesk-cli arm prepare</source>
@@ -6738,7 +6724,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>torque limit during the test, 5–100 % (default: 30)</source>
-        <translation>测试时的扭矩限制，5–100%（默认 30）</translation>
+        <translation>测试时的扭矩限制，5～100%（默认：30）</translation>
     </message>
     <message>
         <source>--torque takes 5 to 100</source>
@@ -6774,11 +6760,15 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Each joint moves to the ends of its limits and back, with %1 % of its torque. Keep hands and objects away. Torque is off afterwards: hold what would drop. Press Enter to begin.</source>
-        <translation>每个关节以 %1% 的扭矩运动到角度限制的两端并返回。请勿靠近，并移开障碍物。结束后为卸力状态：请扶住可能下落的部分。按回车键开始。</translation>
+        <translation>每个关节以 %1% 的扭矩运动到角度限制的两端并返回。请勿靠近，并移开障碍物。结束后为卸力状态：请扶住可能下落的部分。按回车开始。</translation>
     </message>
     <message>
         <source>describe a command</source>
         <translation>说明一个命令</translation>
+    </message>
+    <message>
+        <source>unknown command &quot;%1&quot;; did you mean %2?</source>
+        <translation>未知命令“%1”；是不是要用 %2？</translation>
     </message>
 </context>
 <context>
@@ -6837,7 +6827,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Close the other program, or use another port.</source>
-        <translation>关闭其他程序，或换用别的端口。</translation>
+        <translation>请关闭其他程序，或换用别的端口。</translation>
     </message>
     <message>
         <source>Your account does not belong to the group that owns serial ports.</source>
@@ -6885,7 +6875,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Check the file permissions, or use a copy.</source>
-        <translation>检查权限，或换用副本。</translation>
+        <translation>请检查文件权限，或换用副本。</translation>
     </message>
     <message>
         <source>the file cannot be written</source>
@@ -7086,7 +7076,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Close other programs that have history.sqlite open, and try again.</source>
-        <translation>关闭打开了 history.sqlite 的其他程序，然后重试。</translation>
+        <translation>请关闭打开了 history.sqlite 的其他程序，然后重试。</translation>
     </message>
     <message>
         <source>the history database is damaged</source>
@@ -7352,7 +7342,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Setting a goal slightly back from the stalled position clears this alarm: the shaft turns back a little and holds that position.</source>
-        <translation>将目标设在离堵转位置稍远的位置，即可解除此报警：输出轴往回转一点，并保持在那里。</translation>
+        <translation>从堵转位置往回一点设定目标，即可解除此报警：输出轴往回转一点，并保持在那里。</translation>
     </message>
     <message>
         <source>Setting a new goal at the present position clears this alarm: torque is turned on, and the servo holds that position.</source>
@@ -7508,7 +7498,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Plug the adapter in, use a data cable, and check the list of ports.</source>
-        <translation>插好适配器，换用数据线，再查看端口列表。</translation>
+        <translation>请插好适配器，换用数据线，再查看端口列表。</translation>
     </message>
     <message>
         <source>Another program has opened the port. Two programs on one bus would receive each other&apos;s replies.</source>
@@ -7524,7 +7514,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Unplug the adapter and plug it in again; for tcp://, check the host and port.</source>
-        <translation>重新插拔适配器；如果使用 tcp://，请核对主机和端口号。</translation>
+        <translation>请重新插拔适配器；如果使用 tcp://，请核对主机和端口号。</translation>
     </message>
     <message>
         <source>this adapter does not support that baud rate</source>
@@ -7536,7 +7526,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Use another baud rate or another adapter.</source>
-        <translation>换用其他波特率或其他适配器。</translation>
+        <translation>请换用其他波特率或其他适配器。</translation>
     </message>
     <message>
         <source>the connection was lost</source>
@@ -7548,7 +7538,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Plug the adapter in again. If a change was in progress, check the interrupted writes (%recover) before you continue.</source>
-        <translation>重新插好适配器。如果正在修改参数，请先查看未写完的更改（%recover），再继续操作。</translation>
+        <translation>请重新插好适配器。如果正在修改参数，请先查看未写完的更改（%recover），再继续操作。</translation>
     </message>
     <message>
         <source>The servo has no power, a wire is loose, or the ID, baud rate or protocol does not match.</source>
@@ -7556,7 +7546,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Measure the voltage at the servo, check the wires, and search at all baud rates.</source>
-        <translation>测量舵机端电压，检查接线，并以所有波特率搜索。</translation>
+        <translation>请测量舵机端电压，检查接线，并以所有波特率搜索。</translation>
     </message>
     <message>
         <source>the reply could not be decoded</source>
@@ -7568,7 +7558,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect only this servo, check the ground wire, and search at all baud rates.</source>
-        <translation>只接这一个舵机，检查地线，并以所有波特率搜索。</translation>
+        <translation>请只接这一个舵机，检查地线，并以所有波特率搜索。</translation>
     </message>
     <message>
         <source>the reply does not match the request</source>
@@ -7580,7 +7570,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Close other programs that use the bus, and connect only this servo.</source>
-        <translation>关闭使用总线的其他程序，只接这一个舵机。</translation>
+        <translation>请关闭使用总线的其他程序，只接这一个舵机。</translation>
     </message>
     <message>
         <source>the bus is never idle: a device is sending continuously</source>
@@ -7592,7 +7582,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect only one servo, check the wires, and select the right port.</source>
-        <translation>只连接一个舵机，检查连线，并选择正确的端口。</translation>
+        <translation>请只连接一个舵机，检查连线，并选择正确的端口。</translation>
     </message>
     <message>
         <source>no acknowledgment received, so it is unknown whether the servo executed the request</source>
@@ -7604,11 +7594,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Read the servo&apos;s state first, then decide whether to repeat the request.</source>
-        <translation>先读取舵机状态，再决定是否重发请求。</translation>
+        <translation>请先读取舵机状态，再决定是否重发请求。</translation>
     </message>
     <message>
         <source>You stopped the operation.</source>
-        <translation>操作已被您停止。</translation>
+        <translation>您已停止该操作。</translation>
     </message>
     <message>
         <source>Start again when you are ready; the remaining steps were not executed.</source>
@@ -7644,15 +7634,15 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>this servo has no register with that name</source>
-        <translation>此舵机没有这个名称的参数</translation>
+        <translation>此舵机没有使用此键名的参数</translation>
     </message>
     <message>
         <source>The name is misspelled or belongs to another family.</source>
-        <translation>名称写错，或属于其他系列。</translation>
+        <translation>键名写错，或属于其他系列。</translation>
     </message>
     <message>
         <source>Look up the name in the servo&apos;s memory table.</source>
-        <translation>请在舵机内存表中查找名称。</translation>
+        <translation>请在舵机内存表中查找键名。</translation>
     </message>
     <message>
         <source>this register is read-only</source>
@@ -7700,7 +7690,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Choose a free ID, or change the ID of the other servo first.</source>
-        <translation>换一个空闲的 ID，或先修改另一个舵机的 ID。</translation>
+        <translation>请换一个空闲的 ID，或先修改另一个舵机的 ID。</translation>
     </message>
     <message>
         <source>the servo did not execute the request</source>
@@ -7712,7 +7702,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Check the servo&apos;s status and mode, remove the cause, and try again.</source>
-        <translation>查看舵机状态和模式，排除原因后再试。</translation>
+        <translation>请查看舵机状态和模式，排除原因后再试。</translation>
     </message>
     <message>
         <source>the value read back differs from the value written</source>
@@ -7724,7 +7714,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Read the register again, and use a value that the servo accepts.</source>
-        <translation>重新读取参数，换用舵机接受的数值。</translation>
+        <translation>请重新读取参数，换用舵机接受的数值。</translation>
     </message>
     <message>
         <source>the EPROM lock could not be confirmed</source>
@@ -7736,7 +7726,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Restore the connection and finish or undo the change (%recover); turning the servo off and on also locks the EPROM.</source>
-        <translation>恢复连接后完成或撤销修改（%recover）；舵机断电再上电后，EPROM 也会上锁。</translation>
+        <translation>请恢复连接，然后完成或撤销更改（%recover）；舵机断电再上电后，EPROM 也会上锁。</translation>
     </message>
     <message>
         <source>no memory table matches this servo</source>
@@ -7780,7 +7770,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect the original servo, then try again.</source>
-        <translation>接上原来的舵机后再试。</translation>
+        <translation>请接上原来的舵机后再试。</translation>
     </message>
     <message>
         <source>the turn count of this servo is unknown</source>
@@ -7800,7 +7790,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Select a protocol with --protocol, or change the ID of one of the servos.</source>
-        <translation>用 --protocol 指明协议，或修改其中一个舵机的 ID。</translation>
+        <translation>请用 --protocol 指明协议，或修改其中一个舵机的 ID。</translation>
     </message>
     <message>
         <source>The name is misspelled, or the file was moved.</source>
@@ -7820,7 +7810,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Use an undamaged copy, or create the file again.</source>
-        <translation>换用完好的副本，或重新生成文件。</translation>
+        <translation>请换用完好的副本，或重新生成文件。</translation>
     </message>
     <message>
         <source>The folder is missing or read-only, or belongs to another user.</source>
@@ -7872,7 +7862,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Turn the servo off and on, and read it again. If the byte is still neither 0 nor 1, do not write to this servo: ask the vendor for its memory table.</source>
-        <translation>请给舵机断电再上电，然后重新读取。若该字节仍不是 0 或 1，请勿写入该舵机，并向厂商索取其内存表。</translation>
+        <translation>请给舵机断电再上电，然后重新读取。若该字节仍不是 0 或 1，请勿写入该舵机，并向厂家索取其内存表。</translation>
     </message>
     <message>
         <source>This version of ServoDesk is too old to record changes in the history, so nothing is written to the servo.</source>
@@ -8036,7 +8026,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>%3 was saved with the command from the data sheet; this can be verified only by turning the servo off and on.</source>
-        <translation>%3 已用数据手册给出的指令保存；只有将舵机断电再上电，才能验证是否已保存。</translation>
+        <translation>%3 已用规格书给出的指令保存；只有将舵机断电再上电，才能验证是否已保存。</translation>
     </message>
     <message>
         <source>The current limit %1 (%3) was restored.</source>
@@ -8088,7 +8078,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Set the other servos and the port to this baud rate.</source>
-        <translation>把其他舵机和端口设为此波特率。</translation>
+        <translation>请把其他舵机和端口设为此波特率。</translation>
     </message>
     <message>
         <source>no reply</source>
@@ -8624,7 +8614,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>shifts the zero position of the shaft</source>
-        <translation>会移动输出轴的零点</translation>
+        <translation>会移动输出轴的零位</translation>
     </message>
     <message>
         <source>After the write, the same goal means a different position: the shaft may turn immediately or when torque is turned on.</source>
@@ -8916,7 +8906,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Measure the supply voltage at a servo&apos;s connector. On an adapter board, connect the supply to the terminal next to the servo connectors; USB does not power servos. Then try one servo alone, with another cable, and check that RS-485 servos are connected to the RS-485 connector and all others to the TTL connector.</source>
-        <translation>在舵机插头处测量供电电压。使用调试板时，电源应接在舵机接口旁的端子上；USB 不给舵机供电。然后换一根线，只接一个舵机再试，并确认 RS-485 舵机接在 RS-485 接口上，其他舵机接在 TTL 接口上。</translation>
+        <translation>请在舵机插头处测量供电电压。使用适配器板时，电源应接在舵机接口旁的端子上；USB 不给舵机供电。然后换一根线，只接一个舵机再试，并确认 RS-485 舵机接在 RS-485 接口上，其他舵机接在 TTL 接口上。</translation>
     </message>
     <message>
         <source>Only the adapter&apos;s echo comes back; no servo replies.</source>
@@ -8948,7 +8938,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Disconnect all but one of these servos, give the remaining servo an unused ID, then connect the next one. Commissioning guides you through the steps.</source>
-        <translation>只保留其中一个，为它设置一个未使用的 ID，再接下一个。“批量设置”页会引导您完成。</translation>
+        <translation>请只保留其中一个，为它设置一个未使用的 ID，再接下一个。“批量设置”页会引导您完成。</translation>
     </message>
     <message>
         <source>The adapter delays the replies.</source>
@@ -8956,7 +8946,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>ServoDesk waits for late replies, but other programs may not find any servos; set their timeouts to more than this delay. For an FTDI adapter, set the latency timer to 1 ms (on Linux in /sys/bus/usb-serial/devices/ttyUSB0/latency_timer, on Windows in Device Manager). If you use a network bridge, connect to it by cable.</source>
-        <translation>ServoDesk 会等待较晚的应答，但其他程序可能找不到舵机：请将这些程序的超时设为大于此延迟。FTDI 适配器请把延迟定时器设为 1 毫秒（Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置）。网桥请使用有线连接。</translation>
+        <translation>ServoDesk 会等待较晚的应答，但其他程序可能找不到舵机：请将这些程序的超时设为大于此延迟。FTDI 适配器请把延迟计时器设为 1 毫秒（Linux 下为 /sys/bus/usb-serial/devices/ttyUSB0/latency_timer，Windows 下在设备管理器中设置）。网桥请使用有线连接。</translation>
     </message>
     <message>
         <source>Some servos do not acknowledge writes (response level 0).</source>
@@ -9050,7 +9040,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>ID %1: the readings cannot come from one servo.</source>
-        <translation>ID %1：这些读数不可能来自同一个舵机。</translation>
+        <translation>ID %1：这些采样数据不可能来自同一个舵机。</translation>
     </message>
     <message>
         <source>ID %1 does not acknowledge writes.</source>
@@ -9076,7 +9066,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>The latency timer of the adapter is set to %1 ms.</source>
-        <translation>适配器的延迟定时器设为 %1 毫秒。</translation>
+        <translation>适配器的延迟计时器设为 %1 毫秒。</translation>
     </message>
     <message>
         <source>All servos reply without noticeable delay.</source>
@@ -9176,11 +9166,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>This computer has enough power.</source>
-        <translation>此计算机的电量充足。</translation>
+        <translation>本机电量充足。</translation>
     </message>
     <message>
         <source>This computer&apos;s battery has %1 % left. Connect the charger.</source>
-        <translation>此计算机的电池电量只剩 %1%。请接上充电器。</translation>
+        <translation>本机电池电量只剩 %1%。请接上充电器。</translation>
     </message>
     <message>
         <source>Other servos</source>
@@ -9268,7 +9258,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect only this servo and rescue it with the same file.</source>
-        <translation>只连接这个舵机，用同一个文件救援它。</translation>
+        <translation>请只连接这个舵机，用同一个文件救援它。</translation>
     </message>
     <message>
         <source>Its firmware update was probably interrupted. Connect only this servo and rescue it with the vendor&apos;s firmware file (Servo menu, Rescue firmware; servodesk-cli firmware rescue FILE).</source>
@@ -9314,7 +9304,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Connect only the servo to rescue, and turn its supply off first.</source>
-        <translation>只连接要救援的舵机，并先断开它的电源。</translation>
+        <translation>请只连接要救援的舵机，并先断开它的电源。</translation>
     </message>
     <message>
         <source>Their supply came on together.</source>
@@ -9350,7 +9340,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Move the joint from stop to stop by hand.</source>
-        <translation>用手把关节从一个机械限位转到另一个机械限位。</translation>
+        <translation>请用手把关节从一个机械限位转到另一个机械限位。</translation>
     </message>
     <message>
         <source>the range does not fit into one turn of the encoder</source>
@@ -9374,11 +9364,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>lost track: record again</source>
-        <translation>丢失圈数：请重新采集</translation>
+        <translation>位置跟踪中断：请重新采集</translation>
     </message>
     <message>
         <source>readings of this joint were missing while it moved</source>
-        <translation>此关节转动时丢失了读数</translation>
+        <translation>此关节转动时丢失了采样数据</translation>
     </message>
     <message>
         <source>It may have turned by half a turn meanwhile, so its range is not known.</source>
@@ -9402,7 +9392,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>this joint is in step mode and reports no position</source>
-        <translation>此关节处于步进模式，不报告位置</translation>
+        <translation>此关节处于步进模式，不反馈位置</translation>
     </message>
     <message>
         <source>Another program has set the mode.</source>
@@ -9434,7 +9424,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>moving</source>
-        <translation>运动中</translation>
+        <translation>移动中</translation>
     </message>
     <message>
         <source>reached both ends</source>
@@ -9445,21 +9435,16 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>运动中报警</translation>
     </message>
     <message>
-        <source>, </source>
-        <comment>between items</comment>
-        <translation>、</translation>
-    </message>
-    <message>
         <source>No reply from %1.</source>
         <translation>%1 无应答。</translation>
     </message>
     <message>
         <source>The firmware versions differ: LeRobot refuses the bus.</source>
-        <translation>固件版本不一致：LeRobot 会拒绝该总线。</translation>
+        <translation>固件版本不一致：LeRobot 会拒绝连接。</translation>
     </message>
     <message>
         <source>The EPROM lock is open (ID %1), as LeRobot leaves it when it turns torque off.</source>
-        <translation>EPROM 锁未关闭（ID %1）：LeRobot 卸力时会让它处于打开状态。</translation>
+        <translation>EPROM 未上锁（ID %1）：LeRobot 卸力后会让 EPROM 保持未上锁状态。</translation>
     </message>
     <message>
         <source>LeRobot would change settings at its next start (ID %1).</source>
@@ -9475,7 +9460,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Leave the joint out of the move test.</source>
-        <translation>运动测试中不要包含该关节。</translation>
+        <translation>请不要在运动测试中包含该关节。</translation>
     </message>
     <message>
         <source>end not reached</source>
@@ -9495,7 +9480,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>%1 has the model %2; LeRobot expects %3 and refuses the bus. Fit that model, or enter %2 both in the arm and in LeRobot&apos;s code.</source>
-        <translation>%1 的型号是 %2；LeRobot 要求 %3，会拒绝此总线。请换成该型号，或在机械臂定义和 LeRobot 代码中都填 %2。</translation>
+        <translation>%1 的型号是 %2；LeRobot 要求 %3，会拒绝连接。请换成 %3，或在机械臂定义和 LeRobot 代码中都填 %2。</translation>
     </message>
 </context>
 <context>
@@ -9556,7 +9541,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Wait until the search or test has ended, then click “Allow movement” again.</source>
-        <translation>请等搜索或测试结束，再点“允许运动”。</translation>
+        <translation>请等搜索或测试结束，再点击“允许运动”。</translation>
     </message>
     <message>
         <source>Allow movement</source>
@@ -9754,6 +9739,41 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
 </context>
 <context>
+    <name>ui::ArmChoice</name>
+    <message>
+        <source>From file…</source>
+        <translation>从文件…</translation>
+    </message>
+    <message>
+        <source>New arm…</source>
+        <translation>新建机械臂…</translation>
+    </message>
+    <message>
+        <source>Select the file with the arm</source>
+        <translation>选择机械臂文件</translation>
+    </message>
+    <message>
+        <source>Robot arms (*.json)</source>
+        <translation>机械臂 (*.json)</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Selects which joints the arm has</source>
+        <translation>选择机械臂有哪些关节</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>编辑…</translation>
+    </message>
+    <message>
+        <source>Changes the joints of the arm and saves them to a file</source>
+        <translation>修改机械臂的关节并保存到文件</translation>
+    </message>
+</context>
+<context>
     <name>ui::ArmDialog</name>
     <message>
         <source>between two stops</source>
@@ -9943,11 +9963,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <comment>joint, changes</comment>
         <translation>%1：%2</translation>
     </message>
-    <message>
-        <source>, </source>
-        <comment>between changes</comment>
-        <translation>、</translation>
-    </message>
 </context>
 <context>
     <name>ui::ArmPage</name>
@@ -9956,16 +9971,8 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>已保存：%1</translation>
     </message>
     <message>
-        <source>Select the file with the arm</source>
-        <translation>选择机械臂文件</translation>
-    </message>
-    <message>
-        <source>Robot arms (*.json)</source>
-        <translation>机械臂 (*.json)</translation>
-    </message>
-    <message>
         <source>Turn torque off?</source>
-        <translation>要卸力吗？</translation>
+        <translation>卸力？</translation>
     </message>
     <message>
         <source>The joints are then moved by hand while their positions are recorded. Nothing else is written.</source>
@@ -9987,7 +9994,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>The memory tables are saved first, and every value is read back. Torque stays off.</source>
-        <translation>先保存内存表，每个值写入后都会回读。扭矩保持关闭。</translation>
+        <translation>先保存内存表，每个值写入后都会回读。舵机保持卸力。</translation>
     </message>
     <message>
         <source>The offset shifts the zero position of a joint.</source>
@@ -10003,7 +10010,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Torque is off. Move every joint from stop to stop, in any order. The encoder&apos;s seam may lie anywhere in the range. Click Continue when every joint is recorded.</source>
-        <translation>已卸力。以任意顺序把每个关节从一个机械限位转到另一个机械限位。编码器零点（4095 与 0 的交界）可以在范围内的任何位置。采集完所有关节后单击“继续”。</translation>
+        <translation>已卸力。以任意顺序把每个关节从一个机械限位转到另一个机械限位。编码器零点（4095 与 0 的交界）可以在范围内的任何位置。采集完所有关节后点击“继续”。</translation>
     </message>
     <message>
         <source>Nothing has been written yet. Check the new offsets and limits, then write them to the servos. Joints that were not recorded stay as they are.</source>
@@ -10046,14 +10053,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>机械臂</translation>
     </message>
     <message>
-        <source>From file…</source>
-        <translation>从文件…</translation>
-    </message>
-    <message>
-        <source>Selects which joints the arm has</source>
-        <translation>选择机械臂有哪些关节</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
@@ -10067,16 +10066,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Uses the pose in which you click Continue as the middle, instead of the middle of each range</source>
-        <translation>以单击“继续”时的姿态作为中位，而不是各范围的中点</translation>
+        <translation>以点击“继续”时的姿态作为中位，而不是各范围的中点</translation>
     </message>
     <message>
         <source>Only the selected joints: %1.</source>
         <translation>仅所选关节：%1。</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <comment>between joints</comment>
-        <translation>、</translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) written and read back.</source>
@@ -10124,7 +10118,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Clear the range and test again with more torque, or calibrate these joints again.</source>
-        <translation>清除障碍物后以更大扭矩重新测试，或重新校准这些关节。</translation>
+        <translation>请清除障碍物后以更大扭矩重新测试，或重新校准这些关节。</translation>
     </message>
     <message>
         <source>The joints move one after the other. Esc turns torque off at once.</source>
@@ -10155,14 +10149,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         </translation>
     </message>
     <message>
-        <source>Edit…</source>
-        <translation>编辑…</translation>
-    </message>
-    <message>
-        <source>Changes the joints of the arm and saves them to a file</source>
-        <translation>修改机械臂的关节并保存到文件</translation>
-    </message>
-    <message>
         <source>One row per joint of the arm; select rows to record or test only these</source>
         <translation>机械臂的每个关节一行；选中若干行则只采集或测试这些关节</translation>
     </message>
@@ -10190,16 +10176,12 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>结束采集或测试；舵机保持原有的位置校正和角度限制</translation>
     </message>
     <message>
-        <source>New arm…</source>
-        <translation>新建机械臂…</translation>
-    </message>
-    <message>
         <source>Not calibrated, so these run into their mechanical stops: %1.</source>
         <translation>未校准，会撞到机械限位：%1。</translation>
     </message>
     <message>
         <source>Undo takes back one joint at a time, the last one first.</source>
-        <translation>撤销每次还原一个关节，从最后一个开始。</translation>
+        <translation>“撤销”每次还原一个关节，从最后写入的关节开始。</translation>
     </message>
 </context>
 <context>
@@ -10516,7 +10498,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>A wrong value in these rows can make a servo unreachable or dangerous: %1</source>
-        <translation>以下各项的数值错误可能导致舵机失联或发生危险：%1</translation>
+        <translation>以下各项的数值错误可能导致舵机失联或造成危险：%1</translation>
     </message>
     <message>
         <source>Batch file (CSV); an existing batch is resumed</source>
@@ -10584,7 +10566,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Sets up each servo without asking; servos with an alarm or another problem are set aside</source>
-        <translation>设置每个舵机时不再询问；有报警或其他问题的舵机会剔除</translation>
+        <translation>设置每个舵机时不再询问；有报警或其他问题的舵机会被剔除</translation>
     </message>
     <message>
         <source>Include the template&apos;s dangerous rows</source>
@@ -10682,7 +10664,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>A wrong value can make a servo unreachable or dangerous, and these rows will be written to every servo in the batch.</source>
-        <translation>数值错误可能导致舵机失联或发生危险；这些危险项会写入本批次的每个舵机。</translation>
+        <translation>数值错误可能导致舵机失联或造成危险；这些危险项会写入本批次的每个舵机。</translation>
     </message>
     <message>
         <source>The batch cannot be resumed.</source>
@@ -10753,11 +10735,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>Several servos are replying: disconnect all but one</source>
-        <translation>有多个舵机应答：请只留一个</translation>
+        <translation>有多个舵机应答：请拔下其余舵机，只留一个</translation>
     </message>
     <message>
         <source>Two servos with the same ID: disconnect one</source>
-        <translation>两个舵机 ID 相同：请只留一个</translation>
+        <translation>两个舵机 ID 相同：请拔下其中一个</translation>
     </message>
     <message>
         <source>A servo is replying but cannot be identified</source>
@@ -10797,11 +10779,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>One servo of this model is still unfinished, and no IDs are left for other servos. If it is the one that is connected now, click &quot;%1&quot;.</source>
-        <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点“%1”。</translation>
+        <translation>有一个同型号的舵机尚未设置完，且已没有 ID 可分配给其他舵机。如果接上的就是该舵机，请点击“%1”。</translation>
     </message>
     <message>
         <source>One servo of this model is still unfinished; its assigned ID is %1. If it is the one that is connected now, click &quot;%2&quot;; otherwise, the connected servo will be set up as a new one.</source>
-        <translation>有一个同型号的舵机尚未设置完，已为其分配 ID %1。如果接上的就是该舵机，请点“%2”；否则接上的舵机将作为新舵机设置。</translation>
+        <translation>有一个同型号的舵机尚未设置完，已为其分配 ID %1。如果接上的就是该舵机，请点击“%2”；否则接上的舵机将作为新舵机设置。</translation>
     </message>
     <message>
         <source>Connect one servo at a time. Each servo receives the template, an ID and the baud rate; it is then checked and recorded in the batch. The servos do not move.</source>
@@ -11262,7 +11244,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>For gripping, set the percentage of the stall torque that the part can withstand (for example, 10 % of 10 kg·cm is 1 kg·cm). A lower limit also makes the servo slower. Use this method only for parts that all have the same mass.</source>
-        <translation>用于夹持时，按工件能承受的力设置堵转扭矩的百分比（例如 10 kg·cm 的 10% 为 1 kg·cm）。限制设得越低，舵机也越慢。此方法仅适合质量相同的工件。</translation>
+        <translation>用于夹持时，按工件能承受的力设置堵转扭矩的百分比（例如 10 kg·cm 的 10% 为 1 kg·cm）。限制设得越低，舵机也越慢。此方法仅适合重量相同的工件。</translation>
     </message>
     <message>
         <source>Torque limit details</source>
@@ -11755,7 +11737,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>This computer has no serial port. Plug in the adapter, then search again.</source>
-        <translation>此电脑没有串口。请插入适配器，然后重新搜索。</translation>
+        <translation>本机没有串口。请插入适配器，然后重新搜索。</translation>
     </message>
     <message>
         <source>Port</source>
@@ -12307,7 +12289,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Save servos to file…</source>
-        <translation>把舵机保存到文件…</translation>
+        <translation>把舵机的值保存到文件…</translation>
     </message>
     <message>
         <source>Saves what the servos hold as a calibration file</source>
@@ -12323,15 +12305,15 @@ Retries: %9</source>
     </message>
     <message>
         <source>✓ %1 equals the servos.</source>
-        <translation>✓ %1 与舵机相同。</translation>
+        <translation>✓ %1 与舵机中的值一致。</translation>
     </message>
     <message>
         <source>! %1 differs from the servos: LeRobot would ask for a new calibration.</source>
-        <translation>! %1 与舵机不同：LeRobot 会要求重新校准。</translation>
+        <translation>! %1 与舵机中的值不一致：LeRobot 会要求重新校准。</translation>
     </message>
     <message>
         <source> The Firmware page shows and updates them.</source>
-        <translation>可在固件页查看和更新。</translation>
+        <translation>可在“固件”页查看和更新。</translation>
     </message>
     <message>
         <source>offset</source>
@@ -12383,7 +12365,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Torque is turned off: hold the arm.</source>
-        <translation>会卸力：请扶住机械臂。</translation>
+        <translation>将会卸力：请扶住机械臂。</translation>
     </message>
     <message>
         <source>Save the calibration</source>
@@ -12391,7 +12373,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>! %1: LeRobot expects other models and refuses the bus. Fit those models, or enter the present ones both in the arm and in LeRobot&apos;s code.</source>
-        <translation>! %1：LeRobot 要求其他型号，会拒绝此总线。请换成要求的型号，或在机械臂定义和 LeRobot 代码中都填现有型号。</translation>
+        <translation>! %1：LeRobot 要求其他型号，会拒绝连接。请换成要求的型号，或在机械臂定义和 LeRobot 代码中都填现有型号。</translation>
     </message>
 </context>
 <context>
@@ -12667,7 +12649,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Time to wait for a reply, in addition to the transmission time (auto: adjusted to this adapter; a servo counts as silent after 500 ms)</source>
-        <translation>等待应答的时间，不含传输时间（自动：按适配器调整，500 ms 后才判定舵机无应答）</translation>
+        <translation>等待应答的时间，不含传输时间（自动：按适配器调整，500 毫秒后才判定舵机无应答）</translation>
     </message>
 </context>
 <context>
@@ -12690,7 +12672,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>The EPROM lock has not been read. Choose Read all.</source>
-        <translation>尚未读取 EPROM 锁状态。请点“读取全部”。</translation>
+        <translation>尚未读取 EPROM 锁状态。请点击“读取全部”。</translation>
     </message>
     <message>
         <source>The EPROM is locked. ServoDesk unlocks it for a write and locks it again afterwards.</source>
@@ -13255,7 +13237,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Selects this port; click Connect to open it</source>
-        <translation>选用此端口；点“连接”打开</translation>
+        <translation>选用此端口；点击“连接”打开</translation>
     </message>
     <message>
         <source>Keeps the previously selected port</source>
@@ -13266,11 +13248,11 @@ Retries: %9</source>
     <name>ui::PortPicker</name>
     <message>
         <source>Description: %1</source>
-        <translation>描述：%1</translation>
+        <translation>说明：%1</translation>
     </message>
     <message>
         <source>Vendor: %1</source>
-        <translation>厂商：%1</translation>
+        <translation>制造商：%1</translation>
     </message>
     <message>
         <source>Serial number: %1</source>
@@ -13588,7 +13570,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>%1: a wrong value can make the servo unreachable or dangerous.</source>
-        <translation>%1：错误的值可能使舵机无法连接或产生危险。</translation>
+        <translation>%1：错误的值可能使舵机失联或造成危险。</translation>
     </message>
     <message>
         <source>%1 shifts the position that the servo reports.</source>
@@ -13911,7 +13893,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Commissioning is running. Its servos are shown on the Commissioning page.</source>
-        <translation>批量设置正在进行，舵机显示在“批量设置”页面上。</translation>
+        <translation>批量设置正在进行，舵机显示在“批量设置”页。</translation>
     </message>
     <message numerus="yes">
         <source>%1 % · %n servo(s) · %2 left</source>
@@ -14533,7 +14515,7 @@ Retries: %9</source>
     </message>
     <message>
         <source>Repeats</source>
-        <translation>重复</translation>
+        <translation>往返次数</translation>
     </message>
     <message>
         <source>Wait</source>
