@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds and runs all benches and prints their measurements. `--smoke`: eight seconds of each, which show that they
+# Builds and runs all benches and prints their measurements. `--smoke`: five seconds of each, which show that they
 # run and do not crash; their figures mean little on a shared machine, so missed ones do not count.
 set -euo pipefail
 
@@ -27,7 +27,7 @@ for bench in "$BUILD_DIR"/tests/bench_*; do
     step "$name" ""
     if $smoke; then
         status=0
-        timeout 8 "$bench" "${arguments[@]}" 2>&1 | sed 's/^/      /' || status=${PIPESTATUS[0]}
+        timeout 5 "$bench" "${arguments[@]}" 2>&1 | sed 's/^/      /' || status=${PIPESTATUS[0]}
         case $status in
         0 | 124) ;; # done, still measuring
         1) say "A figure was missed." ;;
