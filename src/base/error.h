@@ -22,7 +22,7 @@ enum class ErrorCode {
     Garbled,         ///< bytes came, but no valid reply (checksum, noise, collision)
     UnexpectedReply, ///< a valid reply of another shape than the one asked for
     LineBusy,        ///< bytes arrive without a pause: no reply can be recognized among them
-    Uncertain,       ///< a request that must not be repeated lost its answer
+    Uncertain,       ///< unknown whether it was executed or kept; detail says why
     Stopped,         ///< the user stopped it
     Preempted,       ///< the emergency lane took the wire
     Held,            ///< the servo belongs to a running job
