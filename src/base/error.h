@@ -22,7 +22,7 @@ enum class ErrorCode {
     Garbled,         ///< bytes came, but no valid reply (checksum, noise, collision)
     UnexpectedReply, ///< a valid reply of another shape than the one asked for
     LineBusy,        ///< bytes arrive without a pause: no reply can be recognized among them
-    Uncertain,       ///< unknown whether it was executed or kept; detail says why
+    Uncertain,       ///< unknown whether it was executed or kept; detail may say why
     Stopped,         ///< the user stopped it
     Preempted,       ///< the emergency lane took the wire
     Held,            ///< the servo belongs to a running job

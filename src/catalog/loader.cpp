@@ -64,6 +64,16 @@ QString rowTitle(const QJsonValue& row)
     }
     return {};
 }
+
+QString seriesTitle(const SeriesDef& series)
+{
+    return QStringLiteral("series ") + series.key.left(60);
+}
+
+QString modelTitle(const ModelEntry& model)
+{
+    return QStringLiteral("model ") + model.name.left(60);
+}
 } // namespace
 
 void Loader::warn(const QString& where, const QString& detail)
@@ -182,6 +192,7 @@ void Loader::addSeries(const QJsonValue& value, const QString& where)
     if (series->protocol == base::Protocol::Feetech && !series->from)
         return warn(where, QStringLiteral("\"firmware\" is missing"));
     const QString key = series->key;
+    m_files[seriesTitle(*series)] = m_file;
     insertOrReplace(m_data.series, std::move(*series),
                     [&](const SeriesDef& other) { return other.key == key; });
 }
@@ -200,6 +211,7 @@ void Loader::addModel(const QJsonValue& value, const QString& where)
     const auto model = readModel(value, errorText);
     if (!model)
         return warn(where, errorText);
+    m_files[modelTitle(*model)] = m_file;
     insertOrReplace(m_data.models, *model, [&](const ModelEntry& other) {
         if (model->major < 0)
             return other.major < 0 &&
@@ -224,9 +236,9 @@ Catalog::LoadResult Loader::finish()
     for (SeriesDef& series : m_data.series) {
         applyProtocol(series);
         if (!series.map.isEmpty() && m_data.maps.find(series.map) == m_data.maps.end()) {
-            m_file.clear();
-            warn(QStringLiteral("series ") + series.key,
-                 QStringLiteral("there is no map \"%1\"").arg(series.map.left(60)));
+            const QString title = seriesTitle(series);
+            m_file = m_files.value(title);
+            warn(title, QStringLiteral("there is no map \"%1\"").arg(series.map.left(60)));
             series.map.clear();
         }
     }
@@ -236,9 +248,9 @@ Catalog::LoadResult Loader::finish()
         if (it != m_data.series.end()) {
             model.line = it->line;
         } else if (model.supported) {
-            m_file.clear();
-            warn(QStringLiteral("model ") + model.name.left(60),
-                 QStringLiteral("there is no series \"%1\"").arg(model.series.left(60)));
+            const QString title = modelTitle(model);
+            m_file = m_files.value(title);
+            warn(title, QStringLiteral("there is no series \"%1\"").arg(model.series.left(60)));
         }
     }
     return {Catalog(std::make_shared<const Catalog::Data>(std::move(m_data))),

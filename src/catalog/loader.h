@@ -5,6 +5,7 @@
 
 #include "catalog/definition.h"
 
+#include <QHash>
 #include <QJsonArray>
 
 #include <functional>
@@ -32,6 +33,7 @@ private:
     Catalog::Data m_data;
     std::vector<LoadWarning> m_warnings;
     QString m_file;
+    QHash<QString, QString> m_files; ///< where the latest "series STS" or "model STS3215" stands
     int m_fileWarnings = 0;
 };
 } // namespace catalog

@@ -141,14 +141,17 @@ void TestLanguage::textsArePlain()
 /// One Chinese term for one thing, full-width punctuation, and no space before a percent sign.
 void TestLanguage::chineseIsUniform()
 {
+    const QString words = QStringLiteral("单击|此电脑|此计算机|延迟定时器|数据手册|回车键");
     const QRegularExpression banned(
         QStringLiteral("<(translation|numerusform)>[^<]*(仿真|往返测试|回程差|释放扭矩|关闭扭矩|"
                        "校中|恢复默认值|撤回|退回|"
-                       "清除报警|紧急停止|工作模式|搁置|插入下一个|[^行]程数|编码器故障|台舵机|"
-                       "\\p{Han}[;!?]|[!?]\\p{Han}|\\d %[^\\dL]|“ |” \\p{Han})"));
+                       "清除报警|紧急停止|工作模式|搁置|插入下一个|[^行]程数|编码器故障|台舵机|%1|"
+                       "\\p{Han}[;!?]|[!?]\\p{Han}|\\d %[^\\dL]|“ |” \\p{Han})")
+            .arg(words));
     QVERIFY(QStringLiteral("<translation>打开仿真总线").contains(banned));
     const QString texts = QStringLiteral(SOURCE_DIR "/translations/servodesk_zh_CN.ts");
-    const QStringList found = matches({texts}, banned);
+    const QString help = QStringLiteral(SOURCE_DIR "/resources/help/help_zh.md");
+    const QStringList found = matches({texts}, banned) + matches({help}, QRegularExpression(words));
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 

@@ -321,6 +321,7 @@ void TestCatalogFiles::aModelOfAnUnknownSeriesIsSaid()
     const auto loaded = load();
     QCOMPARE(loaded.warnings.size(), std::size_t(1));
     QCOMPARE(loaded.warnings[0].where, QStringLiteral("model BENCH1"));
+    QVERIFY(loaded.warnings[0].file.endsWith(QStringLiteral("model.json")));
     QVERIFY(loaded.warnings[0].detail.contains(QStringLiteral("\"STs\"")));
 }
 
