@@ -11,6 +11,9 @@ smoke=false
 [ "${1:-}" != --smoke ] || smoke=true
 [ -f "$BUILD_DIR/CMakeCache.txt" ] || die "nothing is built." "To build it with the tests:  packaging/test.sh"
 cmake --build "$BUILD_DIR" --target benches || die "this build has no benches." "To build it with them:  packaging/test.sh"
+TMPDIR=$(mktemp -d) # a bench that is ended leaves its files
+export TMPDIR
+trap 'rm -rf -- "$TMPDIR"' EXIT
 
 for bench in "$BUILD_DIR"/tests/bench_*; do
     [ -x "$bench" ] || continue

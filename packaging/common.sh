@@ -121,17 +121,21 @@ configure_release() {
 # run_aside COMMAND...: in a session that yields the processor to every other one. The kernel carries the
 # bytes of a pseudo-terminal in a thread of its own, and where Linux shares the processor by sessions
 # (autogroup) that thread waited up to half a second beside a session that is never idle (6.18, seen with
-# `perf sched`): longer than servos may take to reply. Ctrl-C ends the command too.
+# `perf sched`): longer than servos may take to reply. Ctrl-C ends the command too. Its temporary files are in
+# a folder of their own that is removed, because tests kill programs that cannot remove theirs.
 run_aside() {
-    local child code=0
+    local child temporary code=0
+    temporary=$(mktemp -d)
+    chmod 711 "$temporary" # they start PostgreSQL as another user
     # What runs in the background of a script ignores Ctrl-C, and so would the programs that the tests start.
     # shellcheck disable=SC2016 # for the inner shell
-    setsid env --default-signal=INT,QUIT bash -c \
+    TMPDIR=$temporary setsid env --default-signal=INT,QUIT bash -c \
         'echo 19 2>/dev/null >/proc/self/autogroup || true; exec "$@"' bash "$@" &
     child=$!
     # shellcheck disable=SC2064 # this child
     trap "kill -- -$child 2>/dev/null" INT TERM HUP QUIT
     wait "$child" || code=$?
     trap - INT TERM HUP QUIT
+    rm -rf -- "$temporary"
     return "$code"
 }
