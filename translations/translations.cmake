@@ -20,7 +20,7 @@ foreach(ts IN LISTS SERVODESK_TS_FILES)
     list(APPEND qm_files ${qm})
 endforeach()
 qt_add_resources(sd_text translations PREFIX /i18n BASE ${CMAKE_BINARY_DIR}/i18n
-    FILES ${qm_files})
+    FILES ${qm_files} ${SERVODESK_RCC})
 
 add_custom_target(update_translations
     COMMAND Qt6::lupdate ${SERVODESK_LUPDATE} -ts ${CMAKE_SOURCE_DIR}/translations/servodesk_zh_CN.ts
