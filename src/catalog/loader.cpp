@@ -211,14 +211,19 @@ void Loader::addModel(const QJsonValue& value, const QString& where)
     const auto model = readModel(value, errorText);
     if (!model)
         return warn(where, errorText);
-    m_files[modelTitle(*model)] = m_file;
-    insertOrReplace(m_data.models, *model, [&](const ModelEntry& other) {
+    const auto isSame = [&](const ModelEntry& other) {
         if (model->major < 0)
             return other.major < 0 &&
                    normalizedModelName(other.name) == normalizedModelName(model->name);
         return other.major == model->major && other.minor == model->minor &&
                other.byteOrder == model->byteOrder;
-    });
+    };
+    const auto old = std::find_if(m_data.models.begin(), m_data.models.end(), isSame);
+    // A later file may replace a model of an earlier one; twice in one file is a slip.
+    if (old != m_data.models.end() && m_files.value(modelTitle(*old)) == m_file)
+        warn(where, QStringLiteral("replaces %1 of the same file").arg(modelTitle(*old)));
+    m_files[modelTitle(*model)] = m_file;
+    insertOrReplace(m_data.models, *model, isSame);
 }
 
 void Loader::addFirmware(const QJsonValue& value, const QString& where)

@@ -53,6 +53,7 @@ private Q_SLOTS:
     void addsAModel();
     void replacesModelMapAndSeries();
     void laterFilesWin();
+    void aModelTwiceInOneFileIsSaid();
     void badModelsAndSeries_data();
     void badModelsAndSeries();
     void seriesWithoutItsMap();
@@ -389,6 +390,25 @@ void TestCatalogFiles::laterFilesWin()
     QCOMPARE(load().catalog.resolve({3, 10, 0, 9, 3})->modelName, QStringLiteral("SECOND"));
     const auto both = Catalog::load({m_dir->path(), other.path()});
     QCOMPARE(both.catalog.resolve({3, 10, 0, 9, 3})->modelName, QStringLiteral("THIRD"));
+}
+
+void TestCatalogFiles::aModelTwiceInOneFileIsSaid()
+{
+    const auto row = [](const QByteArray& id, const QByteArray& name) {
+        return R"({"id": ")" + id + R"(", "name": ")" + name +
+               R"(", "series": "STS", "byte_order": "little"})";
+    };
+    write(QStringLiteral("a.json"), R"({"models": [)" + row("200.1", "BENCH1") + "," +
+                                        row("200.1", "BENCH2") + "," + row("200.3", "BENCH3") +
+                                        "]}");
+    write(QStringLiteral("b.json"), R"({"models": [)" + row("200.3", "MINE") + "]}");
+    const auto loaded = load();
+    QCOMPARE(loaded.warnings.size(), std::size_t(1));
+    QVERIFY(loaded.warnings[0].file.endsWith(QStringLiteral("a.json")));
+    QCOMPARE(loaded.warnings[0].where, QStringLiteral("models[1] BENCH2"));
+    QVERIFY(loaded.warnings[0].detail.contains(QStringLiteral("model BENCH1")));
+    QCOMPARE(loaded.catalog.resolve({3, 10, 0, 200, 1})->modelName, QStringLiteral("BENCH2"));
+    QCOMPARE(loaded.catalog.resolve({3, 10, 0, 200, 3})->modelName, QStringLiteral("MINE"));
 }
 
 void TestCatalogFiles::badModelsAndSeries_data()
