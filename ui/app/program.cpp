@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 static void initResources()
 {
@@ -109,15 +110,16 @@ int runProgram(int argc, char* argv[])
         return 0;
     }
     const Options& options = parsed.options;
-    const QTemporaryDir ownData; // of the self test
-    if (options.isSelfTest && !ownData.isValid()) {
-        print(stderr,
-              QStringLiteral("servodesk: %1: %2\n").arg(QDir::tempPath(), ownData.errorString()));
-        return 1;
-    }
+    std::optional<QTemporaryDir> ownData; // of the self test
     if (options.isSelfTest) {
+        ownData.emplace();
+        if (!ownData->isValid()) {
+            print(stderr, QStringLiteral("servodesk: %1: %2\n")
+                              .arg(QDir::tempPath(), ownData->errorString()));
+            return 1;
+        }
         for (const char* folder : {"SERVODESK_DATA_DIR", "XDG_CONFIG_HOME"})
-            qputenv(folder, QFile::encodeName(ownData.path()));
+            qputenv(folder, QFile::encodeName(ownData->path()));
         QApplication::setQuitOnLastWindowClosed(false); // it would look like success
     }
     session::Settings settings;
@@ -128,9 +130,10 @@ int runProgram(int argc, char* argv[])
     AppContext appContext(session);
     MainWindow window(appContext, settings, theme, language);
     window.show();
-    SelfTest selfTest(appContext, window, ownData.path());
+    std::optional<SelfTest> selfTest;
     if (options.isSelfTest) {
-        selfTest.start();
+        selfTest.emplace(appContext, window, ownData->path());
+        selfTest->start();
     } else {
         window.start(options);
         screenshotLater(window, options);
