@@ -3916,6 +3916,22 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <source>The HTML report also contains the memory tables and more details about each move.</source>
         <translation>HTML 报告还包含内存表和每个行程的更多数据。</translation>
     </message>
+    <message>
+        <source>Any servo, built in</source>
+        <translation>任何舵机（内置）</translation>
+    </message>
+    <message>
+        <source>4096 steps a turn, built in</source>
+        <translation>每圈 4096 步（内置）</translation>
+    </message>
+    <message>
+        <source>SCS, 1024 steps, built in</source>
+        <translation>SCS，1024 步（内置）</translation>
+    </message>
+    <message>
+        <source>LX, 1000 steps, built in</source>
+        <translation>LX，1000 步（内置）</translation>
+    </message>
 </context>
 <context>
     <name>Trend</name>
@@ -12509,6 +12525,10 @@ Retries: %9</source>
     <message>
         <source>Discards the changes</source>
         <translation>放弃更改</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1（自定）</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,8 @@ Text testValueText(results::TestItem item, const QString& value)
                        item == TestItem::MoveTime
                    ? sweepTexts().asTheServoHasIt
                    : inBoth(QStringLiteral("–"));
+    if (item == TestItem::Limits)
+        return limitsName(value);
     if (item == TestItem::Shape)
         return shapeText(results::sweepShapeFromName(value).value_or(results::SweepShape::Points));
     if (item == TestItem::Pace)

@@ -117,7 +117,8 @@ QString setupLine(const HtmlWriter& htmlWriter, const results::SweepServo& servo
     if (axis.acceleration)
         add(words.acceleration, exactNumber(*axis.acceleration) + QStringLiteral(" step/s²"));
     add(words.limits,
-        servo.limits.name.isEmpty() ? htmlWriter.htmlText(words.none) : escaped(servo.limits.name));
+        htmlWriter.htmlText(servo.limits.name.isEmpty() ? words.none
+                                                        : limitsName(servo.limits.name)));
     return QStringLiteral("<p>") + facts.join(QStringLiteral(" · ")) + QStringLiteral("</p>\n");
 }
 

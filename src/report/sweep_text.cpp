@@ -163,6 +163,16 @@ void fillBus(SweepTexts& words)
     words.none = translate("SweepText", "none");
 }
 
+constexpr std::array builtInLimitsEntries{
+    NamedText{"Any servo, built in", QT_TRANSLATE_NOOP("SweepText", "Any servo, built in")},
+    NamedText{"4096 steps a turn, built in",
+              QT_TRANSLATE_NOOP("SweepText", "4096 steps a turn, built in")},
+    NamedText{"SCS, 1024 steps, built in",
+              QT_TRANSLATE_NOOP("SweepText", "SCS, 1024 steps, built in")},
+    NamedText{"LX, 1000 steps, built in",
+              QT_TRANSLATE_NOOP("SweepText", "LX, 1000 steps, built in")},
+};
+
 constexpr std::array metricEntries{
     NamedText{"time_to_target", QT_TRANSLATE_NOOP("SweepText", "Time to goal")},
     NamedText{"settling", QT_TRANSLATE_NOOP("SweepText", "Settling time")},
@@ -379,6 +389,11 @@ Text metricLabel(const QString& key)
 Text unitText(const QString& unit)
 {
     return sweepText(unitEntries, unit);
+}
+
+Text limitsName(const QString& name)
+{
+    return sweepText(builtInLimitsEntries, name);
 }
 
 Text alarmBitsText(std::uint8_t alarms)

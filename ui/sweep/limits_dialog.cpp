@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sweep/limits_dialog.h"
 
+#include "report/sweep_text.h"
 #include "text/error_text.h"
 #include "text/language.h"
 #include "ui/common/dialog_sizes.h"
@@ -158,7 +159,7 @@ void LimitsDialog::connectAll()
 
 void LimitsDialog::setLimits(const SweepLimits& limits)
 {
-    m_name->setText(limits.name);
+    m_name->setText(text::localized(report::limitsName(limits.name)));
     m_models->setText(limits.models.join(QStringLiteral(", ")));
     m_tolerance->setText(
         limits.tolerance ? QString::number(*limits.tolerance, 'g', QLocale::FloatingPointShortest)
@@ -179,6 +180,13 @@ SweepLimits LimitsDialog::limits() const
     }
     limits.tolerance = numberFromText(m_tolerance->text());
     limits.lines = m_lines->lines();
+    const SweepLimits builtIn = results::builtInSweepLimits(m_model, m_series);
+    const catalog::Text shown = report::limitsName(builtIn.name);
+    if (limits.name == shown.en || limits.name == shown.zh) {
+        limits.name = builtIn.name;
+        if (!(limits == builtIn)) // or a report would call them built in
+            limits.name = tr("%1, own").arg(m_model);
+    }
     return limits;
 }
 

@@ -91,6 +91,8 @@ private Q_SLOTS:
     void aNewLineOffersUnusedMetrics();
     void aMetricSetsUnitAndDirection();
     void builtInValuesComeBack();
+    void changedBuiltInValuesAreNotCalledBuiltIn_data();
+    void changedBuiltInValuesAreNotCalledBuiltIn();
     void saveAndLoadRoundTrip();
     void aBadFileChangesNothing();
     void unwritableSettingsAreReported();
@@ -228,6 +230,33 @@ void TestLimitsDialog::builtInValuesComeBack()
     fixture.button("limitsBuiltIn").click();
     QCOMPARE(fixture.dialog->limits(), results::builtInSweepLimits(utf8("STS3215"), utf8("STS")));
     QVERIFY(fixture.dialog->problem().isEmpty());
+}
+
+void TestLimitsDialog::changedBuiltInValuesAreNotCalledBuiltIn_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("builtInName");
+    QTest::addColumn<QString>("ownName");
+    QTest::newRow("English") << utf8("en") << utf8("4096 steps a turn, built in")
+                             << utf8("STS3215, own");
+    QTest::newRow("Chinese") << utf8("zh_CN") << utf8("每圈 4096 步（内置）")
+                             << utf8("STS3215（自定）");
+}
+
+void TestLimitsDialog::changedBuiltInValuesAreNotCalledBuiltIn()
+{
+    QFETCH(QString, language);
+    QFETCH(QString, builtInName);
+    QFETCH(QString, ownName);
+    text::installTranslator(language);
+    const SweepLimits builtIn = results::builtInSweepLimits(utf8("STS3215"), utf8("STS"));
+    const Fixture fixture(builtIn);
+    QCOMPARE(fixture.field("limitsName").text(), builtInName);
+    QCOMPARE(fixture.dialog->limits(), builtIn);
+    QVERIFY(fixture.type(0, LimitColumn::Warn, utf8("0.5")));
+    QCOMPARE(fixture.dialog->limits().name, ownName);
+    fixture.field("limitsName").setText(utf8("mine"));
+    QCOMPARE(fixture.dialog->limits().name, utf8("mine"));
 }
 
 void TestLimitsDialog::saveAndLoadRoundTrip()

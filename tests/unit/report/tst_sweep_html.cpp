@@ -201,7 +201,7 @@ private Q_SLOTS:
         const QString chinese = read(page, QStringLiteral("en")).text;
         for (const char* fact :
              {"扫描测试报告", "✘ 不合格", "模拟", "不包含编码器之后的齿轮间隙", "高于 8 步",
-              "未测量", "过温、过载", "双向到达行程范围中间", "卸力"})
+              "每圈 4096 步（内置）", "未测量", "过温、过载", "双向到达行程范围中间", "卸力"})
             QVERIFY2(chinese.contains(QString::fromUtf8(fact)), fact);
         // Every span of one language has its neighbor in the other.
         static const QRegularExpression spans(
@@ -333,6 +333,18 @@ private Q_SLOTS:
         QVERIFY(english.size() >= 8);
         for (const results::SweepMetricKind& kind : results::sweepMetricKinds())
             QVERIFY2(containsChinese(report::metricLabel(kind.key).zh), qPrintable(kind.key));
+    }
+
+    void builtInLimitsAreNamedInBothLanguages()
+    {
+        for (const char* series : {"STS", "SCS", "LX", "?"}) {
+            const results::SweepLimits limits =
+                results::builtInSweepLimits({}, QString::fromLatin1(series));
+            const catalog::Text name = report::limitsName(limits.name);
+            QCOMPARE(name.en, limits.name);
+            QVERIFY2(containsChinese(name.zh), series);
+        }
+        QCOMPARE(report::limitsName(QStringLiteral("shop")).zh, QStringLiteral("shop"));
     }
 
     void longRunsAreShortened()
