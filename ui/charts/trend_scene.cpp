@@ -72,6 +72,7 @@ TrendScene::TrendScene(QChart* chart, const TrendState& state, QObject* parent)
     chart->legend()->setAlignment(Qt::AlignTop);
     chart->legend()->setMarkerShape(QLegend::MarkerShapeRectangle);
     chart->legend()->setContentsMargins(0, 0, 0, 0);
+    chart->legend()->layout()->setContentsMargins(0, 0, 0, 0); // in line with what is above it
 }
 
 void TrendScene::setColors(const TrendColors& colors)

@@ -18,7 +18,14 @@
 namespace ui {
 namespace {
 enum Column { Servo, Start, End, Verdicts, ColumnCount };
-constexpr int visibleRows = 4;
+constexpr int maxVisibleRows = 6; ///< the servos of a common arm
+
+/// It takes the room that is left, but asks for its minimum only.
+class ServoTable final : public QTableWidget {
+public:
+    using QTableWidget::QTableWidget;
+    QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), minimumHeight()}; }
+};
 
 QString limitsKey(const QString& model)
 {
@@ -38,14 +45,14 @@ SweepServos::SweepServos(session::ServoRegistry& registry, Selection& selection,
     , m_selection(selection)
     , m_settings(settings)
     , m_title(new QLabel(this))
-    , m_table(new QTableWidget(0, ColumnCount, this))
+    , m_table(new ServoTable(0, ColumnCount, this))
     , m_limitsName(new QLabel(this))
     , m_limits(new QPushButton(this))
     , m_editTriggers(m_table->editTriggers())
 {
     m_table->setObjectName(QStringLiteral("sweepServos"));
     styleTable(m_table);
-    m_table->setMinimumHeight(m_table->verticalHeader()->defaultSectionSize() * (visibleRows + 1));
+    fitHeight();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     for (const int column : {Servo, Verdicts})
         m_table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
@@ -95,6 +102,15 @@ session::ServoRef SweepServos::refAt(int row) const
     return item != nullptr ? item->data(Qt::UserRole).toInt() : 0;
 }
 
+/// As high as the servos there are need, so that one or two leave room for the rest of the form.
+void SweepServos::fitHeight()
+{
+    const int rows = std::clamp(m_table->rowCount(), 1, maxVisibleRows);
+    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() +
+                              rows * m_table->verticalHeader()->defaultSectionSize() +
+                              2 * m_table->frameWidth());
+}
+
 void SweepServos::rebuild()
 {
     const session::ServoRef current = refAt(m_table->currentRow());
@@ -106,6 +122,7 @@ void SweepServos::rebuild()
             shown.push_back(entry);
     }
     m_table->setRowCount(int(shown.size()));
+    fitHeight();
     int row = 0;
     for (const session::ServoEntry* entry : shown) {
         fillRow(row, *entry);

@@ -56,6 +56,7 @@ Q_SIGNALS:
 
 private:
     void rebuild();
+    void fitHeight();
     void fillRow(int row, const session::ServoEntry& entry);
     Qt::ItemFlags servoFlags() const;
     void onItemEdited(QTableWidgetItem* item);

@@ -126,6 +126,27 @@ private Q_SLOTS:
         QVERIFY(!fixture.find<QPushButton>("sweepReport_html")->isEnabled());
     }
 
+    void theListOfServosIsAsHighAsItsRows_data()
+    {
+        QTest::addColumn<QString>("bus");
+        QTest::newRow("one") << QStringLiteral("sim:sts3215@1");
+        QTest::newRow("three") << QStringLiteral("sim:sweep");
+    }
+
+    void theListOfServosIsAsHighAsItsRows()
+    {
+        QFETCH(QString, bus);
+        SweepPageFixture fixture;
+        QVERIFY(fixture.ready(1, bus));
+        auto* table = fixture.find<QTableWidget>("sweepServos");
+        const int empty = 2 * table->rowHeight(0);
+        const auto below = [&] {
+            const QRect last = table->visualItemRect(table->item(table->rowCount() - 1, 0));
+            return table->viewport()->height() - last.bottom();
+        };
+        QTRY_VERIFY2(below() >= 0 && below() < empty, qPrintable(QString::number(below())));
+    }
+
     void aDelayShorterThanTheMoveIsReported()
     {
         SweepPageFixture fixture;
