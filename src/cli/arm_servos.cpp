@@ -8,6 +8,7 @@
 #include "jobs/arm/calibration.h"
 #include "jobs/arm/joint_access.h"
 #include "text/arm_text.h"
+#include "text/language.h"
 
 #include <algorithm>
 
@@ -65,7 +66,7 @@ base::Result<jobs::Arm> armOf(const Values& values)
     const bool isFile = name.contains(QLatin1Char('/')) || name.contains(QLatin1Char('.'));
     if (!arm && arm.error().code == base::ErrorCode::FileMissing && !isFile)
         return badArgument(translate("cli", "--arm takes %1, or a file")
-                               .arg(jobs::builtInArms().join(QStringLiteral(", "))));
+                               .arg(text::joinItems(jobs::builtInArms())));
     return arm;
 }
 
@@ -139,8 +140,8 @@ base::Result<std::vector<ArmJoint>> selectJoints(const Values& values, std::vect
     }
     for (const QString& name : wanted) {
         if (!known.contains(name))
-            return badArgument(translate("cli", "no joint %1; the arm has %2")
-                                   .arg(name, known.join(QStringLiteral(", "))));
+            return badArgument(
+                translate("cli", "no joint %1; the arm has %2").arg(name, text::joinItems(known)));
     }
     if (selected.empty())
         return badArgument(translate("cli", "the arm has no joint to move"));
@@ -204,7 +205,7 @@ QString changesText(const std::vector<jobs::SettingChange>& changes)
     QStringList texts;
     for (const jobs::SettingChange& one : changes)
         texts << QStringLiteral("%1 %2 → %3").arg(one.reg->key).arg(one.now).arg(one.wanted);
-    return texts.join(QStringLiteral(", "));
+    return text::joinItems(texts);
 }
 
 QString plansText(const std::vector<JointPlan>& plans)

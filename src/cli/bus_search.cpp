@@ -5,6 +5,7 @@
 #include "cli/output/progress.h"
 #include "cli/output/report_text.h"
 #include "cli/translate.h"
+#include "text/language.h"
 #include "transport/port_opener.h"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ QString notFoundText(const jobs::ScanReport& report)
            QLatin1Char('\n') +
            translate("cli", "Searched at %1 baud. Only Feetech servos use 1000000 baud; LX, Modbus "
                             "and most SMS servos use 115200.")
-               .arg(rates.join(QStringLiteral(", "))) +
+               .arg(text::joinItems(rates)) +
            QLatin1Char('\n');
 }
 

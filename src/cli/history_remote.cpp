@@ -6,6 +6,7 @@
 #include "cli/translate.h"
 #include "session/detachable_worker.h"
 #include "session/history/history_server_choice.h"
+#include "text/language.h"
 
 #include <future>
 
@@ -41,7 +42,7 @@ base::Result<void> selectBench(const HistoryServer& server, const QString& name)
     }
     return badArgument(
         translate("cli", "no data from a bench named %1 on this server; available benches: %2")
-            .arg(name, names.join(QStringLiteral(", "))));
+            .arg(name, text::joinItems(names)));
 }
 
 bool usesServer(const Values& values)

@@ -3,6 +3,7 @@
 
 #include "cli/input/arguments.h"
 #include "cli/translate.h"
+#include "text/language.h"
 
 #include <CLI/CLI.hpp>
 
@@ -147,7 +148,7 @@ tl::unexpected<base::Error> parseFailure(const QString& word, bool commandKnown)
     }
     if (!near.isEmpty())
         return badArgument(translate("cli", "unknown command \"%1\"; did you mean %2?")
-                               .arg(word, near.join(QStringLiteral(", "))));
+                               .arg(word, text::joinItems(near)));
     if (!commandKnown && !word.startsWith(QLatin1Char('-')))
         return badArgument(translate("cli", "unknown command \"%1\"").arg(word));
     return badArgument(translate("cli", "unexpected argument \"%1\"").arg(word));

@@ -8,6 +8,7 @@
 #include "device/write_access.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "text/error_text.h"
+#include "text/language.h"
 #include "text/notice_text.h"
 #include "transport/port_lease.h"
 #include "transport/port_opener.h"
@@ -60,7 +61,7 @@ base::Result<QString> Run::choosePort()
                                                "--port: %1")
                             : translate("cli", "several adapters are connected; select one with "
                                                "--port: %1");
-    return badArgument(why.arg(names.join(QStringLiteral(", "))));
+    return badArgument(why.arg(text::joinItems(names)));
 }
 
 base::Result<session::Connection*> Run::connect()
@@ -130,7 +131,7 @@ void Run::warnOfOpenChanges()
     warn("open-change", ids.size() == 1 ? ids.front().toInt() : -1,
          translate("cli", "A change on this port was interrupted (servo ID %1). To see, finish or "
                           "undo the change: %2")
-             .arg(ids.join(QStringLiteral(", ")), recoverCommand()));
+             .arg(text::joinItems(ids), recoverCommand()));
 }
 
 bool Run::hasOpenChange(int id) const

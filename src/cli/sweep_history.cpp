@@ -7,6 +7,7 @@
 #include "results/sweep_json.h"
 #include "session/paths.h"
 #include "text/error_text.h"
+#include "text/language.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -152,6 +153,6 @@ base::Result<const results::SweepServo*> chooseServo(const results::SweepRun& ru
         ids.append(QString::number(servo.parameters.servo.id));
     return badArgument(
         translate("cli", "%1 contains servos %2; choose one, for example %1:%3, or use --servo")
-            .arg(word.name, ids.join(QStringLiteral(", ")), ids.value(0)));
+            .arg(word.name, text::joinItems(ids), ids.value(0)));
 }
 } // namespace cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/bus_text.h"
 
+#include "text/language.h"
 #include "text/translate.h"
 
 #include <array>
@@ -31,7 +32,7 @@ QString idRangesText(const std::vector<int>& ids)
         parts << (last == first ? from : QStringLiteral("%1–%2").arg(from).arg(ids[last]));
         first = last + 1;
     }
-    return parts.join(QStringLiteral(", "));
+    return joinItems(parts);
 }
 
 QString simulatedBusText(const QString& port)

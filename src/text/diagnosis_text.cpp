@@ -2,6 +2,7 @@
 #include "text/diagnosis_text.h"
 
 #include "text/bus_text.h"
+#include "text/language.h"
 #include "text/text_table.h"
 
 #include <array>
@@ -120,7 +121,7 @@ QString idList(const Evidence& evidence)
     QStringList ids;
     for (const int id : evidence.ids)
         ids << QString::number(id);
-    return ids.join(QStringLiteral(", "));
+    return joinItems(ids);
 }
 
 QString replyTimeText(const Evidence& evidence)

@@ -101,10 +101,10 @@ Question CloseConfirmation::openWritesQuestion(const QStringList& ids, const QSt
     if (!ids.isEmpty())
         question.text = tr("ID %1: the unfinished write is recorded in the journal. The next time "
                            "you connect, ServoDesk will offer to finish or undo it.")
-                            .arg(ids.join(QStringLiteral(", ")));
+                            .arg(text::joinItems(ids));
     question.acceptText = closes ? tr("Close") : tr("Disconnect");
     if (!open.isEmpty()) {
-        const QString which = open.join(QStringLiteral(", "));
+        const QString which = text::joinItems(open);
         question.risk =
             connected ? tr("The EPROM of ID %1 is unlocked. It will be locked first.").arg(which)
                       : tr("The EPROM of ID %1 is unlocked and cannot be locked now.").arg(which);
@@ -112,7 +112,7 @@ Question CloseConfirmation::openWritesQuestion(const QStringList& ids, const QSt
     if (!openElsewhere.isEmpty()) {
         const QString more = tr("The EPROM of the servo with ID %1 was unlocked, and ServoDesk "
                                 "could not confirm that it was locked again.")
-                                 .arg(openElsewhere.join(QStringLiteral(", ")));
+                                 .arg(text::joinItems(openElsewhere));
         question.risk = text::joinSentences({question.risk, more});
     }
     if (!open.isEmpty() && connected) {
@@ -149,7 +149,7 @@ void CloseConfirmation::handleMotion(const std::vector<MovingServo>& moving)
     const bool one = ids.size() == 1;
     const bool endless = std::any_of(moving.begin(), moving.end(),
                                      [](const MovingServo& servo) { return servo.endless; });
-    const QString which = ids.join(QStringLiteral(", "));
+    const QString which = text::joinItems(ids);
     Question question;
     if (closes)
         question.title = one ? tr("Servo %1 is turning. Stop it before closing?").arg(which)

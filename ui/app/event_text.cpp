@@ -134,8 +134,7 @@ EventText searchEnded(const Event& event)
     for (const int id : event.missing)
         missing << QString::number(id);
     EventText eventText = withWarning(
-        line +
-        text::translate("EventText", ". No reply: ID %1").arg(missing.join(QStringLiteral(", "))));
+        line + text::translate("EventText", ". No reply: ID %1").arg(text::joinItems(missing)));
     eventText.details << text::translate(
         "EventText", "These servos were expected but did not reply despite several queries.");
     return eventText;
@@ -165,7 +164,7 @@ QString idsOf(const std::vector<session::ServoRef>& servos, const session::Servo
         if (const session::ServoEntry* servo = registry.servo(ref))
             ids << QString::number(servo->servo.id);
     }
-    return ids.join(QStringLiteral(", "));
+    return text::joinItems(ids);
 }
 
 /// The result of reading the torque switches back.

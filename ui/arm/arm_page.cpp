@@ -278,11 +278,10 @@ void ArmPage::showResults(const std::vector<jobs::ApplyResult>& results)
                               {},
                               tr("Undo takes back one joint at a time, the last one first.")};
         const auto words = error ? std::optional(text::describe(*error)) : std::nullopt;
-        return BannerText{
-            Tone::Bad,
-            tr("Not all joints could be written: ID %1").arg(failed.join(QStringLiteral(", "))),
-            words ? words->message : QString(),
-            words ? words->remedy : tr("Write these joints again.")};
+        return BannerText{Tone::Bad,
+                          tr("Not all joints could be written: ID %1").arg(text::joinItems(failed)),
+                          words ? words->message : QString(),
+                          words ? words->remedy : tr("Write these joints again.")};
     });
 }
 

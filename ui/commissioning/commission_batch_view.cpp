@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/commissioning/commission_batch_view.h"
 
+#include "text/language.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
@@ -98,7 +99,7 @@ QString CommissionBatchView::idsToComeText() const
     QStringList words;
     for (std::size_t i = 0; i < std::min(left.size(), listed); ++i)
         words << QString::number(left[i]);
-    QString text = words.join(QStringLiteral(", "));
+    QString text = text::joinItems(words);
     if (left.size() > listed + 1)
         text += QStringLiteral(" … %1 (%2)").arg(left.back()).arg(left.size());
     else if (left.size() > listed)

@@ -2,6 +2,7 @@
 #include "ui/commissioning/commission_form.h"
 
 #include "session/commission/commissioning.h"
+#include "text/language.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_text.h"
@@ -209,7 +210,7 @@ void CommissionForm::showDangerousKeys()
 {
     m_dangerous->setToolTip(
         tr("A wrong value in these rows can make a servo unreachable or dangerous: %1")
-            .arg(m_dangerousKeys.join(QStringLiteral(", "))));
+            .arg(text::joinItems(m_dangerousKeys)));
 }
 
 bool CommissionForm::isDangerousIncluded() const

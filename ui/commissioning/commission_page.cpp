@@ -186,8 +186,8 @@ void CommissionPage::askForConfirmation()
 {
     Question question;
     question.title = tr("Write dangerous rows to every servo?");
-    question.text = tr("The template contains: %1")
-                        .arg(m_commissioning.files().dangerous.join(QStringLiteral(", ")));
+    question.text =
+        tr("The template contains: %1").arg(text::joinItems(m_commissioning.files().dangerous));
     question.risk = tr("A wrong value can make a servo unreachable or dangerous, and these rows "
                        "will be written to every servo in the batch.");
     question.acceptText = tr("Write anyway");

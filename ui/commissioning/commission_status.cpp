@@ -155,7 +155,7 @@ QString CommissionStatus::unfinishedText() const
     }
     return tr("Unfinished: %1. To finish setting up a servo, connect it and start the same batch "
               "again.")
-        .arg(servos.join(QStringLiteral(", ")));
+        .arg(text::joinItems(servos));
 }
 
 /// Asks whether the connected servo is the unfinished one.

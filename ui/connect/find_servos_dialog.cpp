@@ -40,7 +40,7 @@ QString foundText(const std::vector<jobs::FoundServo>& found)
                       .arg(text::idRangesText(ids), text::protocolText(protocol));
     QString text =
         FindServosDialog::tr("%n servo(s) · %1 · %2 baud", nullptr, static_cast<int>(found.size()))
-            .arg(groups.join(QStringLiteral(", ")), rateText(found.front().servo.baud));
+            .arg(text::joinItems(groups), rateText(found.front().servo.baud));
     if (std::any_of(found.begin(), found.end(),
                     [](const jobs::FoundServo& one) { return one.duplicateSuspected; }))
         text += QLatin1Char('\n') + FindServosDialog::tr("Possibly several servos with one ID.");

@@ -260,7 +260,7 @@ HistoryLine HistoryFormatter::formatLine(const history::HistoryRecording& row) c
         servos << servoName(one.model, one.id, one.label);
     const double seconds = std::chrono::duration<double>(row.length).count();
     HistoryLine line{row.number, 0, row.at};
-    line.cells = {timeText(row.at), servos.join(QStringLiteral(", ")),
+    line.cells = {timeText(row.at), text::joinItems(servos),
                   QStringLiteral("%1 s").arg(seconds, 0, 'f', 1), QString::number(row.rows),
                   QDir::toNativeSeparators(row.file)};
     line.title = QFileInfo(row.file).fileName();
@@ -292,7 +292,7 @@ HistoryLine HistoryFormatter::formatLine(const history::TestRun& row) const
     line.cells = {timeText(row.at),
                   line.isStepResponse ? translate("History", "step response")
                                       : translate("History", "sweep test"),
-                  servos.join(QStringLiteral(", ")),
+                  text::joinItems(servos),
                   line.isStepResponse ? QString() : gradeText(row.verdict),
                   row.operatorName,
                   row.note};

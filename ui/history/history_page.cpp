@@ -3,6 +3,7 @@
 
 #include "session/history/history_server_choice.h"
 #include "session/history/history_server_source.h"
+#include "text/language.h"
 #include "ui/common/file_dialog.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
@@ -344,7 +345,7 @@ void HistoryPage::showTableNote(const history::TableState& table)
         m_banner->showMessage([keys = table.unknown] {
             return BannerText{Tone::Warn, tr("Some register values from that time are unknown."),
                               tr("These registers were changed by unrecorded operations: %1.")
-                                  .arg(keys.join(QStringLiteral(", "))),
+                                  .arg(text::joinItems(keys)),
                               tr("Restoring the memory table leaves these registers unchanged.")};
         });
     } else if (table.changedId) {

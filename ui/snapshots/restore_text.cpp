@@ -39,7 +39,7 @@ BannerText restoreOutcomeText(const jobs::RestoreOutcome& outcome, const Registe
     QStringList cause;
     if (!others.isEmpty())
         cause << translate("RestoreText", "Not written or not confirmed: %1.")
-                     .arg(others.join(QStringLiteral(", ")));
+                     .arg(text::joinItems(others));
     cause << notRolledBackText(outcome, names) << openLockText(outcome.lock);
     message.cause = text::joinSentences(cause);
     if (outcome.verdict == RestoreVerdict::Failed)
@@ -61,7 +61,7 @@ QString notRolledBackText(const jobs::RestoreOutcome& outcome, const RegisterNam
     return registers.isEmpty()
                ? QString()
                : translate("RestoreText", "The old values could not be restored: %1.")
-                     .arg(registers.join(QStringLiteral(", ")));
+                     .arg(text::joinItems(registers));
 }
 
 QString restoreRemedy(const jobs::RestoreOutcome& outcome)

@@ -20,7 +20,7 @@ inline QString stepGainsText(const std::vector<results::StepGain>& gains,
     QStringList parts;
     for (const results::StepGain& gain : gains)
         parts << QStringLiteral("%1 %2").arg(text::registerName(profile, gain.key)).arg(gain.raw);
-    return parts.join(QStringLiteral(", "));
+    return text::joinItems(parts);
 }
 
 /// "baseline", or the values of the trial.
@@ -61,6 +61,6 @@ inline QString unrevertedTrialText(const std::vector<base::JournalItem>& trial,
                      .arg(item.newRaw)
                      .arg(item.oldRaw);
     }
-    return parts.join(QStringLiteral(", "));
+    return text::joinItems(parts);
 }
 } // namespace ui

@@ -58,7 +58,7 @@ QString SweepLeftoversBanner::unrevertedSettingsText() const
     }
     QStringList servos;
     for (const auto& [id, registers] : names)
-        servos << QStringLiteral("ID %1: %2").arg(id).arg(registers.join(QStringLiteral(", ")));
+        servos << QStringLiteral("ID %1: %2").arg(id).arg(text::joinItems(registers));
     return text::joinClauses(servos);
 }
 

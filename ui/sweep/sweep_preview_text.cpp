@@ -138,7 +138,7 @@ QString silenceText(const jobs::SweepProgress& progress)
     for (const int id : progress.silent)
         names.append(QStringLiteral("ID %1").arg(id));
     return SweepPage::tr("No reply from %1 for %2")
-        .arg(names.join(QStringLiteral(", ")), text::durationText(progress.silentFor));
+        .arg(text::joinItems(names), text::durationText(progress.silentFor));
 }
 } // namespace
 

@@ -59,7 +59,7 @@ QString reasonText(const results::SweepRun& run, const results::SweepServo& serv
         if (line.grade == servo.verdict && (line.grade == Grade::Fail || line.grade == Grade::Warn))
             reasons.append(metricName(line.limit.metric));
     }
-    return reasons.join(QStringLiteral(", "));
+    return text::joinItems(reasons);
 }
 
 /// Of one servo why; of several the worst ones, which count: "ID 2 — Overshoot; ID 5 — Stall".

@@ -45,7 +45,7 @@ QString remainingChangesLine(const RecoveryResult& one, const catalog::Catalog& 
                : translate("ServoTasks",
                            "These registers were not written because their values have changed in "
                            "the meantime or because writing them would move the servo: %1")
-                     .arg(names.join(QStringLiteral(", ")));
+                     .arg(text::joinItems(names));
 }
 
 /// What the recovery has really done, which is not always what the button names.

@@ -33,7 +33,7 @@ QString intentChangesText(const base::Intent& intent, const catalog::Profile& pr
                         ? QStringLiteral("%1 = %2").arg(name).arg(item.oldRaw)
                         : QStringLiteral("%1 %2 → %3").arg(name).arg(item.oldRaw).arg(item.newRaw));
     }
-    return changes.join(QStringLiteral(", "));
+    return text::joinItems(changes);
 }
 
 QString lockLabel(const std::optional<bool>& open)

@@ -2,6 +2,7 @@
 #include "ui/tasks/restore_defaults_dialog.h"
 
 #include "session/snapshot/safety_snapshot.h"
+#include "text/language.h"
 #include "text/translate.h"
 #include "ui/widgets/rate_text.h"
 
@@ -26,7 +27,7 @@ QString changedLine(const std::vector<QString>& keys, const device::Servo& servo
     if (static_cast<int>(keys.size()) > shownKeys)
         shown << QStringLiteral("…");
     return translate("ServoTasks", "%n setting(s) changed: %1", nullptr, int(keys.size()))
-        .arg(shown.join(QStringLiteral(", ")));
+        .arg(text::joinItems(shown));
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/allow_movement_button.h"
 
+#include "text/language.h"
 #include "ui/common/follow_language.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/press_guard.h"
@@ -106,6 +107,6 @@ QString blockedByStopText(const session::ServoRegistry& registry,
         if (entry != nullptr && entry->stopped)
             ids.append(QStringLiteral("ID %1").arg(entry->servo.id));
     }
-    return ids.join(QStringLiteral(", "));
+    return text::joinItems(ids);
 }
 } // namespace ui

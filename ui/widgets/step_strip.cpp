@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/step_strip.h"
 
+#include "text/language.h"
 #include "ui/common/theme.h"
 
 #include <QPainter>
@@ -37,7 +38,7 @@ void StepStrip::setCurrent(int step)
 
 void StepStrip::describe()
 {
-    setAccessibleName(m_current < 0 ? m_steps.join(QStringLiteral(", "))
+    setAccessibleName(m_current < 0 ? text::joinItems(m_steps)
                                     : tr("Step %1 of %2: %3")
                                           .arg(m_current + 1)
                                           .arg(m_steps.size())

@@ -10,6 +10,7 @@
 #include "jobs/arm/record_ranges.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "text/arm_text.h"
+#include "text/language.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,8 +175,8 @@ private:
             jobs::changesOf(servo, jobs::positionSettings(servo, m_joints[index].kind)));
         if (values && !settings.isEmpty())
             remarks << settings;
-        return {m_joints[index], remarks.join(QStringLiteral(", ")),
-                jobs::calibrationIn(m_servos[index]), values};
+        return {m_joints[index], text::joinItems(remarks), jobs::calibrationIn(m_servos[index]),
+                values};
     }
 
     static Json jsonPlan(const JointPlan& plan, const JointRange& range, double degrees)

@@ -9,6 +9,7 @@
 #include "jobs/arm/move_test.h"
 #include "text/arm_text.h"
 #include "text/error_text.h"
+#include "text/language.h"
 
 #include <cmath>
 
@@ -124,7 +125,7 @@ base::Result<Exit> runTest(Run& run, const Values& values)
         if (!wide.isEmpty())
             run.console().printMessage(
                 translate("cli", "Not calibrated, so these run into their mechanical stops: %1")
-                    .arg(wide.join(QStringLiteral(", "))));
+                    .arg(text::joinItems(wide)));
         run.console().printMessage(
             translate("cli", "Each joint moves to the ends of its limits and back, with %1 % of "
                              "its torque. Keep hands and objects away. Torque is off afterwards: "

@@ -10,6 +10,7 @@
 #include "device/write_access.h"
 #include "jobs/scan/scan_all.h"
 #include "session/snapshot/safety_snapshot.h"
+#include "text/language.h"
 
 #include <QFileInfo>
 
@@ -79,7 +80,7 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     run.finish(Json::object().add("file", file).add("servos", std::move(ids)),
                translate("cli", "Settings of %n servo(s) saved to %1 (ID %2)", nullptr,
                          int(bundle->servos.size()))
-                       .arg(file, names.join(QStringLiteral(", "))) +
+                       .arg(file, text::joinItems(names)) +
                    QLatin1Char('\n'));
     return Exit::Success;
 }

@@ -14,6 +14,7 @@
 #include "session/snapshot/safety_snapshot.h"
 #include "text/error_text.h"
 #include "text/firmware_text.h"
+#include "text/language.h"
 
 #include <algorithm>
 #include <set>
@@ -35,7 +36,7 @@ base::Result<std::set<FirmwareCheck>> acceptedChecks(const Values& values)
         const bool isAll = word == QLatin1String("all");
         if (!isAll && !base::firmwareCheckOf(word))
             return badArgument(translate("cli", "--accept takes %1, or all")
-                                   .arg(base::firmwareCheckNames().join(QStringLiteral(", "))));
+                                   .arg(text::joinItems(base::firmwareCheckNames())));
         for (const QString& name : base::firmwareCheckNames()) {
             if (isAll || name == word)
                 accepted.insert(*base::firmwareCheckOf(name));

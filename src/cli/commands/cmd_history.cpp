@@ -113,8 +113,7 @@ Table tableOf(const std::vector<history::HistoryRecording>& recordings)
             ids.append(QString::number(servo.id));
         table.add({shown(recording.number), formatTime(recording.at),
                    QStringLiteral("%1 s").arg(double(recording.length.count()) / 1e6, 0, 'f', 1),
-                   ids.join(QStringLiteral(", ")), QString::number(recording.rows),
-                   recording.file});
+                   text::joinItems(ids), QString::number(recording.rows), recording.file});
     }
     return table;
 }

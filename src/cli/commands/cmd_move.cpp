@@ -136,7 +136,7 @@ void show(Run& run, const std::vector<device::MovePlan>& plans, bool waited)
         if (waited && position != nullptr)
             json.add("position", servo.raw(*position)).add("value", jsonValue(servo, *position));
         moves.push_back(std::move(json));
-        table.add({QString::number(servo.id), written.join(QStringLiteral(", ")),
+        table.add({QString::number(servo.id), text::joinItems(written),
                    waited && position != nullptr ? formatValueText(servo, *position) : noValue()});
     }
     run.finish(Json::object().add("moves", std::move(moves)), table.text());

@@ -6,6 +6,7 @@
 #include "cli/run.h"
 #include "cli/translate.h"
 #include "jobs/change/change.h"
+#include "text/language.h"
 #include "text/notice_text.h"
 
 namespace cli {
@@ -28,9 +29,9 @@ QString restoreText(const jobs::RestoreDefaultsReport& report)
     lines << translate("cli", "The servo replies as ID %1 at %2 baud.")
                  .arg(report.newId)
                  .arg(report.newBaud);
-    lines << (changed.isEmpty() ? translate("cli", "No registers have changed.")
-                                : translate("cli", "Changed registers: %1")
-                                      .arg(changed.join(QStringLiteral(", "))));
+    lines << (changed.isEmpty()
+                  ? translate("cli", "No registers have changed.")
+                  : translate("cli", "Changed registers: %1").arg(text::joinItems(changed)));
     lines << translate("cli", "EPROM lock: %1").arg(text::lockLabel(device::lockName(report.lock)));
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }

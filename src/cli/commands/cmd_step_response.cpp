@@ -100,7 +100,7 @@ base::Result<void> StepCommand::takeTrial()
                 keys << reg->key;
             return badArgument(translate("cli", "%1 cannot be used in a trial; available on "
                                                 "this servo: %2")
-                                   .arg(item.key, keys.join(QStringLiteral(", "))));
+                                   .arg(item.key, text::joinItems(keys)));
         }
         m_trial.push_back({item.key, item.raw});
     }

@@ -90,7 +90,7 @@ QString gapsText(const results::SweepRun& run)
         return {};
     return translate("cli", "Gaps in the readings: %1. Times and speeds are not available for "
                             "moves that contain a gap.")
-               .arg(gaps.join(QStringLiteral(", "))) +
+               .arg(text::joinItems(gaps)) +
            QLatin1Char('\n');
 }
 

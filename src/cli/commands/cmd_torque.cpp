@@ -9,6 +9,7 @@
 #include "device/motion/stop_frames.h"
 #include "device/motion/torque_off.h"
 #include "device/responding.h"
+#include "text/language.h"
 #include "transport/port_opener.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ QString formatIds(const std::vector<int>& ids)
     QStringList words;
     for (const int id : ids)
         words << QString::number(id);
-    return words.join(QStringLiteral(", "));
+    return text::joinItems(words);
 }
 
 /// Commands all servos, also if some of them fail.
@@ -317,7 +318,7 @@ base::Result<Exit> runMode(Run& run, const Values& values)
             known << mode.key;
         return base::fail(base::ErrorCode::NotSupported, QStringLiteral("mode"),
                           translate("cli", "unknown mode \"%1\"; available modes: %2")
-                              .arg(modeKey, known.join(QStringLiteral(", "))),
+                              .arg(modeKey, text::joinItems(known)),
                           servo->id);
     }
     if (const auto saved = run.backupTable(*servo); !saved)

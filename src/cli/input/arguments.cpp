@@ -4,6 +4,7 @@
 #include "cli/translate.h"
 #include "history/server/server_address.h"
 #include "protocol/request.h"
+#include "text/language.h"
 #include "transport/port_opener.h"
 
 #include <QRegularExpression>
@@ -113,7 +114,7 @@ base::Result<std::vector<int>> parseBauds(const QString& argument)
             for (const int rate : known)
                 names << QString::number(rate);
             return badArgument(translate("cli", "unsupported baud rate \"%1\" (%2)")
-                                   .arg(part, names.join(QStringLiteral(", "))));
+                                   .arg(part, text::joinItems(names)));
         }
         bauds.push_back(*baud);
     }
@@ -165,9 +166,9 @@ base::Result<const catalog::Register*> findRegister(const catalog::Profile& prof
     for (const catalog::Register& reg : profile.registers)
         known << reg.key;
     const QStringList near = nearest(key, known);
-    const QString hint =
-        near.isEmpty() ? QString()
-                       : translate("cli", "did you mean %1?").arg(near.join(QStringLiteral(", ")));
+    const QString hint = near.isEmpty()
+                             ? QString()
+                             : translate("cli", "did you mean %1?").arg(text::joinItems(near));
     return tl::unexpected(
         base::Error{ErrorCode::UnknownRegister, QStringLiteral("read"), hint, id, key});
 }

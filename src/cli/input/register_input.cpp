@@ -3,6 +3,7 @@
 
 #include "cli/input/arguments.h"
 #include "cli/translate.h"
+#include "text/language.h"
 
 namespace cli {
 namespace {
@@ -19,7 +20,7 @@ QString expectation(const catalog::Register& reg, const catalog::ValueFormat& me
     for (const catalog::NamedValue& value : reg.values)
         names << value.key;
     if (!names.isEmpty())
-        kinds << translate("cli", "one of %1").arg(names.join(QStringLiteral(", ")));
+        kinds << translate("cli", "one of %1").arg(text::joinItems(names));
     return kinds.join(translate("cli", ", or ", "between alternatives"));
 }
 } // namespace

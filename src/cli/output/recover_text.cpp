@@ -4,6 +4,7 @@
 #include "cli/output/report_text.h"
 #include "cli/translate.h"
 #include "jobs/restore/restore.h"
+#include "text/language.h"
 #include "text/notice_text.h"
 
 #include <map>
@@ -119,11 +120,11 @@ QString changesCell(const base::Intent& intent)
     if (count > maxItemsInLine)
         return translate("cli", "%n register(s)", nullptr, count);
     if (!changes.isEmpty())
-        return changes.join(QStringLiteral(", "));
+        return text::joinItems(changes);
     QStringList keys;
     for (const base::JournalItem& item : intent.items)
         keys << item.key;
-    return keys.join(QStringLiteral(", "));
+    return text::joinItems(keys);
 }
 
 } // namespace
@@ -131,7 +132,7 @@ QString changesCell(const base::Intent& intent)
 QString changesBelow(const base::Intent& intent)
 {
     const QStringList changes = changesOf(intent);
-    if (changesCell(intent) == changes.join(QStringLiteral(", ")) || changes.isEmpty())
+    if (changesCell(intent) == text::joinItems(changes) || changes.isEmpty())
         return {};
     QString lines = translate("cli", "Unfinished change %1:").arg(intent.uuid.left(uuidDigits)) +
                     QLatin1Char('\n');
@@ -198,8 +199,7 @@ QString notWrittenLine(const jobs::RecoveryResult& one)
     return translate("cli",
                      "In change %1, these registers were not written because their values have "
                      "changed in the meantime or because writing them would move the servo: %2")
-               .arg(one.before.intent.uuid.left(uuidDigits),
-                    one.skippedKeys.join(QStringLiteral(", "))) +
+               .arg(one.before.intent.uuid.left(uuidDigits), text::joinItems(one.skippedKeys)) +
            QLatin1Char('\n');
 }
 
@@ -226,7 +226,7 @@ QString namesOf(const std::vector<base::Intent>& intents)
     QStringList names;
     for (const base::Intent& intent : intents)
         names << intent.uuid.left(uuidDigits);
-    return names.join(QStringLiteral(", "));
+    return text::joinItems(names);
 }
 
 QString commandOn(const QString& port)

@@ -296,7 +296,7 @@ QString leftOutText(const jobs::RestorePlan& plan)
     }
     if (rows.isEmpty())
         return {};
-    const QString all = rows.join(QStringLiteral(", "));
+    const QString all = text::joinItems(rows);
     return translate("cli", "%n row(s) skipped: %1", nullptr, int(rows.size())).arg(all) +
            QLatin1Char('\n');
 }
@@ -337,7 +337,7 @@ QString notPutBackText(const jobs::RestoreOutcome& outcome)
 {
     if (outcome.notReverted.isEmpty())
         return {};
-    const QString keys = outcome.notReverted.join(QStringLiteral(", "));
+    const QString keys = text::joinItems(outcome.notReverted);
     const QString next =
         outcome.isChangeOpen
             ? translate("cli", "The change is still unfinished. To see it: servodesk-cli recover")

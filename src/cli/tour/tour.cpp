@@ -5,6 +5,7 @@
 #include "cli/translate.h"
 #include "device/reader.h"
 #include "protocol/codec.h"
+#include "text/language.h"
 
 #include <algorithm>
 
@@ -90,7 +91,7 @@ base::Result<void> Tour::summarize()
               ? translate("cli", "Servo %1 has the same settings as before.").arg(m_servo.id)
               : translate("cli", "Servo %1 differs from its previous state in these registers: %2")
                     .arg(m_servo.id)
-                    .arg(m_differing.join(QStringLiteral(", "))));
+                    .arg(text::joinItems(m_differing)));
     print(translate("cli", "Next: run \"servodesk-cli ports\" to list your adapters and "
                            "\"servodesk-cli --port PORT scan\" to find your servos."));
     m_run.finish(Json::object()

@@ -56,6 +56,7 @@ private slots:
     void americanSpelling();
     void textsArePlain();
     void chineseIsUniform();
+    void listsHaveTheCommaOfTheirLanguage();
 };
 
 void TestLanguage::filesAreFound()
@@ -152,6 +153,19 @@ void TestLanguage::chineseIsUniform()
     const QString texts = QStringLiteral(SOURCE_DIR "/translations/servodesk_zh_CN.ts");
     const QString help = QStringLiteral(SOURCE_DIR "/resources/help/help_zh.md");
     const QStringList found = matches({texts}, banned) + matches({help}, QRegularExpression(words));
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+}
+
+/// text::joinItems. Models are typed with commas; the detail of an error is the same in every
+/// language.
+void TestLanguage::listsHaveTheCommaOfTheirLanguage()
+{
+    const QRegularExpression banned(QStringLiteral(
+        "(?<!limits\\.models|\\(key, known\\))\\.join\\((QStringLiteral\\()?u?\", \"\\)"));
+    QVERIFY(QStringLiteral("names.join(QStringLiteral(\", \"))").contains(banned));
+    const QStringList sources = filesBelow({QStringLiteral("ui"), QStringLiteral("src/cli")},
+                                           {QStringLiteral("*.cpp"), QStringLiteral("*.h")});
+    const QStringList found = matches(sources, banned);
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 
