@@ -10477,6 +10477,10 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Saves the batch as a report to hand over with the servos</source>
         <translation>将批次保存为可随舵机交付的报告</translation>
     </message>
+    <message>
+        <source>%1 (%2 IDs)</source>
+        <translation>%1（共 %2 个）</translation>
+    </message>
 </context>
 <context>
     <name>ui::CommissionForm</name>
@@ -12161,10 +12165,6 @@ Retries: %9</source>
         <translation>在“阶跃响应”页显示此次运行，下一次运行将与它对比</translation>
     </message>
     <message>
-        <source>No entries. Writes, snapshots, tests and alarms are listed here, unless a filter above hides them.</source>
-        <translation>没有记录。写入、快照、测试和报警都列在这里；如果没有显示，可能被上方的筛选条件隐藏。</translation>
-    </message>
-    <message>
         <source>Select a write.</source>
         <translation>请选择一条写入记录。</translation>
     </message>
@@ -12187,6 +12187,14 @@ Retries: %9</source>
     <message>
         <source>Lists only entries for the servo in this row</source>
         <translation>仅列出该行舵机的记录</translation>
+    </message>
+    <message>
+        <source>No entries under “%1” match the filters above.</source>
+        <translation>“%1”中没有符合上方筛选条件的记录。</translation>
+    </message>
+    <message>
+        <source>No entries under “%1” yet. Select another kind of entry above: writes, snapshots, tests, alarms, recordings or servos.</source>
+        <translation>“%1”中还没有记录。可在上方选择其他类别：写入、快照、测试、报警、录制或舵机。</translation>
     </message>
 </context>
 <context>
@@ -14712,10 +14720,6 @@ Retries: %9</source>
         <translation>请先修改“试用”列中的值。</translation>
     </message>
     <message>
-        <source>The servo moves when you click Measure or Try gains.</source>
-        <translation>点击“测量”或“试用增益”会使舵机运动。</translation>
-    </message>
-    <message>
         <source>Measures the same step with these values and restores the old values afterwards: %1</source>
         <translation>用以下数值测量同样的阶跃，之后恢复原值：%1</translation>
     </message>
@@ -14758,6 +14762,10 @@ Retries: %9</source>
     <message>
         <source>Movement is blocked by the emergency stop, and torque is off. Click Allow movement to turn torque on; nothing moves until you click Measure or Try gains.</source>
         <translation>急停后已卸力，禁止运动。点击“允许运动”可打开扭矩；点击“测量”或“试用增益”之前，舵机不会运动。</translation>
+    </message>
+    <message>
+        <source>ID %1 moves when you click Measure or Try gains.</source>
+        <translation>点击“测量”或“试用增益”会使 ID %1 运动。</translation>
     </message>
 </context>
 <context>
@@ -15526,6 +15534,10 @@ Retries: %9</source>
     <message>
         <source>RUNNING</source>
         <translation>运行中</translation>
+    </message>
+    <message>
+        <source>%1 (ID %2)</source>
+        <translation>%1（ID %2）</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/commissioning/commission_batch_view.h"
 
-#include "text/language.h"
+#include "text/bus_text.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/common/widget_text.h"
@@ -89,22 +89,15 @@ void CommissionBatchView::setIds(const std::vector<int>& ids)
     showSummary();
 }
 
-/// "4, 5, 6", of many "4, 5, 6 … 253 (250)".
+/// "4–6, 9"; with their number, if that is not seen at once.
 QString CommissionBatchView::idsToComeText() const
 {
-    constexpr std::size_t listed = 3;
+    constexpr std::size_t countedAtAGlance = 4;
     std::vector<int> left;
     std::copy_if(m_ids.begin(), m_ids.end(), std::back_inserter(left),
                  [this](int id) { return !m_batch.isIdTaken(id); });
-    QStringList words;
-    for (std::size_t i = 0; i < std::min(left.size(), listed); ++i)
-        words << QString::number(left[i]);
-    QString text = text::joinItems(words);
-    if (left.size() > listed + 1)
-        text += QStringLiteral(" … %1 (%2)").arg(left.back()).arg(left.size());
-    else if (left.size() > listed)
-        text += QStringLiteral(", %1").arg(left.back());
-    return text;
+    const QString ids = text::idRangesText(left);
+    return left.size() > countedAtAGlance ? tr("%1 (%2 IDs)").arg(ids).arg(left.size()) : ids;
 }
 
 void CommissionBatchView::showSummary()

@@ -211,6 +211,16 @@ void HistoryPage::query()
     m_filters->loadChoices(historyService(), isRemote());
 }
 
+QString HistoryPage::emptyText() const
+{
+    const QString kind = HistoryFormatter::kindName(m_filters->kind());
+    if (m_filters->filter() != history::HistoryFilter{})
+        return tr("No entries under “%1” match the filters above.").arg(kind);
+    return tr("No entries under “%1” yet. Select another kind of entry above: writes, snapshots, "
+              "tests, alarms, recordings or servos.")
+        .arg(kind);
+}
+
 QString HistoryPage::countText() const
 {
     const int rows = m_table.rowCount();
@@ -241,6 +251,7 @@ void HistoryPage::showState()
     m_export->setEnabled(m_table.rowCount() > 0);
     m_count->setText(countText());
     const bool empty = m_table.rowCount() == 0 && !m_table.isLoading();
+    m_emptyLabel->setText(emptyText());
     m_emptyLabel->setVisible(empty);
     m_view->setVisible(!empty);
     showActions();
@@ -426,9 +437,6 @@ void HistoryPage::showError(const base::Error& error)
 
 void HistoryPage::retranslate()
 {
-    m_emptyLabel->setText(
-        tr("No entries. Writes, snapshots, tests and alarms are listed here, unless a "
-           "filter above hides them."));
     setAccessibleName(tr("History"));
     m_identityHint->setText(
         tr("Servos have no serial number. They are identified by model, firmware, ID and the label "

@@ -54,6 +54,7 @@ private:
     void scheduleQuery();
     void query();
     void showState();
+    QString emptyText() const;
     QString countText() const;
     bool isStepResponseSelected() const;
     const HistoryLine* selectedLine() const; ///< null: none

@@ -195,10 +195,11 @@ void StepPage::showState()
     m_back->setEnabled(!running && open &&
                        (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));
     m_progress->setVisible(running);
-    m_reasonLabel->setText(running ? tr("The servo is moving. Esc turns torque off on all servos.")
-                           : !why.isEmpty()
-                               ? why
-                               : tr("The servo moves when you click Measure or Try gains."));
+    m_reasonLabel->setText(
+        running ? tr("The servo is moving. Esc turns torque off on all servos.")
+        : !why.isEmpty()
+            ? why
+            : tr("ID %1 moves when you click Measure or Try gains.").arg(entry->servo.id));
     m_try->setToolTip(noTrial.isEmpty()
                           ? tr("Measures the same step with these values and restores the old "
                                "values afterwards: %1")

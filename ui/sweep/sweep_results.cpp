@@ -391,13 +391,12 @@ void SweepResults::retranslate()
 QString SweepResults::verdictReason() const
 {
     const results::SweepRun& run = *m_test.run();
+    const QString end = text::localized(report::endText(run.end));
     QStringList sentences;
     if (const QString reason = reasonText(run); !reason.isEmpty())
         sentences << reason;
     if (run.end != results::SweepEnd::Finished)
-        sentences << text::localized(report::endText(run.end)) +
-                         (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy)
-                                           : QString());
+        sentences << (run.endedBy >= 0 ? tr("%1 (ID %2)").arg(end).arg(run.endedBy) : end);
     if (!run.gaps.empty())
         sentences << tr("The test was paused by %n bus interruption(s).", nullptr,
                         static_cast<int>(run.gaps.size()));

@@ -160,6 +160,13 @@ private Q_SLOTS:
         QVERIFY(fixture.ready(1, two));
         const QAbstractItemModelTester tester(fixture.table()->model());
         QTRY_COMPARE(fixture.find<QLabel>("historyCount")->text(), QStringLiteral("No entries"));
+        auto* nothing = fixture.find<QLabel>("historyNothing");
+        QVERIFY2(nothing->text().startsWith(QStringLiteral("No entries under “Writes” yet.")),
+                 qPrintable(nothing->text()));
+        fixture.find<QCheckBox>("historyTrouble")->click();
+        QTRY_VERIFY2(nothing->text().contains(QStringLiteral("match the filters")),
+                     qPrintable(nothing->text()));
+        fixture.find<QCheckBox>("historyTrouble")->click();
         QVERIFY(fixture.write("position_p", 40));
         QTRY_COMPARE(fixture.rows(), 1);
         QVERIFY(fixture.cell(0, 1).contains(QStringLiteral("STS3215 · ID 1")));
