@@ -11375,16 +11375,16 @@ Retries: %9</source>
         <translation>不保持位置，但转动输出轴时有阻力</translation>
     </message>
     <message>
-        <source>When torque is on, the servo holds its present position in any mode; when it is off, the shaft turns freely</source>
-        <translation>打开扭矩时，无论何种模式，舵机都保持当前位置；卸力时，输出轴可自由转动</translation>
-    </message>
-    <message>
         <source>More torque options</source>
         <translation>更多扭矩选项</translation>
     </message>
     <message>
         <source>Damping and midpoint</source>
         <translation>阻尼、设为中位</translation>
+    </message>
+    <message>
+        <source>When torque is on, the servo holds its present position; when it is off, the shaft turns freely</source>
+        <translation>打开扭矩时，舵机保持当前位置；卸力时，输出轴可自由转动</translation>
     </message>
 </context>
 <context>

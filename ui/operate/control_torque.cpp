@@ -128,8 +128,9 @@ void ControlTorque::changeEvent(QEvent* event)
 
 void ControlTorque::retranslate()
 {
-    m_switch->setToolTip(tr("When torque is on, the servo holds its present position in any mode; "
-                            "when it is off, the shaft turns freely"));
+    m_switch->setToolTip(
+        tr("When torque is on, the servo holds its present position; when it is off, "
+           "the shaft turns freely"));
     m_more->setAccessibleName(tr("More torque options"));
     m_more->setToolTip(tr("Damping and midpoint"));
     fillMenu();
