@@ -310,6 +310,7 @@ private Q_SLOTS:
     void aRescueIsStopped()
     {
         Fixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.choose(1)); // or the read after the search would fail
         const auto shared = fixture.workbench().link().connection()->simulation();
         shared->with([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
         auto* rescue = fixture.open<ui::FirmwareRescueDialog>("firmwareRescue");
@@ -321,7 +322,9 @@ private Q_SLOTS:
         QVERIFY(gui::ended(rescue));
         shared->with([](sim::VirtualBus& wire) { wire.powerCycle(); });
         QCOMPARE(fixture.minorVersion(1), 10);
-        QVERIFY(fixture.choose(1)); // the port is as it was
+        QCOMPARE(fixture.workbench().link().baud(), 1'000'000); // the port is as it was
+        const base::Duration powered = fixture.workbench().registry().now();
+        QTRY_VERIFY(fixture.entry().lastSeen > powered);
         rescue->close();
     }
 };
