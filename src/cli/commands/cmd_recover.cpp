@@ -83,17 +83,31 @@ Exit exitOf(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction a
     return exit;
 }
 
+/// The one change whose name starts with `which`.
+base::Result<std::vector<base::Intent>> changeNamed(std::vector<base::Intent> open,
+                                                    const QString& which)
+{
+    std::erase_if(open, [&](const base::Intent& one) { return !one.uuid.startsWith(which); });
+    if (open.empty())
+        return badArgument(translate("cli", "no unfinished change \"%1\"").arg(which));
+    if (open.size() > 1)
+        return badArgument(
+            translate("cli", "the names of several changes start with \"%1\"").arg(which));
+    return open;
+}
+
 /// Marks changes as abandoned, for servos that will not return. Needs no port. Changes that another
 /// program is making are not abandoned.
 base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const QString& which)
 {
+    const auto chosen = which == QLatin1String("all") ? open : changeNamed(open, which);
+    if (!chosen)
+        return tl::unexpected(chosen.error());
     QStringList forgotten;
     Json::Array details;
     QString lines;
     UncheckedChanges running;
-    for (const base::Intent& intent : open) {
-        if (which != QLatin1String("all") && !intent.uuid.startsWith(which))
-            continue;
+    for (const base::Intent& intent : *chosen) {
         if (intent.isActiveElsewhere) {
             running.intents.push_back(intent);
             continue;
@@ -104,8 +118,6 @@ base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const
         details.push_back(jsonDiscarded(intent));
         lines += discardedText(intent);
     }
-    if (forgotten.isEmpty() && running.intents.empty() && which != QLatin1String("all"))
-        return badArgument(translate("cli", "no unfinished change \"%1\"").arg(which));
     Json document = Json::object().add("forgotten", forgotten).add("given_up", std::move(details));
     running.addTo(document, "under_way");
     run.finish(std::move(document),
@@ -119,15 +131,7 @@ base::Result<std::vector<base::Intent>> chosenChanges(std::vector<base::Intent> 
                                                       const Values& values)
 {
     const auto which = values.option("--change");
-    if (!which)
-        return open;
-    std::erase_if(open, [&](const base::Intent& one) { return !one.uuid.startsWith(*which); });
-    if (open.empty())
-        return badArgument(translate("cli", "no unfinished change \"%1\"").arg(*which));
-    if (open.size() > 1)
-        return badArgument(
-            translate("cli", "the names of several changes start with \"%1\"").arg(*which));
-    return open;
+    return which ? changeNamed(std::move(open), *which) : open;
 }
 
 /// A change from another port that still exists must be named, because that port has its own servo.
@@ -202,8 +206,9 @@ Command recoverCommand()
             {{"--finish", QT_TRANSLATE_NOOP("cli", "complete the changes")},
              {"--undo", QT_TRANSLATE_NOOP("cli", "restore the old values")},
              {"--forget",
-              QT_TRANSLATE_NOOP("cli", "abandon a change whose servo will not be connected again "
-                                       "(the first characters of the change name are enough)"),
+              QT_TRANSLATE_NOOP("cli",
+                                "abandon a change whose servo will not be connected again, or all "
+                                "(the first characters of the change name are enough)"),
               "CHANGE|all"},
              {"--change",
               QT_TRANSLATE_NOOP("cli", "only this change (the first characters of its name are "

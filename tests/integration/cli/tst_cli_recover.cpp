@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
 #include <csignal>
 #include <sys/resource.h>
 
@@ -54,6 +55,7 @@ private Q_SLOTS:
     void anAdapterUnderAnotherNameHidesNothing();
     void openChangesAreListedWithoutAPort();
     void aMissingPortIsNotSuggested();
+    void anAmbiguousNameDiscardsNothing();
     void aSimulatedBusIgnoresRealChanges();
     void aChangeInProgressIsNotDiscarded();
     void aDuplicateOnAnotherPortIsIgnored();
@@ -69,8 +71,9 @@ private:
 
 void TestCliRecover::killDuringWrite(CliProgram& cli, const char* command)
 {
+    const int before = std::max(0, cli.openIntents());
     cli.start(words(command));
-    QTRY_VERIFY(cli.openIntents() > 0);
+    QTRY_VERIFY(cli.openIntents() > before);
     cli.signal(SIGKILL);
     QCOMPARE(cli.finish().exit, -1);
 }
@@ -159,9 +162,10 @@ void TestCliRecover::openChangesAreListedWithoutAPort()
 void TestCliRecover::aMissingPortIsNotSuggested()
 {
     CliProgram cli;
-    for (int which = 0; which < 2; ++which) {
-        SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
-        cli.setPort(sim.port());
+    SimProgram first(words("--servos sts3215@1 --latency-ms 60"));
+    SimProgram second(words("--servos sts3215@1 --latency-ms 60"));
+    for (SimProgram* sim : {&first, &second}) {
+        cli.setPort(sim->port());
         killDuringWrite(cli);
         if (QTest::currentTestFailed())
             return;
@@ -184,6 +188,30 @@ void TestCliRecover::aMissingPortIsNotSuggested()
     const ProgramResult text = cli.run("recover");
     QVERIFY2(text.out.contains(QStringLiteral("--port PORT")), qPrintable(text.out));
     QVERIFY2(!text.out.contains(QStringLiteral("--port ") + gone), qPrintable(text.out));
+}
+
+/// Two changes whose names start alike: neither is abandoned.
+void TestCliRecover::anAmbiguousNameDiscardsNothing()
+{
+    CliProgram cli;
+    SimProgram first(words("--servos sts3215@1 --latency-ms 60"));
+    SimProgram second(words("--servos sts3215@1 --latency-ms 60"));
+    for (SimProgram* sim : {&first, &second}) {
+        cli.setPort(sim->port());
+        killDuringWrite(cli);
+        if (QTest::currentTestFailed())
+            return;
+    }
+    {
+        const auto file = history::HistoryFile::open(cli.historyFile(), std::chrono::seconds(1));
+        QVERIFY(file);
+        QVERIFY((*file)->run(QStringLiteral("UPDATE intents SET uuid = 'same-' || number"), {}));
+    }
+    cli.setPort(QStringLiteral("/dev/no-such-servo-port"));
+    const ProgramResult result = cli.run("recover --forget same-");
+    QCOMPARE(result.exit, 2);
+    QVERIFY2(result.err.contains(QStringLiteral("several changes")), qPrintable(result.err));
+    QCOMPARE(cli.openIntents(), 2);
 }
 
 void TestCliRecover::aSimulatedBusIgnoresRealChanges()
