@@ -112,8 +112,12 @@ Text testValueText(results::TestItem item, const QString& value)
                        item == TestItem::MoveTime
                    ? sweepTexts().asTheServoHasIt
                    : inBoth(QStringLiteral("–"));
-    if (item == TestItem::Limits)
-        return limitsName(value);
+    if (item == TestItem::Limits) {
+        const QString second = QStringLiteral(" (2)"); // two limits with one name
+        const bool isSecond = value.endsWith(second);
+        const Text name = limitsName(isSecond ? value.chopped(second.size()) : value);
+        return isSecond ? filled(inBoth(QStringLiteral("%1 (2)")), name) : name;
+    }
     if (item == TestItem::Shape)
         return shapeText(results::sweepShapeFromName(value).value_or(results::SweepShape::Points));
     if (item == TestItem::Pace)

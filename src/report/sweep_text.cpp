@@ -2,6 +2,7 @@
 #include "report/sweep_text.h"
 
 #include "report/bilingual.h"
+#include "results/sweep_limits.h"
 #include "text/text_table.h"
 
 #include <array>
@@ -393,6 +394,9 @@ Text unitText(const QString& unit)
 
 Text limitsName(const QString& name)
 {
+    if (name.endsWith(results::customSuffix))
+        return filled(translate("SweepText", "%1, custom"),
+                      inBoth(name.chopped(results::customSuffix.size())));
     return sweepText(builtInLimitsEntries, name);
 }
 

@@ -46,6 +46,6 @@ Text shapeText(results::SweepShape shape);
 Text paceText(results::SweepPace pace);
 Text metricLabel(const QString& key);    ///< an unknown key: the key itself
 Text unitText(const QString& unit);      ///< "step" / "步"
-Text limitsName(const QString& name);    ///< of limits; only the built-in ones have two
+Text limitsName(const QString& name);    ///< built-in and custom limits have a Chinese name
 Text alarmBitsText(std::uint8_t alarms); ///< "overload, voltage"; empty: none
 } // namespace report

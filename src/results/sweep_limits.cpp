@@ -214,6 +214,15 @@ SweepLimits builtInSweepLimits(const QString& model, const QString& series)
     return {};
 }
 
+SweepLimits withNameOfItsOwn(SweepLimits limits, const QString& model)
+{
+    const auto isNamesake = [&](const SweepLimits& one) { return one.name == limits.name; };
+    const auto namesake = std::find_if(builtIn().begin(), builtIn().end(), isNamesake);
+    if (namesake != builtIn().end() && !(*namesake == limits))
+        limits.name = model + customSuffix;
+    return limits;
+}
+
 const std::vector<SweepMetricKind>& sweepMetricKinds()
 {
     const QString ms = QStringLiteral("ms");

@@ -36,6 +36,9 @@ base::Result<void> saveSweepLimits(const SweepLimits& limits, const QString& pat
 
 /// The built-in ones: for the model itself, else for its series, else for any.
 SweepLimits builtInSweepLimits(const QString& model, const QString& series);
+/// Those with the name of built-in limits from which they differ are called "STS3215, custom".
+SweepLimits withNameOfItsOwn(SweepLimits limits, const QString& model);
+inline constexpr QLatin1StringView customSuffix(", custom");
 
 /// All metrics in the order of a report, with its unit. A limits file may name no other.
 struct SweepMetricKind {

@@ -159,7 +159,8 @@ void LimitsDialog::connectAll()
 
 void LimitsDialog::setLimits(const SweepLimits& limits)
 {
-    m_name->setText(text::localized(report::limitsName(limits.name)));
+    m_loadedName = limits.name;
+    m_name->setText(text::localized(report::limitsName(m_loadedName)));
     m_models->setText(limits.models.join(QStringLiteral(", ")));
     m_tolerance->setText(
         limits.tolerance ? QString::number(*limits.tolerance, 'g', QLocale::FloatingPointShortest)
@@ -174,20 +175,16 @@ SweepLimits LimitsDialog::limits() const
 {
     SweepLimits limits;
     limits.name = m_name->text().trimmed();
+    const catalog::Text shown = report::limitsName(m_loadedName);
+    if (limits.name == shown.en || limits.name == shown.zh)
+        limits.name = m_loadedName;
     for (const QString& one : m_models->text().split(u',', Qt::SkipEmptyParts)) {
         if (!one.trimmed().isEmpty())
             limits.models << one.trimmed();
     }
     limits.tolerance = numberFromText(m_tolerance->text());
     limits.lines = m_lines->lines();
-    const SweepLimits builtIn = results::builtInSweepLimits(m_model, m_series);
-    const catalog::Text shown = report::limitsName(builtIn.name);
-    if (limits.name == shown.en || limits.name == shown.zh) {
-        limits.name = builtIn.name;
-        if (!(limits == builtIn)) // or a report would call them built in
-            limits.name = tr("%1, own").arg(m_model);
-    }
-    return limits;
+    return results::withNameOfItsOwn(limits, m_model);
 }
 
 QString LimitsDialog::problem() const

@@ -57,6 +57,7 @@ private:
 
     QString m_model;
     QString m_series;
+    QString m_loadedName; ///< shown in the language of the interface
     LimitsModel* m_lines;
     QFormLayout* m_form = nullptr;
     QLineEdit* m_name = nullptr;

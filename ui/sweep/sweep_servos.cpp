@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sweep/sweep_servos.h"
 
+#include "report/sweep_text.h"
+#include "text/language.h"
 #include "ui/common/follow_language.h"
 #include "ui/common/widget_style.h"
 #include "ui/widgets/test_text.h"
@@ -13,6 +15,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -102,7 +105,7 @@ session::ServoRef SweepServos::refAt(int row) const
     return item != nullptr ? item->data(Qt::UserRole).toInt() : 0;
 }
 
-/// As high as the servos there are need, so that one or two leave room for the rest of the form.
+/// Fits the table to its rows, so that the rest of the form gets more room.
 void SweepServos::fitHeight()
 {
     const int rows = std::clamp(m_table->rowCount(), 1, maxVisibleRows);
@@ -278,7 +281,7 @@ const std::optional<results::SweepLimits>& SweepServos::ownLimits(const QString&
     const QByteArray kept = m_settings.pageValue(limitsKey(model), QString()).toString().toUtf8();
     std::optional<results::SweepLimits> own;
     if (const auto read = results::decodeSweepLimits(kept); !kept.isEmpty() && read)
-        own = *read;
+        own = results::withNameOfItsOwn(*read, model);
     return m_modelLimits[model] = own;
 }
 
@@ -313,7 +316,9 @@ void SweepServos::showLimits()
         return;
     }
     const bool own = ownLimits(entry->servo.profile->modelName).has_value();
-    m_limitsName->setText(own ? tr("Limits: %1").arg(limits(ref).name) : tr("Limits: built-in"));
+    m_limitsName->setText(
+        own ? tr("Limits: %1").arg(text::localized(report::limitsName(limits(ref).name)))
+            : tr("Limits: built-in"));
 }
 
 void SweepServos::retranslate()

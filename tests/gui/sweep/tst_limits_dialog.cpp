@@ -235,26 +235,34 @@ void TestLimitsDialog::builtInValuesComeBack()
 void TestLimitsDialog::changedBuiltInValuesAreNotCalledBuiltIn_data()
 {
     QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("series");
     QTest::addColumn<QString>("builtInName");
-    QTest::addColumn<QString>("ownName");
-    QTest::newRow("English") << utf8("en") << utf8("4096 steps a turn, built in")
-                             << utf8("STS3215, own");
-    QTest::newRow("Chinese") << utf8("zh_CN") << utf8("每圈 4096 步（内置）")
+    QTest::addColumn<QString>("customName");
+    QTest::newRow("English") << utf8("en") << utf8("STS") << utf8("4096 steps a turn, built in")
+                             << utf8("STS3215, custom");
+    QTest::newRow("Chinese") << utf8("zh_CN") << utf8("STS") << utf8("每圈 4096 步（内置）")
                              << utf8("STS3215（自定）");
+    QTest::newRow("of another family")
+        << utf8("zh_CN") << utf8("SCS") << utf8("SCS，1024 步（内置）") << utf8("STS3215（自定）");
 }
 
 void TestLimitsDialog::changedBuiltInValuesAreNotCalledBuiltIn()
 {
     QFETCH(QString, language);
     QFETCH(QString, builtInName);
-    QFETCH(QString, ownName);
+    QFETCH(QString, series);
+    QFETCH(QString, customName);
     text::installTranslator(language);
-    const SweepLimits builtIn = results::builtInSweepLimits(utf8("STS3215"), utf8("STS"));
+    const SweepLimits builtIn = results::builtInSweepLimits({}, series);
     const Fixture fixture(builtIn);
     QCOMPARE(fixture.field("limitsName").text(), builtInName);
     QCOMPARE(fixture.dialog->limits(), builtIn);
     QVERIFY(fixture.type(0, LimitColumn::Warn, utf8("0.5")));
-    QCOMPARE(fixture.dialog->limits().name, ownName);
+    const SweepLimits changed = fixture.dialog->limits();
+    QCOMPARE(changed.name, utf8("STS3215, custom")); // in every language, as it is stored
+    const Fixture again(changed);
+    QCOMPARE(again.field("limitsName").text(), customName);
+    QCOMPARE(again.dialog->limits(), changed);
     fixture.field("limitsName").setText(utf8("mine"));
     QCOMPARE(fixture.dialog->limits().name, utf8("mine"));
 }

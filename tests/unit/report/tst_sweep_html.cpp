@@ -345,6 +345,8 @@ private Q_SLOTS:
             QVERIFY2(containsChinese(name.zh), series);
         }
         QCOMPARE(report::limitsName(QStringLiteral("shop")).zh, QStringLiteral("shop"));
+        QCOMPARE(report::limitsName(QStringLiteral("STS3215, custom")).zh,
+                 QStringLiteral("STS3215（自定）"));
     }
 
     void longRunsAreShortened()
