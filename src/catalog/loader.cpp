@@ -89,6 +89,7 @@ void Loader::addFile(const QString& path)
 {
     m_file = path;
     m_fileWarnings = 0;
+    m_modelsOfFile.clear();
     QString errorText;
     const auto content = readFileContent(path, errorText);
     if (!content)
@@ -219,8 +220,13 @@ void Loader::addModel(const QJsonValue& value, const QString& where)
                other.byteOrder == model->byteOrder;
     };
     const auto old = std::find_if(m_data.models.begin(), m_data.models.end(), isSame);
+    const QString identity = model->major < 0 ? normalizedModelName(model->name)
+                                              : QStringLiteral("%1.%2 %3")
+                                                    .arg(model->major)
+                                                    .arg(model->minor)
+                                                    .arg(static_cast<int>(model->byteOrder));
     // A later file may replace a model of an earlier one; twice in one file is a slip.
-    if (old != m_data.models.end() && m_files.value(modelTitle(*old)) == m_file)
+    if (!m_modelsOfFile.insert(identity).second)
         warn(where, QStringLiteral("replaces %1 of the same file").arg(modelTitle(*old)));
     m_files[modelTitle(*model)] = m_file;
     insertOrReplace(m_data.models, *model, isSame);

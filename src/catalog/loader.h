@@ -9,6 +9,7 @@
 #include <QJsonArray>
 
 #include <functional>
+#include <set>
 
 namespace catalog {
 class Loader {
@@ -33,7 +34,8 @@ private:
     Catalog::Data m_data;
     std::vector<LoadWarning> m_warnings;
     QString m_file;
-    QHash<QString, QString> m_files; ///< where the latest "series STS" or "model STS3215" stands
+    std::set<QString> m_modelsOfFile; ///< by what identifies them
+    QHash<QString, QString> m_files;  ///< where the latest "series STS" or "model STS3215" stands
     int m_fileWarnings = 0;
 };
 } // namespace catalog

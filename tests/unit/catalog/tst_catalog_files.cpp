@@ -53,7 +53,7 @@ private Q_SLOTS:
     void addsAModel();
     void replacesModelMapAndSeries();
     void laterFilesWin();
-    void aModelTwiceInOneFileIsSaid();
+    void aModelTwiceInOneFileIsReported();
     void badModelsAndSeries_data();
     void badModelsAndSeries();
     void seriesWithoutItsMap();
@@ -392,7 +392,7 @@ void TestCatalogFiles::laterFilesWin()
     QCOMPARE(both.catalog.resolve({3, 10, 0, 9, 3})->modelName, QStringLiteral("THIRD"));
 }
 
-void TestCatalogFiles::aModelTwiceInOneFileIsSaid()
+void TestCatalogFiles::aModelTwiceInOneFileIsReported()
 {
     const auto row = [](const QByteArray& id, const QByteArray& name) {
         return R"({"id": ")" + id + R"(", "name": ")" + name +
@@ -400,6 +400,7 @@ void TestCatalogFiles::aModelTwiceInOneFileIsSaid()
     };
     write(QStringLiteral("a.json"), R"({"models": [)" + row("200.1", "BENCH1") + "," +
                                         row("200.1", "BENCH2") + "," + row("200.3", "BENCH3") +
+                                        "," + row("200.5", "STS3215") + "," + row("9.3", "OTHER") +
                                         "]}");
     write(QStringLiteral("b.json"), R"({"models": [)" + row("200.3", "MINE") + "]}");
     const auto loaded = load();
