@@ -136,6 +136,7 @@ run_aside() {
     trap "kill -- -$child 2>/dev/null" INT TERM HUP QUIT
     wait "$child" || code=$?
     trap - INT TERM HUP QUIT
-    rm -rf -- "$temporary"
+    wait "$child" 2>/dev/null || true # a signal ends the first one before the command has ended
+    rm -rf -- "$temporary" || true
     return "$code"
 }
