@@ -301,6 +301,16 @@
     </message>
 </context>
 <context>
+    <name>ui::CommissionBatchView</name>
+    <message numerus="yes">
+        <source>%1 (%n ID(s))</source>
+        <translation>
+            <numerusform>%1 (%n ID)</numerusform>
+            <numerusform>%1 (%n IDs)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::FindServosDialog</name>
     <message numerus="yes">
         <source>%n servo(s) · %1 · %2 baud</source>

@@ -1487,7 +1487,7 @@
     </message>
     <message>
         <source>Undo this write?</source>
-        <translation>撤销此写入？</translation>
+        <translation>撤销此次写入？</translation>
     </message>
     <message>
         <source>ID %1 · %2: %3 will change from %4 to %5.</source>
@@ -1499,7 +1499,7 @@
     </message>
     <message>
         <source>Undo this write</source>
-        <translation>撤销此写入</translation>
+        <translation>撤销此次写入</translation>
     </message>
 </context>
 <context>
@@ -3932,6 +3932,10 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <source>LX, 1000 steps, built in</source>
         <translation>LX，1000 步（内置）</translation>
     </message>
+    <message>
+        <source>%1, custom</source>
+        <translation>%1（自定）</translation>
+    </message>
 </context>
 <context>
     <name>Trend</name>
@@ -4256,10 +4260,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>原始值，或带单位的数值</translation>
     </message>
     <message>
-        <source>travel time in milliseconds (SCS)</source>
-        <translation>运行时间，毫秒（SCS）</translation>
-    </message>
-    <message>
         <source>Port</source>
         <translation>端口</translation>
     </message>
@@ -4458,10 +4458,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     <message>
         <source>unknown command &quot;%1&quot;</source>
         <translation>未知命令“%1”</translation>
-    </message>
-    <message>
-        <source>print the result as a single JSON document</source>
-        <translation>以单个 JSON 文档输出结果</translation>
     </message>
     <message>
         <source>The result could not be written: %1</source>
@@ -4942,10 +4938,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>当前 ID</translation>
     </message>
     <message>
-        <source>new ID, 0 to 253</source>
-        <translation>新的 ID，0 到 253</translation>
-    </message>
-    <message>
         <source>change the baud rate of a servo</source>
         <translation>修改舵机波特率</translation>
     </message>
@@ -5220,16 +5212,8 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>把服务器上尚缺的历史记录发送到历史记录服务器（PostgreSQL）；不需要端口</translation>
     </message>
     <message>
-        <source>connection string, for example postgresql://USER@HOST/DATABASE, without a password (store the password in ~/.pgpass); default: the remembered server. By default, a server on another computer needs a valid TLS certificate; to change this, use ?sslmode=...</source>
-        <translation>连接字符串，例如 postgresql://USER@HOST/DATABASE，不含密码（密码存放在 ~/.pgpass）；默认：已记住的服务器。其他计算机上的服务器默认必须有有效的 TLS 证书；如需更改，请使用 ?sslmode=...</translation>
-    </message>
-    <message>
         <source>name of this bench on the server</source>
         <translation>本工位在服务器上的名称</translation>
-    </message>
-    <message>
-        <source>use this server and name from now on, in the desktop program too; saved after the first successful connection</source>
-        <translation>从现在起使用此服务器和名称，桌面程序也一样；首次连接成功后才保存</translation>
     </message>
     <message>
         <source>The LED of servo %1 is blinking. Press Ctrl-C to stop.</source>
@@ -5358,10 +5342,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     <message>
         <source>restore the old values</source>
         <translation>恢复原值</translation>
-    </message>
-    <message>
-        <source>abandon a change whose servo will not be connected again (the first characters of the change name are enough)</source>
-        <translation>放弃某个更改，仅在相应舵机不会再接上时使用（写出更改名称的前几个字符即可）</translation>
     </message>
     <message>
         <source>only this change (the first characters of its name are enough)</source>
@@ -5684,10 +5664,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>停止运动；扭矩状态不变，但如果无法确认舵机已保持位置，则卸力</translation>
     </message>
     <message>
-        <source>position, multiturn, speed, pwm, step, current or motor, depending on the servo family</source>
-        <translation>position（位置）、multiturn（多圈）、speed（恒速）、pwm、step（步进）、current（恒流）或 motor（电机），视系列而定</translation>
-    </message>
-    <message>
         <source>the tour writes to servos and moves them, so it only runs on a simulated bus: --port sim:demo</source>
         <translation>演示会写入参数并转动舵机，只能在模拟总线上运行：--port sim:demo</translation>
     </message>
@@ -5714,10 +5690,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     <message>
         <source>leave the EPROM locked: changes are lost at power-off</source>
         <translation>不解锁 EPROM：断电后恢复原值</translation>
-    </message>
-    <message>
-        <source>allow writing registers that can make the servo unreachable or reverse its direction</source>
-        <translation>允许写入可能使舵机失联或反转的参数</translation>
     </message>
     <message numerus="yes">
         <source>Settings of %n servo(s) saved to %1 (ID %2)</source>
@@ -5906,10 +5878,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
         <translation>每次到位后停留的时间（代替 --delay）</translation>
     </message>
     <message>
-        <source>number of cycles (default: 10)</source>
-        <translation>循环次数（默认：10）</translation>
-    </message>
-    <message>
         <source>end after this many seconds</source>
         <translation>运行指定的秒数后结束</translation>
     </message>
@@ -5940,10 +5908,6 @@ The first block erases the old firmware. Until the whole file has been sent, kee
     <message>
         <source>turn torque off at the end (default: hold)</source>
         <translation>结束时卸力（默认：保持）</translation>
-    </message>
-    <message>
-        <source>stop as soon as a limit is violated</source>
-        <translation>出现第一个不合格项时结束</translation>
     </message>
     <message>
         <source>limits for the verdict (default: built-in limits)</source>
@@ -6346,12 +6310,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>工具：</translation>
     </message>
     <message>
-        <source>Exit codes: 0 success, 1 not executed by the servo, 2 usage error, 3 port error, 4 no reply, 5 file error.
-&quot;servodesk-cli help COMMAND&quot; describes a command.</source>
-        <translation>退出码：0 成功，1 舵机未执行，2 用法错误，3 端口错误，4 无应答，5 文件错误。
-“servodesk-cli help 命令”显示该命令的详细说明。</translation>
-    </message>
-    <message>
         <source>reply timeout in milliseconds, in addition to the transmission time (default: 25, longer for slow adapters; a servo counts as silent after 500 ms)</source>
         <translation>应答超时（毫秒），不含传输时间（默认：25，适配器慢时更长；超过 500 毫秒才判定舵机无应答）</translation>
     </message>
@@ -6632,10 +6590,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <translation>将 LeRobot 的校准文件与舵机对比</translation>
     </message>
     <message>
-        <source>write offsets and limits of LeRobot&apos;s calibration file to the servos; torque is turned off</source>
-        <translation>把 LeRobot 校准文件中的位置校正和角度限制写入舵机；会卸力</translation>
-    </message>
-    <message>
         <source>save what the servos hold as LeRobot&apos;s calibration file</source>
         <translation>把舵机中的值保存为 LeRobot 的校准文件</translation>
     </message>
@@ -6666,10 +6620,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         </translation>
     </message>
     <message>
-        <source>calibrate a robot arm by moving its joints by hand: torque off, record the ranges, write offsets and limits</source>
-        <translation>用手转动关节来校准机械臂：卸力、采集范围、写入位置校正和角度限制</translation>
-    </message>
-    <message>
         <source>Robot arm:</source>
         <translation>机械臂：</translation>
     </message>
@@ -6680,10 +6630,6 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Torque will be turned off, so the arm drops: hold it. Press Enter to write.</source>
         <translation>即将卸力，机械臂会落下：请扶住。按回车写入。</translation>
-    </message>
-    <message>
-        <source>output file; keys of other programs in an existing file are kept</source>
-        <translation>输出文件；已有文件中其他程序的键会保留</translation>
     </message>
     <message>
         <source>recording time (default: until Enter)</source>
@@ -6785,6 +6731,60 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>unknown command &quot;%1&quot;; did you mean %2?</source>
         <translation>未知命令“%1”；是不是要用 %2？</translation>
+    </message>
+    <message>
+        <source>write offsets and limits of LeRobot&apos;s calibration file to the servos, and set position mode with single-turn feedback where needed; torque is turned off</source>
+        <translation>把 LeRobot 校准文件中的位置校正和角度限制写入舵机，需要时设为位置模式和单圈反馈；会卸力</translation>
+    </message>
+    <message>
+        <source>output file; of an existing calibration file, keys of other programs are kept; an existing arm file is replaced</source>
+        <translation>输出文件；已有的校准文件中，其他程序的键会保留；已有的机械臂文件会被替换</translation>
+    </message>
+    <message>
+        <source>calibrate a robot arm by moving its joints by hand: torque off, record the ranges, write offsets and limits, and set position mode with single-turn feedback where needed</source>
+        <translation>用手转动关节来校准机械臂：卸力、采集范围、写入位置校正和角度限制，需要时设为位置模式和单圈反馈</translation>
+    </message>
+    <message>
+        <source>new ID, 0 to 253 (Modbus: 1 to 247)</source>
+        <translation>新的 ID，0 到 253（Modbus：1 到 247）</translation>
+    </message>
+    <message>
+        <source>connection string, for example postgresql://USER@HOST/DATABASE, without a password (store the password in ~/.pgpass); default: SERVODESK_HISTORY_SERVER, or else the remembered server. By default, a server on another computer needs a valid TLS certificate; to change this, use ?sslmode=...</source>
+        <translation>连接字符串，例如 postgresql://USER@HOST/DATABASE，不含密码（密码存放在 ~/.pgpass）；默认：SERVODESK_HISTORY_SERVER，否则为已记住的服务器。其他计算机上的服务器默认必须有有效的 TLS 证书；如需更改，请使用 ?sslmode=...</translation>
+    </message>
+    <message>
+        <source>use this server and name from now on, in the desktop program too; saved once everything has been sent</source>
+        <translation>从现在起使用此服务器和名称，桌面程序也一样；全部发送完成后才保存</translation>
+    </message>
+    <message>
+        <source>abandon a change whose servo will not be connected again, or all (the first characters of the change name are enough)</source>
+        <translation>放弃某个更改（或全部），仅在相应舵机不会再接上时使用（写出更改名称的前几个字符即可）</translation>
+    </message>
+    <message>
+        <source>position, position-pd, multiturn, speed, pwm, step, current, release or motor, depending on the servo family</source>
+        <translation>position（位置）、position-pd（位置 PD）、multiturn（多圈）、speed（恒速）、pwm、step（步进）、current（恒流）、release（到位卸力）或 motor（电机），视系列而定</translation>
+    </message>
+    <message>
+        <source>allow writing dangerous registers: ID, baud rate, torque, midpoint, mode, and what can make the servo unreachable, shift its positions or take its limits away</source>
+        <translation>允许写入危险的参数：ID、波特率、扭矩、中位、模式，以及可能使舵机失联、位置偏移或失去角度限制的参数</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 success, 1 not executed, failed, different or stopped, 2 usage error, 3 port error, 4 no reply, 5 file error.
+&quot;servodesk-cli help COMMAND&quot; describes a command.</source>
+        <translation>退出码：0 成功，1 未执行、不合格、不一致或已停止，2 用法错误，3 端口错误，4 无应答，5 文件错误。
+“servodesk-cli help 命令”说明某个命令。</translation>
+    </message>
+    <message>
+        <source>number of cycles (default: 10; with --duration: unlimited)</source>
+        <translation>循环次数（默认：10；给出 --duration 时不限）</translation>
+    </message>
+    <message>
+        <source>end after the first cycle in which a servo fails a limit</source>
+        <translation>某个舵机有指标不合格时，在该循环结束后停止</translation>
+    </message>
+    <message>
+        <source>print the result as a single JSON document (commission: one line per servo)</source>
+        <translation>以单个 JSON 文档输出结果（commission：每个舵机一行）</translation>
     </message>
 </context>
 <context>
@@ -6946,7 +6946,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     </message>
     <message>
         <source>refused</source>
-        <translation>被舵机拒绝</translation>
+        <translation>被拒绝</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -10477,9 +10477,11 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
         <source>Saves the batch as a report to hand over with the servos</source>
         <translation>将批次保存为可随舵机交付的报告</translation>
     </message>
-    <message>
-        <source>%1 (%2 IDs)</source>
-        <translation>%1（共 %2 个）</translation>
+    <message numerus="yes">
+        <source>%1 (%n ID(s))</source>
+        <translation>
+            <numerusform>%1（共 %n 个）</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12533,10 +12535,6 @@ Retries: %9</source>
     <message>
         <source>Discards the changes</source>
         <translation>放弃更改</translation>
-    </message>
-    <message>
-        <source>%1, own</source>
-        <translation>%1（自定）</translation>
     </message>
 </context>
 <context>

@@ -146,9 +146,11 @@ QString helpText(const Command* command)
     text += optionList(translate("cli", "Options:"), globalOptions());
     if (command == nullptr) {
         text += QLatin1Char('\n') +
-                translate("cli", "Exit codes: 0 success, 1 not executed by the servo, 2 usage "
-                                 "error, 3 port error, 4 no reply, 5 file error.\n\"servodesk-cli "
-                                 "help COMMAND\" describes a command.") +
+                translate(
+                    "cli",
+                    "Exit codes: 0 success, 1 not executed, failed, different or stopped, 2 usage "
+                    "error, 3 port error, 4 no reply, 5 file error.\n\"servodesk-cli "
+                    "help COMMAND\" describes a command.") +
                 QLatin1Char('\n');
     }
     return text;

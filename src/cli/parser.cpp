@@ -289,7 +289,9 @@ const std::vector<Option>& globalOptions()
          QT_TRANSLATE_NOOP("cli", "silence between Modbus frames in microseconds (default: 1750 "
                                   "above 19200 baud, as in the standard)"),
          "US"},
-        {"--json", QT_TRANSLATE_NOOP("cli", "print the result as a single JSON document")},
+        {"--json",
+         QT_TRANSLATE_NOOP("cli", "print the result as a single JSON document (commission: one "
+                                  "line per servo)")},
         {"--lang", QT_TRANSLATE_NOOP("cli", "output language"), "en|zh_CN"},
     };
     return options;

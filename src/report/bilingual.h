@@ -20,6 +20,12 @@ inline catalog::Text inBoth(const QString& text)
     return {text, text};
 }
 
+/// Between the items of a list.
+inline catalog::Text listComma()
+{
+    return {QStringLiteral(", "), QStringLiteral("、")};
+}
+
 /// `form` with its placeholders replaced.
 template <typename... Texts>
 catalog::Text filled(const catalog::Text& form, const Texts&... values)

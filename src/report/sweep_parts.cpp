@@ -81,7 +81,7 @@ QString stopsOf(const HtmlWriter& htmlWriter, const results::SweepSpec& spec)
     if (spec.stopOnFailure)
         stops.append(htmlWriter.htmlText(words.stopOnFailure));
     return stops.isEmpty() ? htmlWriter.htmlText(words.onlyOnLostLink)
-                           : stops.join(QStringLiteral(", "));
+                           : stops.join(htmlWriter.htmlText(listComma()));
 }
 
 QString valueOf(const results::SweepServo& servo, const char* metric)

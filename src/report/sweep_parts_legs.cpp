@@ -22,7 +22,7 @@ QString remarksOf(const HtmlWriter& htmlWriter, const results::SweepLeg& leg)
         remarks.append(QStringLiteral("⚠ ") + htmlWriter.htmlText(words.flagWrong));
     if (leg.alarms != 0)
         remarks.append(QStringLiteral("⚠ ") + htmlWriter.htmlText(alarmBitsText(leg.alarms)));
-    return remarks.join(QStringLiteral(", "));
+    return remarks.join(htmlWriter.htmlText(listComma()));
 }
 
 /// In every run of any length the same, so that it is found in the readings.

@@ -263,7 +263,7 @@ QString subject(const base::Error& error)
         parts << translate("text", "servo %1").arg(error.id);
     if (!error.registerKey.isEmpty())
         parts << error.registerKey;
-    return parts.join(QStringLiteral(", "));
+    return joinItems(parts);
 }
 
 Description describe(const base::Error& error)

@@ -92,12 +92,13 @@ void CommissionBatchView::setIds(const std::vector<int>& ids)
 /// "4–6, 9"; with their number, if that is not seen at once.
 QString CommissionBatchView::idsToComeText() const
 {
-    constexpr std::size_t countedAtAGlance = 4;
+    constexpr std::size_t maxUncounted = 4;
     std::vector<int> left;
     std::copy_if(m_ids.begin(), m_ids.end(), std::back_inserter(left),
                  [this](int id) { return !m_batch.isIdTaken(id); });
     const QString ids = text::idRangesText(left);
-    return left.size() > countedAtAGlance ? tr("%1 (%2 IDs)").arg(ids).arg(left.size()) : ids;
+    const int count = static_cast<int>(left.size());
+    return left.size() > maxUncounted ? tr("%1 (%n ID(s))", nullptr, count).arg(ids) : ids;
 }
 
 void CommissionBatchView::showSummary()

@@ -233,7 +233,8 @@ Command armApplyCommand()
     return {"arm apply",
             QT_TRANSLATE_NOOP("cli",
                               "write offsets and limits of LeRobot's calibration file to the "
-                              "servos; torque is turned off"),
+                              "servos, and set position mode with single-turn feedback where "
+                              "needed; torque is turned off"),
             {calibrationFile},
             {armOption, yesOption, dryRunOption},
             runApply};
@@ -254,8 +255,8 @@ Command armExportCommand()
     return {"arm export",
             QT_TRANSLATE_NOOP("cli", "save what the servos hold as LeRobot's calibration file"),
             {{"FILE", QT_TRANSLATE_NOOP(
-                          "cli", "output file; keys of other programs in an existing file are "
-                                 "kept")}},
+                          "cli", "output file; of an existing calibration file, keys of other "
+                                 "programs are kept; an existing arm file is replaced")}},
             {armOption,
              {"--format",
               QT_TRANSLATE_NOOP(

@@ -251,7 +251,8 @@ Command armCalibrateCommand()
 {
     return {"arm calibrate",
             QT_TRANSLATE_NOOP("cli", "calibrate a robot arm by moving its joints by hand: torque "
-                                     "off, record the ranges, write offsets and limits"),
+                                     "off, record the ranges, write offsets and limits, and set "
+                                     "position mode with single-turn feedback where needed"),
             {},
             {armOption, jointOption, middleOption, secondsOption, yesOption, dryRunOption},
             runCalibrate};

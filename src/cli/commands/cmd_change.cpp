@@ -112,7 +112,7 @@ Command setIdCommand()
         "set-id",
         QT_TRANSLATE_NOOP("cli", "change the ID of a servo after checking that the new ID is free"),
         {{"OLD", QT_TRANSLATE_NOOP("cli", "current ID")},
-         {"NEW", QT_TRANSLATE_NOOP("cli", "new ID, 0 to 253")}},
+         {"NEW", QT_TRANSLATE_NOOP("cli", "new ID, 0 to 253 (Modbus: 1 to 247)")}},
         {},
         runSetId};
 }

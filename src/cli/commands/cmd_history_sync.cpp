@@ -121,14 +121,15 @@ Command historySyncCommand()
         {{"--server",
           QT_TRANSLATE_NOOP("cli",
                             "connection string, for example postgresql://USER@HOST/DATABASE, "
-                            "without a password (store the password in ~/.pgpass); default: the "
-                            "remembered server. By default, a server on another computer needs a "
+                            "without a password (store the password in ~/.pgpass); default: "
+                            "SERVODESK_HISTORY_SERVER, or else the remembered server. By default, "
+                            "a server on another computer needs a "
                             "valid TLS certificate; to change this, use ?sslmode=..."),
           "STRING"},
          {"--bench", QT_TRANSLATE_NOOP("cli", "name of this bench on the server"), "NAME"},
          {"--remember",
           QT_TRANSLATE_NOOP("cli", "use this server and name from now on, in the desktop program "
-                                   "too; saved after the first successful connection")}},
+                                   "too; saved once everything has been sent")}},
         runSync};
 }
 } // namespace cli

@@ -177,7 +177,7 @@ Command moveCommand()
           1, many}},
         {{"--speed", QT_TRANSLATE_NOOP("cli", "raw value, or value with its unit"), "V"},
          {"--acceleration", QT_TRANSLATE_NOOP("cli", "raw value, or value with its unit"), "A"},
-         {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS)"), "MS"},
+         {"--time", QT_TRANSLATE_NOOP("cli", "travel time in milliseconds (SCS, LX)"), "MS"},
          {"--wait", QT_TRANSLATE_NOOP("cli", "wait until the servos have reached their goals")},
          {"--how",
           QT_TRANSLATE_NOOP(

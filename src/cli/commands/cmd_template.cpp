@@ -8,6 +8,7 @@
 #include "jobs/restore/take_snapshot.h"
 #include "session/snapshot/safety_snapshot.h"
 #include "snapshot/snapshot_template.h"
+#include "text/language.h"
 
 namespace cli {
 namespace {
@@ -36,7 +37,7 @@ tl::unexpected<base::Error> whyNot(const base::Error& error, const snapshot::Sna
         for (const snapshot::SnapshotRegister& reg : from.registers)
             known << reg.key;
         base::Error named = error;
-        named.detail = nearest(key, known).join(QStringLiteral(", "));
+        named.detail = text::joinItems(nearest(key, known));
         return tl::unexpected(named);
     }
     switch (error.reason) {

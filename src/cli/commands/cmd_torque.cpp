@@ -361,8 +361,9 @@ Command modeCommand()
     return {"mode",
             QT_TRANSLATE_NOOP("cli", "switch the operating mode; torque stays off afterwards"),
             {servoIdArgument,
-             {"MODE", QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step, current or "
-                                               "motor, depending on the servo family")}},
+             {"MODE", QT_TRANSLATE_NOOP(
+                          "cli", "position, position-pd, multiturn, speed, pwm, step, "
+                                 "current, release or motor, depending on the servo family")}},
             {},
             runMode};
 }

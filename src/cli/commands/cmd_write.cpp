@@ -79,8 +79,10 @@ Command writeCommand()
           1, many}},
         {{"--temporary", QT_TRANSLATE_NOOP("cli", "leave the EPROM locked: changes are lost at "
                                                   "power-off")},
-         {"--dangerous", QT_TRANSLATE_NOOP("cli", "allow writing registers that can make the "
-                                                  "servo unreachable or reverse its direction")}},
+         {"--dangerous", QT_TRANSLATE_NOOP("cli", "allow writing dangerous registers: ID, baud "
+                                                  "rate, torque, midpoint, mode, and what can "
+                                                  "make the servo unreachable, shift its "
+                                                  "positions or take its limits away")}},
         runWrite};
 }
 } // namespace cli

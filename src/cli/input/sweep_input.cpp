@@ -200,7 +200,9 @@ std::vector<Option> sweepOptions()
          QT_TRANSLATE_NOOP("cli", "pause after each goal is reached, instead of "
                                   "--delay"),
          "MS"},
-        {"--cycles", QT_TRANSLATE_NOOP("cli", "number of cycles (default: 10)"), "N"},
+        {"--cycles",
+         QT_TRANSLATE_NOOP("cli", "number of cycles (default: 10; with --duration: unlimited)"),
+         "N"},
         {"--duration", QT_TRANSLATE_NOOP("cli", "end after this many seconds"), "S"},
         {"--step", QT_TRANSLATE_NOOP("cli", "move in steps of this size, up and down"), "N"},
         {"--both-sides",
@@ -219,7 +221,8 @@ std::vector<Option> sweepOptions()
          QT_TRANSLATE_NOOP(
              "cli", "switch servos in other modes to position mode for the test, then back")},
         {"--torque-off", QT_TRANSLATE_NOOP("cli", "turn torque off at the end (default: hold)")},
-        {"--stop-on-failure", QT_TRANSLATE_NOOP("cli", "stop as soon as a limit is violated")},
+        {"--stop-on-failure",
+         QT_TRANSLATE_NOOP("cli", "end after the first cycle in which a servo fails a limit")},
         {"--limits", QT_TRANSLATE_NOOP("cli", "limits for the verdict (default: built-in limits)"),
          "FILE"},
         {"--report",

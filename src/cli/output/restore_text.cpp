@@ -236,7 +236,7 @@ base::Result<snapshot::Snapshot> loadToRestore(const Values& values, const QStri
         for (const snapshot::SnapshotRegister& reg : loaded->registers)
             known << reg.key;
         base::Error error{base::ErrorCode::UnknownRegister, QStringLiteral("restore"),
-                          nearest(key, known).join(QStringLiteral(", "))};
+                          text::joinItems(nearest(key, known))};
         error.registerKey = key;
         return tl::unexpected(error);
     }
