@@ -135,8 +135,11 @@ run_aside() {
     # shellcheck disable=SC2064 # this child
     trap "kill -- -$child 2>/dev/null" INT TERM HUP QUIT
     wait "$child" || code=$?
+    for _ in {1..50}; do # what a signal ends needs a moment
+        kill -0 -- "-$child" 2>/dev/null || break
+        sleep 0.1 || true
+    done
     trap - INT TERM HUP QUIT
-    wait "$child" 2>/dev/null || true # a signal ends the first one before the command has ended
     rm -rf -- "$temporary" || true
     return "$code"
 }
