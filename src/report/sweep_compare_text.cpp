@@ -113,10 +113,11 @@ Text testValueText(results::TestItem item, const QString& value)
                    ? sweepTexts().asTheServoHasIt
                    : inBoth(QStringLiteral("–"));
     if (item == TestItem::Limits) {
-        const QString second = QStringLiteral(" (2)"); // two limits with one name
-        const bool isSecond = value.endsWith(second);
-        const Text name = limitsName(isSecond ? value.chopped(second.size()) : value);
-        return isSecond ? filled(inBoth(QStringLiteral("%1 (2)")), name) : name;
+        const QString second = QStringLiteral(" (2)"); // of two with one name
+        if (!value.endsWith(second))
+            return limitsName(value);
+        const Text form{QStringLiteral("%1 (2)"), QStringLiteral("%1（2）")};
+        return filled(form, limitsName(value.chopped(second.size())));
     }
     if (item == TestItem::Shape)
         return shapeText(results::sweepShapeFromName(value).value_or(results::SweepShape::Points));

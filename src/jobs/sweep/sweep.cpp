@@ -20,7 +20,8 @@ base::Result<results::SweepServo> prepare(const device::Context& context, device
                                           Modes& modes)
 {
     results::SweepServo prepared;
-    prepared.limits = request.limits.at(place);
+    prepared.limits = results::withNameOfItsOwn(
+        request.limits.at(place), servo.profile ? servo.profile->modelName : QString());
     auto axis = sweepAxis(context, servo, request.spec, prepared.limits);
     const bool otherMode = !axis && axis.error().reason == base::Reason::NotInPositionMode;
     if (!axis && !(otherMode && request.switchMode))

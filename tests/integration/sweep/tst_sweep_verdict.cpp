@@ -617,6 +617,7 @@ void TestSweepVerdict::aWideToleranceGivesNoVerdict()
     const auto done = jobs::sweep(fixture.context(), servos, order, {});
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(done->verdict() != Grade::Pass && done->verdict() != Grade::Warn);
+    QCOMPARE(done->servos.front().limits.name, utf8("STS3215, custom")); // no longer built in
 }
 
 void TestSweepVerdict::torqueLeftOnIsReported()

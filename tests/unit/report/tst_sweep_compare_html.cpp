@@ -101,6 +101,10 @@ void TestSweepCompareHtml::everyTextIsPresent()
         const report::Text none = report::testValueText(results::TestItem(item), QString());
         QVERIFY(!none.en.isEmpty() && !none.zh.isEmpty());
     }
+    const report::Text limits = report::testValueText(
+        results::TestItem::Limits, QStringLiteral("4096 steps a turn, built in (2)"));
+    QCOMPARE(limits.en, QStringLiteral("4096 steps a turn, built in (2)"));
+    QCOMPARE(limits.zh, QStringLiteral("每圈 4096 步（内置）（2）"));
 }
 
 void TestSweepCompareHtml::theReferenceAsText()
