@@ -6771,7 +6771,7 @@ Totals: servos found %1, requests %2, replies %3, retries %4; median reply time 
     <message>
         <source>Exit codes: 0 success, 1 not executed, failed, different or stopped, 2 usage error, 3 port error, 4 no reply, 5 file error.
 &quot;servodesk-cli help COMMAND&quot; describes a command.</source>
-        <translation>退出码：0 成功，1 未执行、不合格、不一致或已停止，2 用法错误，3 端口错误，4 无应答，5 文件错误。
+        <translation>退出码：0 成功，1 未执行、失败、不合格、不一致或已停止，2 用法错误，3 端口错误，4 无应答，5 文件错误。
 “servodesk-cli help 命令”说明某个命令。</translation>
     </message>
     <message>
